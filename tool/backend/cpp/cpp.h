@@ -1,0 +1,16 @@
+// The C++ back end: Eigen wrappers over Eigen-free kernels, readable and warning-free.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend::cpp {
+
+// The names of the files that `print` makes, relative to the output directory: a function of the keywords only.
+std::vector<std::string> outputs(const std::string& name, const std::vector<std::string>& groups);
+
+std::vector<OutputFile> print(const Library& library);
+
+}  // namespace robcogen::backend::cpp

@@ -1,0 +1,67 @@
+// What a back end receives: a robot's constants and its programs. No algorithm, no syntax.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/files.h"
+#include "symbolic/count.h"
+#include "symbolic/program.h"
+
+namespace robcogen::backend {
+
+// Constants of the model in SI units, for traits and for the self-check's independent recursion.
+struct JointData {
+  std::string name;
+  bool revolute = true;
+  int parent = 0;  // link index
+  int child = 0;   // link index
+  // Pose of the joint frame in the parent link frame: translation (m), rotation about intrinsic x, y', z'' (rad).
+  std::array<double, 3> translation{};
+  std::array<double, 3> rotation{};
+};
+
+struct LinkData {
+  std::string name;
+  int parent_joint = -1;  // -1: base
+  double mass = 0;
+  std::array<double, 3> com{};      // link frame
+  std::array<double, 6> inertia{};  // about the link origin: ixx iyy izz, then products of inertia ixy ixz iyz (positive)
+};
+
+struct FrameData {
+  std::string name;
+  int link = 0;  // the link it moves with
+  std::array<double, 3> translation{};  // in that link's frame
+  std::array<double, 3> rotation{};
+};
+
+// One callable. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
+struct Function {
+  std::string group;       // file stem: inverse_dynamics, forward_dynamics, joint_space_inertia, transforms, jacobians
+  std::string scope;       // nested namespace: "", "transforms::motion", "jacobians", …
+  std::string name;        // `inverse_dynamics`, `fr_base_X_fr_foot`
+  std::string kernel;      // `inverse_dynamics_external`; identifier, unique in the library
+  std::vector<std::string> summary;  // documentation lines: what, frames, units, source
+  std::vector<int> columns;          // jacobians: joint index of each column
+  int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
+  symbolic::Program program;
+};
+
+struct Library {
+  std::string name;        // robot identifier: namespace and folder
+  std::string enclosing;   // enclosing namespace `a::b`, or empty
+  std::string robot;       // the robot's name in the document
+  std::string model_file;  // file name without folders
+  std::string model_hash;  // of the canonical document
+  bool floating_base = false;
+  std::vector<LinkData> links;  // [0] is the base
+  std::vector<JointData> joints;
+  std::vector<FrameData> frames;
+  std::vector<std::string> groups;  // which groups were asked for, in canonical order
+  std::vector<Function> functions;
+};
+
+}  // namespace robcogen::backend

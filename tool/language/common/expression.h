@@ -1,0 +1,50 @@
+// Arithmetic in documents, as written: the syntax tree shared by all four languages.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "support/number.h"
+#include "support/source.h"
+
+namespace robcogen::language {
+
+struct Expression;
+using ExpressionPtr = std::shared_ptr<const Expression>;
+
+// Names are kept as written (without the escaping '^'); what a name means is decided when the model is built.
+struct Expression {
+  enum class Kind {
+    number,    // literal, or a folded constant
+    pi,        // `PI`, `pi`, `Pi`, … : the constant unless a parameter of exactly this name is declared
+    name,      // parameter or variable; `group` for `Group.name`
+    constant,  // named constant `<name=3.2>` (with value in `left`) or `<name>`, `c:name:value`, `consts.name`
+    negate,
+    add,
+    subtract,
+    multiply,  // `*` or juxtaposition
+    divide,
+    sine,
+    cosine,
+    tangent,
+    square_root,
+  };
+  Kind kind = Kind::number;
+  Span span;
+  Number number;                         // kind number
+  std::string name;                      // kinds pi (its spelling), name, constant
+  std::string group;                     // kind name: `Group.` prefix, or empty
+  std::optional<Number> default_value;   // kind name: `m1[1]`
+  ExpressionPtr left;                    // operand, or first operand
+  ExpressionPtr right;                   // second operand
+};
+
+// Text that parses back to an equal tree (spans apart). Prefers the original's spelling: `PI/2.0`, `-PI/2.0`, `0.5 len`
+// where that spelling exists, full arithmetic otherwise.
+std::string print(const Expression& e);
+
+// Same tree, ignoring spans.
+bool equal(const Expression& a, const Expression& b);
+
+}  // namespace robcogen::language

@@ -1,0 +1,38 @@
+// A desired-transforms document (.dtdsl) as written: which coordinate transforms and Jacobians to generate.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/diagnostics.h"
+
+namespace robcogen::language::desired {
+
+struct Name {
+  std::string text;
+  Span span;
+};
+
+// `left_X_right`: maps coordinates in `right` to coordinates in `left`. For a Jacobian `left_J_right`: velocity of the
+// origin of `right` with respect to `left`, in coordinates of `left`.
+struct Pair {
+  Name left;
+  Name right;
+  Span span;
+};
+
+struct Document {
+  std::shared_ptr<const Source> source;
+  Name robot;
+  std::vector<Name> frames;
+  std::vector<Pair> transforms;
+  std::vector<Pair> jacobians;
+  std::vector<std::string> comments;
+};
+
+Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
+std::string print(const Document& document);
+bool equal(const Document& a, const Document& b);
+
+}  // namespace robcogen::language::desired

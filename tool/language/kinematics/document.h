@@ -1,0 +1,90 @@
+// A Kinematics-DSL document (.kindsl) as written: the syntax tree of a robot description.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "language/common/expression.h"
+#include "support/diagnostics.h"
+
+namespace robcogen::language::kinematics {
+
+struct Name {
+  std::string text;
+  Span span;
+};
+
+using Vector = std::array<ExpressionPtr, 3>;
+
+// A pose: translate, then rotate about the intrinsic axes x, y', z''.
+struct Placement {
+  Vector translation;  // m
+  Vector rotation;     // rad
+  Span span;
+};
+
+struct Frame {
+  Name name;
+  Placement placement;
+};
+
+// Moments are about the origin of the link frame (or of `reference`), products of inertia have positive sign.
+struct Inertia {
+  ExpressionPtr mass;
+  Vector com;
+  ExpressionPtr ix, iy, iz, ixy, ixz, iyz;
+  std::optional<Name> reference;  // a user frame of the same link
+  Span span;
+};
+
+struct Child {
+  Name link;
+  Name joint;
+};
+
+// The base has no `id`; a link has no `floating`.
+struct Link {
+  Name name;
+  bool is_base = false;
+  bool floating = false;
+  std::optional<int> id;
+  Span id_span;
+  std::optional<Inertia> inertia;
+  std::vector<Child> children;
+  std::vector<Frame> frames;
+  std::vector<std::string> comments;  // those before this element, in order, with their delimiters
+  Span span;
+};
+
+struct Joint {
+  enum class Type { revolute, prismatic };
+  Name name;
+  Type type = Type::revolute;
+  std::optional<int> id;
+  Placement placement;
+  std::vector<std::string> comments;
+  Span span;
+};
+
+struct Document {
+  std::shared_ptr<const Source> source;
+  Name robot;
+  std::vector<std::string> comments;           // before `Robot`
+  std::vector<std::string> trailing_comments;  // before the closing brace and after it
+  std::vector<Link> links;                     // in declaration order; exactly one has is_base when valid
+  std::vector<Joint> joints;                   // in declaration order
+};
+
+// Reads as far as it can and reports every error it finds; the document is meaningful only when no error was added.
+Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
+
+// The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
+std::string print(const Document& document);
+
+// Same content, places apart.
+bool equal(const Document& a, const Document& b);
+
+}  // namespace robcogen::language::kinematics

@@ -1,0 +1,44 @@
+// The domain model of coordinate transforms (the paper's Fig. 1): products of primitive transforms between frames.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/rigid_motions.h"
+
+namespace robcogen::model {
+
+// right: Rx(a) maps coordinates of the frame rotated by +a to the original frame (the usual rotation matrix), Tx(d)
+// those of the frame moved by +d. left: the inverse.
+enum class MovedFramePosition { left, right };
+
+struct PrimitiveTransform {
+  bool rotation = false;
+  Axis axis = Axis::x;
+  Quantity amount;
+};
+
+// left_X_right = the product of the primitives, first one leftmost; empty is the identity.
+struct CoordinateTransform {
+  std::string left;
+  std::string right;
+  std::vector<PrimitiveTransform> primitives;
+  std::string name;  // user name, may be empty
+};
+
+struct CoordinateTransforms {
+  std::string name;
+  MovedFramePosition position = MovedFramePosition::right;
+  std::vector<Parameter> parameters;
+  std::vector<std::string> variables;
+  std::vector<CoordinateTransform> transforms;
+};
+
+// The transform between any two frames that the motions connect: the path is walked from `left` to `right`, an edge
+// walked backwards contributes its inverse. nullopt when the frames are unknown or not connected.
+std::optional<CoordinateTransform> transform_between(const RigidMotions& motions, const std::string& left,
+                                                     const std::string& right,
+                                                     MovedFramePosition position = MovedFramePosition::right);
+
+}  // namespace robcogen::model

@@ -1,0 +1,60 @@
+// A robot as an importer hands it over: elements that refer to one another by name, not yet known to form a tree.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::model {
+
+struct DescribedChild {
+  std::string link;
+  std::string joint;
+  Place link_place;
+  Place joint_place;
+};
+
+struct DescribedFrame {
+  std::string name;
+  Placement placement;
+  Place place;
+};
+
+struct DescribedLink {
+  std::string name;
+  Place place;
+  std::optional<int> id;
+  Place id_place;
+  std::optional<Inertia> inertia;  // `reference` is filled by build from reference_frame
+  Place inertia_place;
+  std::optional<std::string> reference_frame;
+  Place reference_place;
+  std::vector<DescribedChild> children;
+  std::vector<DescribedFrame> frames;
+};
+
+struct DescribedJoint {
+  std::string name;
+  Place place;
+  JointType type = JointType::revolute;
+  Placement placement;
+};
+
+struct Description {
+  std::string name;
+  Place place;
+  bool floating_base = false;
+  DescribedLink base;
+  std::vector<DescribedLink> links;    // in declaration order
+  std::vector<DescribedJoint> joints;  // in declaration order
+  std::vector<Parameter> parameters;
+};
+
+// Links the elements and checks them: one parent each, no island, no cycle, names, every joint used once, reference
+// frames, ids (warnings), plausible mass properties (warnings with the numbers; an error, naming the joint, where a
+// massless subtree would make the inertia matrix singular for every q). nullopt when an error was reported.
+std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics);
+
+}  // namespace robcogen::model

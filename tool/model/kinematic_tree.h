@@ -1,0 +1,119 @@
+// The kinematic tree: the paper's domain model of an articulated robot (its Fig. 3), free of any syntax.
+//
+// A KinematicTree is valid by construction: `build` makes it from a Description and reports what is wrong. Links and
+// joints keep the order in which the document declares them; the tree structure is a separate order (`topological`).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/quantity.h"
+
+namespace robcogen::model {
+
+enum class JointType { revolute, prismatic };
+
+// Pose of a frame in the frame of its parent: translate, then rotate about the intrinsic axes x, y', z''
+// (R = Rx Ry Rz). Metres and radians.
+struct Placement {
+  std::array<Quantity, 3> translation;
+  std::array<Quantity, 3> rotation;
+};
+
+// Mass properties as a document gives them: about the origin and in the axes of the link frame, or of `reference`
+// (the pose of a user frame in the link frame). Products of inertia have positive sign: ixy = integral of x y dm.
+struct Inertia {
+  Quantity mass;                // kg
+  std::array<Quantity, 3> com;  // m
+  Quantity ixx, iyy, izz;       // kg m^2, moments
+  Quantity ixy, ixz, iyz;       // kg m^2, products
+  std::optional<Placement> reference;
+};
+
+// Mass properties about the origin and in the axes of the link frame.
+struct RigidBodyInertia {
+  Quantity mass;
+  std::array<Quantity, 3> first_moment;  // mass * centre of mass
+  Quantity ixx, iyy, izz, ixy, ixz, iyz;  // moments, and products of positive sign
+};
+
+// Moves the properties from `reference` to the link frame; exact folding for constants, expressions for parameters.
+RigidBodyInertia in_link_frame(const Inertia& inertia);
+
+struct Link {
+  std::string name;
+  std::optional<Inertia> inertia;  // absent: massless (a virtual link)
+  int parent_joint = -1;           // index of the joint that supports it; -1 for the base
+  std::vector<int> child_joints;   // indices, in the order of the document's `children`
+  Place place;
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::revolute;
+  int parent = -1;      // link index
+  int child = -1;       // link index
+  Placement placement;  // of the joint frame in the parent link frame; motion is about or along its z axis
+  Place place;
+};
+
+struct UserFrame {
+  std::string name;
+  int link = -1;
+  Placement placement;  // in the link frame
+  bool hidden = false;  // an implicit frame has this name and wins: only an inertia's ref_frame can mean this one
+  Place place;
+};
+
+// Which frame a name denotes. `fr_<link>` (base too) and `fr_<joint>` exist implicitly.
+struct Frame {
+  enum class Kind { link, joint, user };
+  Kind kind = Kind::link;
+  int index = -1;  // of the link, joint or user frame
+  std::string name;
+};
+
+class KinematicTree {
+ public:
+  std::string name;
+  bool floating_base = false;
+  std::vector<Link> links;  // [0] is the base, then the links as declared
+  std::vector<Joint> joints;  // as declared; q, qd, tau, … have this order
+  std::vector<UserFrame> user_frames;
+  std::vector<Parameter> parameters;
+
+  int dof() const { return static_cast<int>(joints.size()); }
+  // Joint indices, parents before children, depth first, children in the order of the document.
+  std::vector<int> topological() const;
+  // -1 for the base's.
+  int parent_joint_of(int joint) const { return links[static_cast<std::size_t>(joints[static_cast<std::size_t>(joint)].parent)].parent_joint; }
+  // All frames that can be named: link frames, joint frames, then user frames that are not hidden.
+  std::vector<Frame> frames() const;
+  std::optional<Frame> find_frame(const std::string& name) const;
+  std::optional<int> find_link(const std::string& name) const;
+  std::optional<int> find_joint(const std::string& name) const;
+  // The link that a frame moves with: a joint frame is fixed to the parent link of its joint.
+  int link_of(const Frame& frame) const;
+};
+
+struct FramePair {
+  Frame left;
+  Frame right;
+  friend bool operator==(const FramePair& a, const FramePair& b) {
+    return a.left.name == b.left.name && a.right.name == b.right.name;
+  }
+};
+
+// What to generate: coordinate transforms left_X_right and geometric Jacobians left_J_right.
+struct DesiredTransforms {
+  std::vector<FramePair> transforms;
+  std::vector<FramePair> jacobians;
+};
+
+// Every link frame and user frame to and from the base frame; a Jacobian, from the base, for every user frame and
+// every leaf link.
+DesiredTransforms default_desired(const KinematicTree& tree);
+
+}  // namespace robcogen::model

@@ -1,0 +1,76 @@
+// Quantities of a model: constants, parameters, variables, and arithmetic of them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "support/diagnostics.h"
+#include "support/number.h"
+
+namespace robcogen::model {
+
+// Which of the two interfaces a parameter belongs to is decided by where it stands: a length or an angle is a
+// kinematics parameter; anything inside an inertia is a dynamics parameter.
+enum class ParameterKind { length, angle, inertial };
+
+struct Parameter {
+  std::string name;
+  ParameterKind kind = ParameterKind::length;
+  std::optional<double> default_value;
+  Place place;  // first use
+};
+
+inline bool is_dynamics(ParameterKind kind) { return kind == ParameterKind::inertial; }
+
+// An immutable arithmetic expression over constants, parameters (by index into the model's list) and variables (by
+// index too). Operators fold constants exactly, and 0 + x, 1 * x, 0 * x.
+class Quantity {
+ public:
+  enum class Op {
+    constant, parameter, variable,
+    negate, add, subtract, multiply, divide,
+    sine, cosine, tangent, square_root,
+  };
+
+  Quantity();  // the constant zero
+  explicit Quantity(Number value);
+  explicit Quantity(double value) : Quantity(Number(value)) {}
+  static Quantity parameter(int index);
+  static Quantity variable(int index);
+
+  Op op() const;
+  const Number& number() const;     // op constant
+  int index() const;                // op parameter, variable
+  const Quantity& left() const;     // operand, or first operand
+  const Quantity& right() const;    // second operand
+
+  bool is_constant() const { return op() == Op::constant; }
+  bool is_zero() const { return is_constant() && number().is_zero(); }
+
+  friend Quantity operator-(const Quantity& a);
+  friend Quantity operator+(const Quantity& a, const Quantity& b);
+  friend Quantity operator-(const Quantity& a, const Quantity& b);
+  friend Quantity operator*(const Quantity& a, const Quantity& b);
+  friend Quantity operator/(const Quantity& a, const Quantity& b);
+  friend Quantity sin(const Quantity& a);
+  friend Quantity cos(const Quantity& a);
+  friend Quantity tan(const Quantity& a);
+  friend Quantity sqrt(const Quantity& a);
+
+ private:
+  struct Node;
+  explicit Quantity(std::shared_ptr<const Node> node);
+  std::shared_ptr<const Node> node_;
+};
+
+// Numerical value; parameters and variables are looked up by index.
+double evaluate(const Quantity& q, std::span<const double> parameters = {}, std::span<const double> variables = {});
+
+// Text in the documents' syntax.
+std::string print(const Quantity& q, const std::vector<Parameter>& parameters,
+                  const std::vector<std::string>& variables = {});
+
+}  // namespace robcogen::model

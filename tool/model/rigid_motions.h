@@ -1,0 +1,45 @@
+// The domain model of rigid motions: relative poses of frames as sequences of elementary motions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::model {
+
+enum class Axis { x = 0, y = 1, z = 2 };
+
+// A translation along, or a rotation about, one coordinate axis.
+struct ElementaryMotion {
+  bool rotation = false;
+  Axis axis = Axis::x;
+  Quantity amount;  // m or rad
+};
+
+// local: each step is about the axes of the frame reached so far. fixed: axes stay parallel to the initial frame,
+// rotations are about the moving origin.
+enum class MotionConvention { local, fixed };
+
+// `from -> to : steps` moves frame `from` onto frame `to`.
+struct Motion {
+  std::string from;
+  std::string to;
+  std::vector<ElementaryMotion> steps;
+  std::string name;  // user name, may be empty
+};
+
+// Variables are indices into `variables`, parameters into `parameters`.
+struct RigidMotions {
+  std::string name;
+  MotionConvention convention = MotionConvention::local;
+  std::vector<Parameter> parameters;
+  std::vector<std::string> variables;
+  std::vector<Motion> motions;
+};
+
+// The poses of all joint frames, link frames and visible user frames of a robot. Variable i is the position of joint i,
+// named `q_<joint>`. (`fr_<parent> -> fr_<joint>`, `fr_<joint> -> fr_<child>`, `fr_<link> -> <frame>`.)
+RigidMotions motions_of(const KinematicTree& tree);
+
+}  // namespace robcogen::model

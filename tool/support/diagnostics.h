@@ -1,0 +1,68 @@
+// User errors are values: collected in one list, printed once.
+//
+// Each diagnostic has a stable code (`two-parents`, `unknown-joint`), a place, and optional notes that point at related
+// places. Rendered as
+//     hyl.kindsl:12:5: error: joint 'KFE' connects two links [joint-used-twice]
+//         lowerleg via KFE
+//         ^~~~~~~~
+//     hyl.kindsl:8:5: note: first used here
+//     hint: did you mean 'HFE'?
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/source.h"
+
+namespace robcogen {
+
+enum class Severity { note, warning, error };
+enum class ErrorFormat { gnu, msvc };
+
+// A place in a source, or in no source at all (`source` empty).
+struct Place {
+  std::shared_ptr<const Source> source;
+  Span span;
+};
+
+struct Note {
+  Place place;
+  std::string message;
+};
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string code;     // kebab-case, stable
+  std::string message;  // one sentence, no final stop
+  Place place;
+  std::vector<Note> notes;
+  std::string hint;  // `did you mean 'x'?`; empty when there is none
+};
+
+class Diagnostics {
+ public:
+  // Returns the stored diagnostic, so that notes and a hint can be added to it at once.
+  Diagnostic& error(std::string code, Place place, std::string message);
+  Diagnostic& warning(std::string code, Place place, std::string message);
+
+  bool has_errors() const;
+  std::size_t error_count() const;
+  const std::vector<Diagnostic>& all() const { return list_; }
+  // `--strict` of the desired-transforms language: the named warnings become errors.
+  void promote_warnings(const std::vector<std::string>& codes);
+  // At most `max_errors` are shown in full, then one line that counts the rest. Sorted by source and place.
+  std::string render(ErrorFormat format = ErrorFormat::gnu, std::size_t max_errors = 100) const;
+
+ private:
+  std::vector<Diagnostic> list_;
+};
+
+std::string render(const Diagnostic& d, ErrorFormat format = ErrorFormat::gnu);
+
+// The candidate nearest to `word` by edit distance, or empty when none is near enough to be meant.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+// `did you mean 'x'?`, or empty.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace robcogen

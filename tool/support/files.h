@@ -1,0 +1,30 @@
+// Reading and writing files: generated output is complete or absent, and untouched when it would not change.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace robcogen {
+
+// The file's bytes, or nullopt with a message in `error`. Refuses folders; "-" is standard input.
+std::optional<std::string> read_file(const std::filesystem::path& path, std::string& error);
+
+struct OutputFile {
+  std::filesystem::path path;  // relative to the output directory
+  std::string text;
+};
+
+// Writes every file whose content differs, each by a temporary file and a rename. When anything fails, temporary files
+// are removed, nothing is renamed, and `error` says what failed. Returns false then.
+bool write_files_if_changed(const std::filesystem::path& directory, const std::vector<OutputFile>& files,
+                            std::string& error);
+
+// One rule `target: inputs…` in the form of a compiler's dependency file; blanks, '#' and '$' are escaped.
+std::string dependency_file(const std::filesystem::path& target, const std::vector<std::filesystem::path>& inputs);
+
+// 64-bit FNV-1a of the text, as 16 hexadecimal digits: the model's hash in banners. Not for security.
+std::string hash_text(const std::string& text);
+
+}  // namespace robcogen

@@ -1,0 +1,64 @@
+// A real constant that remembers when it is exactly rational, or exactly a rational multiple of PI.
+//
+// Documents write `PI/2.0` and `0.1`. Folding such constants in plain doubles loses what the author said: cos(PI/2)
+// becomes 6e-17 and a transform that should be a signed permutation becomes 9 live products. A Number folds exactly as
+// long as it can and falls back to the nearest double when it cannot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace robcogen {
+
+// num / den in lowest terms, den > 0.
+struct Rational {
+  std::int64_t num = 0;
+  std::int64_t den = 1;
+  friend bool operator==(const Rational&, const Rational&) = default;
+};
+
+class Number {
+ public:
+  Number() = default;  // exactly zero
+  explicit Number(double value);
+  static Number rational(std::int64_t num, std::int64_t den = 1);
+  static Number pi_multiple(std::int64_t num, std::int64_t den = 1);
+  // The nearest double of a decimal literal (`1`, `.5`, `1.0E5`), exactly rational when it fits 64-bit num/den.
+  // nullopt when the text is no number, or overflows to infinity.
+  static std::optional<Number> parse(const std::string& literal);
+
+  double value() const { return value_; }
+  bool is_zero() const { return value_ == 0.0; }
+  bool is_pi_multiple() const { return ratio_.has_value() && times_pi_; }
+  // The factor r of an exact `r` or `r * PI`; nullopt when only the double is known.
+  const std::optional<Rational>& ratio() const { return ratio_; }
+
+  friend Number operator-(const Number& a);
+  friend Number operator+(const Number& a, const Number& b);
+  friend Number operator-(const Number& a, const Number& b);
+  friend Number operator*(const Number& a, const Number& b);
+  friend Number operator/(const Number& a, const Number& b);
+  // Correctly reduced for exact multiples of PI: sin(PI) is 0, cos(PI/3) is 1/2, sin(PI/4) == cos(PI/4).
+  friend Number sin(const Number& a);
+  friend Number cos(const Number& a);
+  friend Number tan(const Number& a);
+  friend Number sqrt(const Number& a);
+
+  // Same double and the same exact form.
+  friend bool operator==(const Number& a, const Number& b);
+
+ private:
+  double value_ = 0.0;
+  std::optional<Rational> ratio_ = Rational{0, 1};
+  bool times_pi_ = false;
+};
+
+// How a document spells the number: `PI/2.0`, `2.0 PI/3.0` never appears in plain `0.25`; parse(print(n)) == n.
+std::string print(const Number& n);
+
+// Shortest text that reads back as exactly this double, always with a '.' or an exponent: `1.0`, `0.35`, `1e-09`.
+// Independent of the locale.
+std::string print_double(double value);
+
+}  // namespace robcogen

@@ -1,0 +1,92 @@
+// The neutral intermediate representation: a program of named scalar statements from input arrays to output arrays.
+//
+// A program is data. It prints as text and reads back (text.h), is verified (verify.h), interpreted (interpret.h),
+// counted (count.h), rewritten by passes (tool/pass) and spelled in a target language (tool/backend).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/number.h"
+
+namespace robcogen::symbolic {
+
+enum class Op { add, subtract, multiply, divide, square_root, sine, cosine };
+
+constexpr bool is_binary(Op op) { return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide; }
+
+// What a statement reads: a constant, an element of an input array, or an earlier statement; possibly negated.
+struct Operand {
+  enum class Kind { constant, input, statement };
+  Kind kind = Kind::constant;
+  int index = 0;          // into Program::constants, the flat list of input elements, or Program::statements
+  bool negative = false;  // costs nothing: passes and back ends fold it into an addition or a subtraction
+  friend bool operator==(const Operand&, const Operand&) = default;
+};
+
+struct Statement {
+  Op op = Op::add;
+  Operand a;
+  Operand b;         // unused by unary operations
+  std::string name;  // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
+  int section = 0;   // into Program::sections
+  bool named = false;  // the name was given by the algorithm: a back end keeps it as a statement of its own
+};
+
+// What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.
+enum class Role {
+  joint_position,      // rad or m
+  joint_velocity,      // rad/s or m/s
+  joint_acceleration,  // rad/s^2 or m/s^2
+  joint_force,         // N m or N
+  gravity,             // 3: m/s^2, base coordinates
+  base_velocity,       // 6: twist, angular first, base coordinates
+  base_acceleration,   // 6: spatial acceleration, base coordinates, gravity not included
+  base_wrench,         // 6: about the base origin, base coordinates
+  link_wrenches,       // 6 per link (base first): about the link origin, link coordinates
+  inertia_matrix,      // symmetric, base rows first for a floating base
+  homogeneous,         // 4 x 4
+  spatial_motion,      // 6 x 6, angular first
+  spatial_force,       // 6 x 6, angular first
+  jacobian,            // 6 x k, angular rows first
+  parameters,          // kinematics, then dynamics parameters
+  value,               // anything else
+};
+
+// Arrays of more than one column are stored column by column.
+struct InputArray {
+  std::string name;
+  Role role = Role::value;
+  std::vector<std::string> elements;  // a label for each element: the joint's name, `wx`, …
+};
+
+struct OutputArray {
+  std::string name;
+  Role role = Role::value;
+  int rows = 0;
+  int columns = 1;
+  std::vector<Operand> values;  // rows * columns, column by column
+};
+
+// A run of statements that belong together: becomes a comment in generated text.
+struct Section {
+  std::string title;  // `link lowerleg: velocity and acceleration`
+  std::string prefix;  // unnamed statements of the section are numbered as `<prefix>_t<k>`
+};
+
+struct Program {
+  std::string name;
+  std::vector<InputArray> inputs;
+  std::vector<OutputArray> outputs;
+  std::vector<Number> constants;  // each non-negative, each once
+  std::vector<Section> sections;
+  std::vector<Statement> statements;  // operands come before their users
+
+  int input_count() const {
+    int n = 0;
+    for (const InputArray& array : inputs) n += static_cast<int>(array.elements.size());
+    return n;
+  }
+};
+
+}  // namespace robcogen::symbolic
