@@ -1,0 +1,107 @@
+#include "symbolic/count.h"
+
+#include <algorithm>
+#include <set>
+
+namespace robcogen::symbolic {
+namespace {
+
+constexpr int kLatency = 4;          // cycles of an addition, a multiplication, or the two fused
+constexpr int kDivisionLatency = 14;  // division, square root
+
+struct Use {
+  int count = 0;
+  std::vector<int> sums;  // additions that use it
+};
+
+std::vector<Use> uses_of(const Program& p) {
+  std::vector<Use> uses(p.statements.size());
+  const auto note = [&](const Operand& o, int user, bool in_sum) {
+    if (o.kind != Operand::Kind::statement) return;
+    Use& use = uses[static_cast<std::size_t>(o.index)];
+    ++use.count;
+    if (in_sum) use.sums.push_back(user);
+  };
+  for (std::size_t i = 0; i < p.statements.size(); ++i) {
+    const Statement& s = p.statements[i];
+    const bool sum = s.op == Op::add || s.op == Op::subtract;
+    note(s.a, static_cast<int>(i), sum);
+    if (is_binary(s.op)) note(s.b, static_cast<int>(i), sum);
+  }
+  for (const OutputArray& array : p.outputs)
+    for (const Operand& o : array.values) note(o, -1, false);
+  return uses;
+}
+
+// Products that disappear: every use is a sum that has not absorbed another product yet.
+int fused_products(const Program& p) {
+  const std::vector<Use> uses = uses_of(p);
+  std::vector<bool> taken(p.statements.size(), false);
+  int fused = 0;
+  for (std::size_t i = 0; i < p.statements.size(); ++i) {
+    if (p.statements[i].op != Op::multiply) continue;
+    const Use& use = uses[i];
+    if (use.count == 0 || static_cast<int>(use.sums.size()) != use.count) continue;
+    if (std::any_of(use.sums.begin(), use.sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; }))
+      continue;
+    for (int u : use.sums) taken[static_cast<std::size_t>(u)] = true;
+    ++fused;
+  }
+  return fused;
+}
+
+int critical_path(const Program& p) {
+  std::vector<int> ready(p.statements.size(), 0);
+  const auto at = [&](const Operand& o) {
+    return o.kind == Operand::Kind::statement ? ready[static_cast<std::size_t>(o.index)] : 0;
+  };
+  for (std::size_t i = 0; i < p.statements.size(); ++i) {
+    const Statement& s = p.statements[i];
+    switch (s.op) {
+      case Op::sine:
+      case Op::cosine: break;  // given
+      case Op::divide: ready[i] = std::max(at(s.a), at(s.b)) + kDivisionLatency; break;
+      case Op::square_root: ready[i] = at(s.a) + kDivisionLatency; break;
+      case Op::multiply: ready[i] = std::max(at(s.a), at(s.b)) + kLatency; break;
+      case Op::add:
+      case Op::subtract: {
+        ready[i] = std::max(at(s.a), at(s.b)) + kLatency;
+        for (const auto& [product, other] : {std::pair(s.a, s.b), std::pair(s.b, s.a)}) {
+          if (product.kind != Operand::Kind::statement) continue;
+          const Statement& inner = p.statements[static_cast<std::size_t>(product.index)];
+          if (inner.op == Op::multiply)
+            ready[i] = std::min(ready[i], std::max({at(inner.a), at(inner.b), at(other)}) + kLatency);
+        }
+        break;
+      }
+    }
+  }
+  int longest = 0;
+  for (const OutputArray& array : p.outputs)
+    for (const Operand& o : array.values) longest = std::max(longest, at(o));
+  return longest;
+}
+
+}  // namespace
+
+OperationCount count(const Program& p) {
+  OperationCount c;
+  std::set<std::pair<int, int>> angles;
+  for (const Statement& s : p.statements) {
+    switch (s.op) {
+      case Op::add:
+      case Op::subtract: ++c.add; break;
+      case Op::multiply: ++c.mul; break;
+      case Op::divide: ++c.div; break;
+      case Op::square_root: ++c.sqrt; break;
+      case Op::sine:
+      case Op::cosine: angles.emplace(static_cast<int>(s.a.kind), s.a.index); break;
+    }
+  }
+  c.sincos = static_cast<int>(angles.size());
+  c.instructions = c.mul + c.add - fused_products(p);
+  c.critical_path = critical_path(p);
+  return c;
+}
+
+}  // namespace robcogen::symbolic

@@ -1,0 +1,313 @@
+#include "symbolic/expression.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace robcogen::symbolic {
+namespace {
+
+Graph* common_graph(const Expression& a, const Expression& b) {
+  if (a.graph() && b.graph() && a.graph() != b.graph()) throw std::logic_error("expressions of two graphs are mixed");
+  return a.graph() ? a.graph() : b.graph();
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Expression
+
+bool Expression::is_constant() const {
+  return !graph_ || graph_->nodes()[static_cast<std::size_t>(node_)].kind == Node::Kind::constant;
+}
+
+Number Expression::number() const {
+  if (!graph_) return Number();
+  const Number& n = graph_->number(graph_->nodes()[static_cast<std::size_t>(node_)]);
+  return negative_ ? -n : n;
+}
+
+Expression operator+(const Expression& a, const Expression& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  return common_graph(a, b)->add(a, b);
+}
+
+Expression operator*(const Expression& a, const Expression& b) {
+  if (a.is_zero()) return a;
+  if (b.is_zero()) return b;
+  return common_graph(a, b)->multiply(a, b);
+}
+
+Expression operator*(double a, const Expression& b) { return b.is_zero() ? b : b.graph()->constant(a) * b; }
+
+Expression operator/(const Expression& a, const Expression& b) {
+  if (b.is_zero()) throw std::logic_error("division by the constant zero");
+  if (a.is_zero() || b.is_one()) return a;
+  Graph& g = *common_graph(a, b);
+  if (a.is_constant() && b.is_constant()) return g.constant(a.number() / b.number());
+  const Expression quotient = g.operation(Op::divide, g.positive(a.node()), g.positive(b.node()));
+  return a.negative() != b.negative() ? -quotient : quotient;
+}
+
+Expression sqrt(const Expression& a) {
+  if (a.is_zero()) return a;
+  Graph& g = *a.graph();
+  if (a.is_constant()) return g.constant(sqrt(a.number()));
+  return g.operation(Op::square_root, a, Expression());
+}
+
+Expression sin(const Expression& a) {
+  if (a.is_zero()) return a;
+  Graph& g = *a.graph();
+  if (a.is_constant()) return g.constant(sin(a.number()));
+  const Expression s = g.operation(Op::sine, g.positive(a.node()), Expression());
+  return a.negative() ? -s : s;
+}
+
+Expression cos(const Expression& a) {
+  if (!a.graph()) throw std::logic_error("cos of a constant that belongs to no graph");
+  Graph& g = *a.graph();
+  if (a.is_constant()) return g.constant(cos(a.number()));
+  return g.operation(Op::cosine, g.positive(a.node()), Expression());
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Graph: nodes
+
+Graph::Graph(bool rewrite) : rewrite_(rewrite) {
+  sections_.push_back({"", "t"});
+  constant(0.0);
+  constant(1.0);
+}
+
+std::size_t Graph::KeyHash::operator()(const Key& k) const {
+  std::uint64_t h = k.bits * 0x9e3779b97f4a7c15ULL ^ (k.kind + 0x7f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
+  h ^= h >> 29;
+  h *= 0x94d049bb133111ebULL;
+  return static_cast<std::size_t>(h ^ (h >> 32));
+}
+
+Graph::Key Graph::key(const Node& n) const {
+  const auto kind = static_cast<std::uint64_t>(n.kind);
+  if (n.kind == Node::Kind::constant) {
+    const Number& value = number(n);
+    return {std::bit_cast<std::uint64_t>(value.value()), kind * 64 + (value.is_pi_multiple() ? 1 : 0)};
+  }
+  const std::uint64_t a = static_cast<std::uint32_t>(n.a);
+  const std::uint64_t b = static_cast<std::uint32_t>(n.b);
+  return {a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0)};
+}
+
+int Graph::intern(const Node& n) {
+  const auto [place, fresh] = known_.try_emplace(key(n), static_cast<int>(nodes_.size()));
+  if (fresh) {
+    nodes_.push_back(n);
+    section_of_.push_back(static_cast<int>(sections_.size()) - 1);
+    names_.emplace_back();
+  }
+  return place->second;
+}
+
+Expression Graph::constant(const Number& value) {
+  if (std::isnan(value.value()) || std::isinf(value.value())) throw std::logic_error("a constant is not finite");
+  const bool negative = value.value() < 0;
+  const Number magnitude = value.value() == 0.0 ? Number() : negative ? -value : value;
+  const std::size_t constants_before = constants_.size();
+  constants_.push_back(magnitude);
+  Node n;
+  n.a = static_cast<int>(constants_before);
+  const int node = intern(n);
+  if (nodes_[static_cast<std::size_t>(node)].a != n.a) constants_.pop_back();  // it was known
+  return Expression(this, node, negative);
+}
+
+Expression Graph::input(int element) {
+  Node n;
+  n.kind = Node::Kind::input;
+  n.a = element;
+  return positive(intern(n));
+}
+
+void Graph::rollback(std::size_t mark) {
+  while (nodes_.size() > mark) {
+    known_.erase(key(nodes_.back()));
+    nodes_.pop_back();
+    section_of_.pop_back();
+    names_.pop_back();
+  }
+}
+
+int Graph::operations_since(std::size_t mark, int division_cost) const {
+  int operations = 0;
+  for (std::size_t i = mark; i < nodes_.size(); ++i) {
+    if (nodes_[i].kind != Node::Kind::operation) continue;
+    const Op op = nodes_[i].op;
+    operations += op == Op::divide || op == Op::square_root ? division_cost : is_binary(op) ? 1 : 0;
+  }
+  return operations;
+}
+
+void Graph::begin_section(std::string title, std::string prefix) {
+  sections_.push_back({std::move(title), std::move(prefix)});
+}
+
+void Graph::name(const Expression& e, const std::string& name) {
+  if (!e.graph()) return;
+  const auto node = static_cast<std::size_t>(e.node());
+  if (nodes_[node].kind == Node::Kind::operation && names_[node].empty()) names_[node] = name;
+}
+
+Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
+  Node n;
+  n.kind = Node::Kind::operation;
+  n.op = op;
+  n.a = a.node();
+  n.b = is_binary(op) ? b.node() : -1;
+  n.a_negative = op == Op::square_root && a.negative();
+  return positive(intern(n));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Graph: folding
+
+void Graph::split_factor(const Expression& x, Number& factor, int& rest) const {
+  factor = Number::rational(x.negative() ? -1 : 1);
+  rest = x.node();
+  const Node& n = nodes_[static_cast<std::size_t>(rest)];
+  if (n.kind != Node::Kind::operation || n.op != Op::multiply) return;
+  for (const auto& [scale, other] : {std::pair(n.a, n.b), std::pair(n.b, n.a)}) {
+    if (!is_constant(scale)) continue;
+    const Number& value = number(nodes_[static_cast<std::size_t>(scale)]);
+    factor = x.negative() ? -value : value;
+    rest = other;
+    return;
+  }
+}
+
+Expression Graph::add(Expression a, Expression b) {
+  if (a.is_constant() && b.is_constant()) return constant(a.number() + b.number());
+  if (a.node() == b.node()) {
+    if (a.negative() != b.negative()) return Expression();
+    if (rewrite_) return constant(2.0) * a;
+  }
+  if (rewrite_) {
+    // k1 t + k2 t
+    Number factor_a, factor_b;
+    int rest_a = 0, rest_b = 0;
+    split_factor(a, factor_a, rest_a);
+    split_factor(b, factor_b, rest_b);
+    if (rest_a == rest_b) return constant(factor_a + factor_b) * positive(rest_a);
+    for (const auto& [sum, other] : {std::pair(a, b), std::pair(b, a)}) {
+      const Node n = nodes_[static_cast<std::size_t>(sum.node())];
+      if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) continue;
+      const Expression first(this, n.a, sum.negative());
+      const Expression second(this, n.b, sum.negative() != (n.op == Op::subtract));
+      // (t + c1) + c2
+      if (other.is_constant() && first.is_constant()) return second + (first + other);
+      if (other.is_constant() && second.is_constant()) return first + (second + other);
+      // (p + q) - q
+      if (first.node() == other.node() && first.negative() != other.negative()) return second;
+      if (second.node() == other.node() && second.negative() != other.negative()) return first;
+    }
+  }
+  // Canonical form: the operand that was made first stands first; a common sign moves outwards.
+  const bool ordered = a.node() < b.node();
+  if (!ordered) std::swap(a, b);
+  const Expression sum =
+      operation(a.negative() == b.negative() ? Op::add : Op::subtract, positive(a.node()), positive(b.node()));
+  return a.negative() ? -sum : sum;
+}
+
+Expression Graph::multiply(Expression a, Expression b) {
+  if (a.is_constant() && b.is_constant()) return constant(a.number() * b.number());
+  const bool negative = a.negative() != b.negative();
+  if (a.node() == 1) return Expression(this, b.node(), negative);
+    return Expression(this, b.node(), negative);
+  if (b.node() == 1) return Expression(this, a.node(), negative);
+    // k1 (k2 t)
+    for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
+      if (!scale.is_constant()) continue;
+      Number factor;
+      int rest = 0;
+      split_factor(product, factor, rest);
+      if (rest != product.node()) return constant(scale.number() * factor) * positive(rest);
+    }
+  }
+  if (a.node() > b.node()) std::swap(a, b);
+  const Expression product = operation(Op::multiply, positive(a.node()), positive(b.node()));
+  return negative ? -product : product;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Graph: the program
+
+Program Graph::program(std::string name, std::vector<InputArray> inputs, std::vector<OutputArray> shapes,
+                       const std::vector<std::vector<Expression>>& outputs) const {
+  std::vector<bool> reachable(nodes_.size(), false);
+  for (const auto& values : outputs)
+    for (const Expression& e : values) reachable[static_cast<std::size_t>(e.node())] = true;
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    if (!reachable[i] || nodes_[i].kind != Node::Kind::operation) continue;
+    reachable[static_cast<std::size_t>(nodes_[i].a)] = true;
+    if (nodes_[i].b >= 0) reachable[static_cast<std::size_t>(nodes_[i].b)] = true;
+  }
+
+  Program p;
+  p.name = std::move(name);
+  p.inputs = std::move(inputs);
+  p.outputs = std::move(shapes);
+
+  std::vector<int> new_section(sections_.size(), -1);
+  std::vector<Operand> operand_of(nodes_.size());
+  std::set<std::string> used;
+  std::map<std::string, int> next_number;  // by prefix
+  const auto unique = [&used](const std::string& wanted) {
+    std::string result = wanted;
+    for (int k = 2; !used.insert(result).second; ++k) result = wanted + "_" + std::to_string(k);
+    return result;
+  };
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!reachable[i]) continue;
+    const Node& n = nodes_[i];
+    Operand& here = operand_of[i];
+    if (n.kind == Node::Kind::constant) {
+      here = {Operand::Kind::constant, static_cast<int>(p.constants.size()), false};
+      p.constants.push_back(number(n));
+    } else if (n.kind == Node::Kind::input) {
+      here = {Operand::Kind::input, n.a, false};
+    } else {
+      const auto section = static_cast<std::size_t>(section_of_[i]);
+      if (new_section[section] < 0) {
+        new_section[section] = static_cast<int>(p.sections.size());
+        p.sections.push_back(sections_[section]);
+      }
+      Statement s;
+      s.op = n.op;
+      s.a = operand_of[static_cast<std::size_t>(n.a)];
+      s.a.negative = n.a_negative;
+      if (n.b >= 0) s.b = operand_of[static_cast<std::size_t>(n.b)];
+      s.section = new_section[section];
+      s.named = !names_[i].empty();
+      s.name = unique(s.named ? names_[i] : sections_[section].prefix + "_t" + std::to_string(next_number[sections_[section].prefix]++));
+      here = {Operand::Kind::statement, static_cast<int>(p.statements.size()), false};
+      p.statements.push_back(std::move(s));
+    }
+  }
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    OutputArray& array = p.outputs[k];
+    if (outputs[k].size() != static_cast<std::size_t>(array.rows * array.columns))
+      throw std::logic_error("output '" + array.name + "' has the wrong number of values");
+    for (const Expression& e : outputs[k]) {
+      Operand value = operand_of[static_cast<std::size_t>(e.node())];
+      value.negative = e.negative();
+      array.values.push_back(value);
+    }
+  }
+  return p;
+}
+
+}  // namespace robcogen::symbolic

@@ -1,0 +1,136 @@
+// Scalar expressions that fold and share while they are built: algorithms run over them as over any scalar.
+//
+// A Graph holds each distinct operation once (hash-consing), so common subexpressions cost nothing by construction. An
+// Expression is a node with a sign: -x is free, a - b and b - a are one node. Zeros, ones and constants fold, multiples
+// of PI exactly, so the structural sparsity of joints, inertias and branches needs no special code in the algorithms.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "support/number.h"
+#include "symbolic/program.h"
+
+namespace robcogen::symbolic {
+
+class Graph;
+
+// Default: the constant zero, that belongs to any graph.
+class Expression {
+ public:
+  Expression() = default;
+
+  bool is_constant() const;
+  bool is_zero() const { return node_ == 0; }
+  bool is_one() const { return node_ == 1 && !negative_; }
+  // The signed value of a constant.
+  Number number() const;
+
+  Graph* graph() const { return graph_; }
+  int node() const { return node_; }
+  bool negative() const { return negative_; }
+
+  friend bool operator==(const Expression& a, const Expression& b) {
+    return a.node_ == b.node_ && a.negative_ == b.negative_;
+  }
+  friend Expression operator-(const Expression& a) { return a.is_zero() ? a : Expression(a.graph_, a.node_, !a.negative_); }
+  friend Expression operator+(const Expression& a, const Expression& b);
+  friend Expression operator-(const Expression& a, const Expression& b) { return a + (-b); }
+  friend Expression operator*(const Expression& a, const Expression& b);
+  friend Expression operator/(const Expression& a, const Expression& b);
+  friend Expression operator*(double a, const Expression& b);
+  friend Expression sqrt(const Expression& a);
+  friend Expression sin(const Expression& a);
+  friend Expression cos(const Expression& a);
+  Expression& operator+=(const Expression& b) { return *this = *this + b; }
+  Expression& operator-=(const Expression& b) { return *this = *this - b; }
+
+ private:
+  friend class Graph;
+  Expression(Graph* graph, int node, bool negative) : graph_(graph), node_(node), negative_(negative) {}
+
+  Graph* graph_ = nullptr;
+  int node_ = 0;
+  bool negative_ = false;
+};
+
+struct Node {
+  enum class Kind { constant, input, operation };
+  Kind kind = Kind::constant;
+  Op op = Op::add;
+  int a = -1;  // constant: index into constants; input: flat element index; operation: first operand
+  int b = -1;
+  bool a_negative = false;  // square roots only: everything else moves signs outwards
+};
+
+class Graph {
+ public:
+  // With `rewrite` off only constants, zeros and ones fold: what the simplification pass is measured against.
+  explicit Graph(bool rewrite = true);
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
+
+  Expression constant(const Number& value);
+  Expression constant(double value) { return constant(Number(value)); }
+  Expression one() { return Expression(this, 1, false); }
+  Expression input(int element);
+
+  // A checkpoint, and the way back to it: everything built since is forgotten. For trying variants by their cost.
+  std::size_t mark() const { return nodes_.size(); }
+  void rollback(std::size_t mark);
+  // Additions, subtractions, multiplications, divisions built since the mark; a division counts as `division_cost`.
+  int operations_since(std::size_t mark, int division_cost = 4) const;
+
+  // Nodes created from now on belong to this section.
+  void begin_section(std::string title, std::string prefix);
+  // Gives the value a name unless it has one, or is a constant or an input.
+  void name(const Expression& e, const std::string& name);
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const Number& number(const Node& n) const { return constants_[static_cast<std::size_t>(n.a)]; }
+
+  // The program that computes these outputs: reachable operations in the order of their making. `outputs[k]` supplies
+  // the values of `shapes[k]`.
+  Program program(std::string name, std::vector<InputArray> inputs, std::vector<OutputArray> shapes,
+                  const std::vector<std::vector<Expression>>& outputs) const;
+
+ private:
+  friend Expression operator+(const Expression&, const Expression&);
+  friend Expression operator*(const Expression&, const Expression&);
+  friend Expression operator/(const Expression&, const Expression&);
+  friend Expression operator*(double, const Expression&);
+  friend Expression sqrt(const Expression&);
+  friend Expression sin(const Expression&);
+  friend Expression cos(const Expression&);
+
+  struct Key {
+    std::uint64_t bits;
+    std::uint64_t kind;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& k) const;
+  };
+
+  Key key(const Node& n) const;
+  int intern(const Node& n);
+  Expression operation(Op op, const Expression& a, const Expression& b);
+  Expression add(Expression a, Expression b);
+  Expression multiply(Expression a, Expression b);
+  bool is_constant(int node) const { return nodes_[static_cast<std::size_t>(node)].kind == Node::Kind::constant; }
+  Expression positive(int node) { return Expression(this, node, false); }
+  // x as factor * rest with a constant factor; factor is 1 when x has none.
+  void split_factor(const Expression& x, Number& factor, int& rest) const;
+
+  bool rewrite_;
+  std::vector<Node> nodes_;
+  std::vector<Number> constants_;
+  std::vector<int> section_of_;
+  std::vector<std::string> names_;
+  std::vector<Section> sections_;
+  std::unordered_map<Key, int, KeyHash> known_;
+};
+
+}  // namespace robcogen::symbolic

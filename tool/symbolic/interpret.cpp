@@ -1,0 +1,82 @@
+#include "symbolic/interpret.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace robcogen::symbolic {
+namespace {
+
+// Constants that are exact multiples of PI get the precision of Real; all others are the nearest double, as in the
+// generated code.
+template <class Real>
+Real value_of(const Number& n) {
+  if (!n.is_pi_multiple()) return static_cast<Real>(n.value());
+  const Real pi = std::acos(Real(-1));
+  return pi * static_cast<Real>(n.ratio()->num) / static_cast<Real>(n.ratio()->den);
+}
+
+template <class Real>
+Real apply(Op op, Real a, Real b) {
+  switch (op) {
+    case Op::add: return a + b;
+    case Op::subtract: return a - b;
+    case Op::multiply: return a * b;
+    case Op::divide: return a / b;
+    case Op::square_root: return std::sqrt(a);
+    case Op::sine: return std::sin(a);
+    case Op::cosine: return std::cos(a);
+  }
+  throw std::logic_error("unknown operation");
+}
+
+template <class Real>
+std::vector<Real> flatten(const Program& program, const Arrays<Real>& inputs) {
+  std::vector<Real> flat;
+  flat.reserve(static_cast<std::size_t>(program.input_count()));
+  for (const InputArray& array : program.inputs) {
+    const auto given = inputs.find(array.name);
+    if (given == inputs.end()) {
+      flat.resize(flat.size() + array.elements.size(), Real(0));
+      continue;
+    }
+    if (given->second.size() != array.elements.size())
+      throw std::logic_error("input '" + array.name + "' has the wrong length");
+    flat.insert(flat.end(), given->second.begin(), given->second.end());
+  }
+  return flat;
+}
+
+}  // namespace
+
+template <class Real>
+Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs) {
+  const std::vector<Real> input = flatten(program, inputs);
+  std::vector<Real> constant;
+  constant.reserve(program.constants.size());
+  for (const Number& n : program.constants) constant.push_back(value_of<Real>(n));
+  std::vector<Real> computed;
+  computed.reserve(program.statements.size());
+
+  const auto read = [&](const Operand& o) {
+    const auto i = static_cast<std::size_t>(o.index);
+    const Real x = o.kind == Operand::Kind::constant ? constant[i]
+                   : o.kind == Operand::Kind::input  ? input[i]
+                                                     : computed[i];
+    return o.negative ? -x : x;
+  };
+  for (const Statement& s : program.statements)
+    computed.push_back(apply(s.op, read(s.a), is_binary(s.op) ? read(s.b) : Real(0)));
+
+  Arrays<Real> result;
+  for (const OutputArray& array : program.outputs) {
+    std::vector<Real>& values = result[array.name];
+    values.reserve(array.values.size());
+    for (const Operand& o : array.values) values.push_back(read(o));
+  }
+  return result;
+}
+
+template Arrays<double> interpret(const Program&, const Arrays<double>&);
+template Arrays<long double> interpret(const Program&, const Arrays<long double>&);
+
+}  // namespace robcogen::symbolic
