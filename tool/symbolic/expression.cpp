@@ -226,8 +226,8 @@ Expression Graph::multiply(Expression a, Expression b) {
   if (a.is_constant() && b.is_constant()) return constant(a.number() * b.number());
   const bool negative = a.negative() != b.negative();
   if (a.node() == 1) return Expression(this, b.node(), negative);
-    return Expression(this, b.node(), negative);
   if (b.node() == 1) return Expression(this, a.node(), negative);
+  if (rewrite_) {
     // k1 (k2 t)
     for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
       if (!scale.is_constant()) continue;

@@ -1,0 +1,202 @@
+#include "algorithm/robot_programs.h"
+
+#include <functional>
+
+#include "algorithm/dynamics.h"
+#include "algorithm/kinematics.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using model::KinematicTree;
+
+using Build = std::function<symbolic::Program(const std::string& kernel, Loads loads)>;
+
+// The overloads of one function. With a floating base gravity is always an argument: it says how the base is oriented.
+void add_overloads(
+    std::vector<RobotFunction>& list,
+    const KinematicTree& tree,
+    const std::string& group,
+    const std::string& name,
+    std::vector<std::string> summary,
+    const Build& build,
+    bool takes_external = true) {
+  const auto add = [&](Loads loads, const std::string& suffix, const std::string& remark) {
+    std::vector<std::string> lines = summary;
+    lines.push_back(remark);
+    const std::string kernel = name + suffix;
+    list.push_back({group, "", name, std::move(lines), {}, {}, build(kernel, loads)});
+  };
+  if (!tree.floating_base) add(Loads::standard_gravity, "", "Gravity is (0, 0, -9.81) m/s^2 in base coordinates.");
+  add(Loads::gravity,
+      tree.floating_base ? "" : "_gravity",
+      "`gravity` (m/s^2) is in base coordinates.");
+  if (takes_external)
+    add(Loads::gravity_and_external,
+        "_external",
+        "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about the "
+        "link's origin.");
+}
+
+std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree) {
+  std::vector<RobotFunction> list;
+  const std::string group = "inverse_dynamics";
+  if (!tree.floating_base) {
+    add_overloads(
+        list,
+        tree,
+        group,
+        "inverse_dynamics",
+        {"Joint forces tau (N m, N) for joint accelerations qdd: recursive Newton-Euler (Featherstone 2008, ch. 5)."},
+        [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads); });
+    return list;
+  }
+  add_overloads(
+      list,
+      tree,
+      group,
+      "inverse_dynamics",
+      {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the base that nothing "
+       "holds (Featherstone 2008, sec. 9.4).",
+       "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
+      [&](const std::string& kernel, Loads loads) { return unactuated_base_inverse_dynamics(tree, kernel, loads); });
+  add_overloads(
+      list,
+      tree,
+      group,
+      "inverse_dynamics_fully_actuated",
+      {"Joint forces tau (N m, N) and the wrench on the base for joint and base accelerations: recursive Newton-Euler "
+       "(Featherstone 2008, ch. 5).",
+       "`base_velocity`, `base_acceleration` (spatial, gravity not included) and `base_wrench` are in base coordinates, "
+       "angular first."},
+      [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads); });
+  return list;
+}
+
+std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree) {
+  std::vector<RobotFunction> list;
+  const std::string group = "bias_forces";
+  const std::string base = tree.floating_base ? "`base_velocity` and `base_wrench` are in base coordinates, angular first."
+                                              : "";
+  const auto summary = [&](const std::string& what) {
+    std::vector<std::string> lines{what};
+    if (!base.empty()) lines.push_back(base);
+    return lines;
+  };
+  add_overloads(
+      list,
+      tree,
+      group,
+      "bias_forces",
+      summary("Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, minus external ones."),
+      [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads); });
+  add_overloads(
+      list,
+      tree,
+      group,
+      "gravity_forces",
+      summary("Generalised forces that hold the robot at rest against gravity."),
+      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads); },
+      false);
+  list.push_back(
+      {group,
+       "",
+       "coriolis_forces",
+       summary("Generalised forces that velocities cause: bias forces without gravity."),
+       {},
+       {},
+       coriolis_forces(tree, "coriolis_forces")});
+  return list;
+}
+
+std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree) {
+  std::vector<RobotFunction> list;
+  std::vector<std::string> summary{
+      "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: articulated-body algorithm (Featherstone 2008, "
+      "ch. 7)."};
+  if (tree.floating_base)
+    summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
+  add_overloads(list, tree, "forward_dynamics", "forward_dynamics", summary, [&](const std::string& kernel, Loads loads) {
+    return forward_dynamics(tree, kernel, loads);
+  });
+  return list;
+}
+
+std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree) {
+  return {
+      {"joint_space_inertia",
+       "",
+       "joint_space_inertia",
+       {"Joint-space inertia matrix H, symmetric, structural zeros literal: composite rigid bodies (Featherstone 2008, "
+        "ch. 6).",
+        tree.floating_base ? "(6 + n) x (6 + n): base rows first, in base coordinates, angular first."
+                           : "n x n, joints in the order of the model."},
+       {},
+       {},
+       joint_space_inertia(tree, "joint_space_inertia")}};
+}
+
+std::vector<RobotFunction> transforms_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  struct Form {
+    TransformForm form;
+    std::string name;
+    std::string shape;
+  };
+  const std::vector<Form> forms = {
+      {TransformForm::homogeneous, "homogeneous", "4 x 4 homogeneous transform"},
+      {TransformForm::spatial_motion, "motion", "6 x 6 transform of spatial motion vectors, angular first"},
+      {TransformForm::spatial_force, "force", "6 x 6 transform of spatial force vectors, moment first"}};
+  std::vector<RobotFunction> list;
+  for (const Form& form : forms) {
+    for (const model::FramePair& pair : desired.transforms) {
+      const std::string name = pair.left.name + "_X_" + pair.right.name;
+      list.push_back(
+          {"transforms",
+           "transforms::" + form.name,
+           name,
+           {form.shape + ": maps coordinates in " + pair.right.name + " to coordinates in " + pair.left.name + "."},
+           {},
+           pair,
+           coordinate_transform(tree, pair, form.form, form.name + "_" + name)});
+    }
+  }
+  return list;
+}
+
+std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  for (const model::FramePair& pair : desired.jacobians) {
+    const std::string name = pair.left.name + "_J_" + pair.right.name;
+    list.push_back(
+        {"jacobians",
+         "jacobians",
+         name,
+         {"Geometric Jacobian: velocity of the origin of " + pair.right.name + " with respect to " + pair.left.name +
+          ", in coordinates of " + pair.left.name + ", angular rows first."},
+         chain_joints(tree, pair),
+         pair,
+         geometric_jacobian(tree, pair, name)});
+  }
+  return list;
+}
+
+}  // namespace
+
+const std::vector<std::string>& groups() {
+  static const std::vector<std::string> names = {
+      "inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "transforms", "jacobians"};
+  return names;
+}
+
+std::vector<RobotFunction> functions(
+    const KinematicTree& tree, const model::DesiredTransforms& desired, const std::string& group) {
+  if (group == "inverse_dynamics") return inverse_dynamics_group(tree);
+  if (group == "bias_forces") return bias_forces_group(tree);
+  if (group == "forward_dynamics") return forward_dynamics_group(tree);
+  if (group == "joint_space_inertia") return joint_space_inertia_group(tree);
+  if (group == "transforms") return transforms_group(tree, desired);
+  if (group == "jacobians") return jacobians_group(tree, desired);
+  return {};
+}
+
+}  // namespace robcogen::algorithm

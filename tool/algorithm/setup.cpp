@@ -1,0 +1,68 @@
+#include "algorithm/setup.h"
+
+namespace robcogen::algorithm {
+
+using symbolic::Role;
+
+Setup::Setup(Trace& t, const std::vector<Expression>& q) : trace(t), poses(joint_poses(t, q)) {
+  for (const model::Link& link : trace.tree.links) {
+    trace.section(link.name, "link " + link.name + ": mass properties");
+    masses.push_back(mass_properties(trace, link));
+  }
+}
+
+std::vector<JointView> Setup::children(int link) const {
+  std::vector<JointView> result;
+  for (int j : tree().links[static_cast<std::size_t>(link)].child_joints) {
+    const model::Joint& joint = tree().joints[static_cast<std::size_t>(j)];
+    result.push_back({j, joint.child, joint.type == model::JointType::revolute});
+  }
+  return result;
+}
+
+bool Setup::parent_matters(int link) const {
+  const int joint = tree().links[static_cast<std::size_t>(link)].parent_joint;
+  if (joint < 0) return false;
+  return floating() || tree().joints[static_cast<std::size_t>(joint)].parent != 0;
+}
+
+LoadInputs::LoadInputs(Trace& trace, Loads loads) {
+  gravity = loads == Loads::standard_gravity
+                ? Vector3{Expression(), Expression(), trace.graph.constant(-kStandardGravity)}
+                : trace.vector_input("gravity", Role::gravity);
+  if (loads == Loads::gravity_and_external) external = trace.link_wrench_input();
+}
+
+void LoadInputs::subtract_external(int link, Spatial& wrench) const {
+  if (!external.empty()) wrench -= external[static_cast<std::size_t>(link)];
+}
+
+LinkMotion base_motion(const Vector3& gravity) { return {angular_state({}, {}), -gravity}; }
+
+LinkMotion base_motion(const Spatial& velocity, const Spatial& acceleration, const Vector3& gravity) {
+  return {
+      angular_state(velocity.angular, acceleration.angular),
+      acceleration.linear - gravity + cross(velocity.angular, velocity.linear)};
+}
+
+std::vector<Expression> solve(std::vector<std::vector<Expression>> a, std::vector<Expression> b) {
+  const std::size_t n = b.size();
+  std::vector<Expression> inverse(n);
+  std::vector<std::vector<Expression>> factor(n, std::vector<Expression>(n));
+  for (std::size_t k = n; k-- > 0;) {
+    inverse[k] = a[k][k].graph()->one() / a[k][k];
+    for (std::size_t i = 0; i < k; ++i) factor[k][i] = a[k][i] * inverse[k];
+    for (std::size_t i = 0; i < k; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) a[i][j] -= factor[k][i] * a[k][j];
+      b[i] -= factor[k][i] * b[k];
+    }
+  }
+  std::vector<Expression> x(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    x[k] = b[k] * inverse[k];
+    for (std::size_t i = 0; i < k; ++i) x[k] -= factor[k][i] * x[i];
+  }
+  return x;
+}
+
+}  // namespace robcogen::algorithm

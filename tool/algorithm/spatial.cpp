@@ -1,0 +1,180 @@
+#include "algorithm/spatial.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+Expression signed_by(int sign, const Expression& e) { return sign < 0 ? -e : e; }
+
+Vector3 rotate(const PlaneRotation& r, const Vector3& v, bool transposed) {
+  const auto i = static_cast<std::size_t>((r.axis + 1) % 3), j = static_cast<std::size_t>((r.axis + 2) % 3);
+  const Expression s = transposed ? -r.s : r.s;
+  Vector3 result = v;
+  result[i] = r.c * v[i] - s * v[j];
+  result[j] = s * v[i] + r.c * v[j];
+  return result;
+}
+
+// Conjugation by a plane rotation acts on the 2 x 2 block of its plane by double angles, on the rest as on vectors:
+// with w = s^2, u = s c, e = xx - yy: k = e w + 2 u xy; xx' = xx - k; yy' = yy + k; xy' = xy (1 - 2 w) + e u.
+Matrix3 conjugate_symmetric(const PlaneRotation& r, const Matrix3& m) {
+  const auto a = static_cast<std::size_t>(r.axis), i = (a + 1) % 3, j = (a + 2) % 3;
+  Matrix3 result = m;
+  const Expression e = m[i][i] - m[j][j];
+  if (!e.is_zero() || !m[i][j].is_zero()) {
+    const Expression w = r.s * r.s, u = r.s * r.c;
+    const Expression k = e * w + m[i][j] * (u + u);
+    Graph& graph = *w.graph();
+    result[i][i] = m[i][i] - k;
+    result[j][j] = m[j][j] + k;
+    result[i][j] = m[i][j] * (graph.one() - (w + w)) + e * u;
+    result[j][i] = result[i][j];
+  }
+  result[i][a] = r.c * m[i][a] - r.s * m[j][a];
+  result[j][a] = r.s * m[i][a] + r.c * m[j][a];
+  result[a][i] = result[i][a];
+  result[a][j] = result[j][a];
+  return result;
+}
+
+// The same for a general matrix, with e = xx - yy, f = xy + yx: k = e w + f u, l = e u - f w.
+Matrix3 conjugate_general(const PlaneRotation& r, const Matrix3& m) {
+  const auto a = static_cast<std::size_t>(r.axis), i = (a + 1) % 3, j = (a + 2) % 3;
+  Matrix3 result = m;
+  const Expression e = m[i][i] - m[j][j], f = m[i][j] + m[j][i];
+  if (!e.is_zero() || !f.is_zero()) {
+    const Expression w = r.s * r.s, u = r.s * r.c;
+    const Expression k = e * w + f * u, l = e * u - f * w;
+    result[i][i] = m[i][i] - k;
+    result[j][j] = m[j][j] + k;
+    result[i][j] = m[i][j] + l;
+    result[j][i] = m[j][i] + l;
+  }
+  result[i][a] = r.c * m[i][a] - r.s * m[j][a];
+  result[j][a] = r.s * m[i][a] + r.c * m[j][a];
+  result[a][i] = r.c * m[a][i] - r.s * m[a][j];
+  result[a][j] = r.s * m[a][i] + r.c * m[a][j];
+  return result;
+}
+
+Vector3 turn(const QuarterTurns& q, const Vector3& v) {
+  Vector3 result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = signed_by(q.sign[i], v[static_cast<std::size_t>(q.image[i])]);
+  return result;
+}
+
+Matrix3 conjugate(const QuarterTurns& q, const Matrix3& m) {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result[i][j] = signed_by(
+          q.sign[i] * q.sign[j], m[static_cast<std::size_t>(q.image[i])][static_cast<std::size_t>(q.image[j])]);
+  return result;
+}
+
+}  // namespace
+
+Vector3 operator+(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector3 operator-(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector3 operator-(const Vector3& a) { return {-a[0], -a[1], -a[2]}; }
+Vector3 operator*(const Expression& k, const Vector3& a) { return {k * a[0], k * a[1], k * a[2]}; }
+Vector3& operator+=(Vector3& a, const Vector3& b) { return a = a + b; }
+Vector3& operator-=(Vector3& a, const Vector3& b) { return a = a - b; }
+Expression dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector3 multiply(const Matrix3& m, const Vector3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+
+bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
+Matrix3 skew(const Vector3& p) {
+  const Expression zero;
+  return {{Vector3{zero, -p[2], p[1]}, Vector3{p[2], zero, -p[0]}, Vector3{-p[1], p[0], zero}}};
+}
+
+Matrix3 transposed(const Matrix3& m) {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) result[i][j] = m[j][i];
+  return result;
+}
+
+Spatial& operator+=(Spatial& a, const Spatial& b) {
+  a.angular += b.angular;
+  a.linear += b.linear;
+  return a;
+}
+
+Spatial& operator-=(Spatial& a, const Spatial& b) {
+  a.angular -= b.angular;
+  a.linear -= b.linear;
+  return a;
+}
+
+Expression dot(const Spatial& a, const Spatial& b) { return dot(a.angular, b.angular) + dot(a.linear, b.linear); }
+
+Matrix3 operator+(const Matrix3& a, const Matrix3& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
+
+void name(Graph& graph, const Vector3& v, const std::string& name) {
+  graph.name(v[0], name + "x");
+  graph.name(v[1], name + "y");
+  graph.name(v[2], name + "z");
+}
+
+QuarterTurns quarter_turn(int axis, int turns) {
+  QuarterTurns one;
+  const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
+  one.image[i] = static_cast<int>(j);  // R(90): (v_i, v_j) -> (-v_j, v_i)
+  one.sign[i] = -1;
+  one.image[j] = static_cast<int>(i);
+  QuarterTurns result;
+  for (int k = ((turns % 4) + 4) % 4; k > 0; --k) result = result * one;
+  return result;
+}
+
+QuarterTurns operator*(const QuarterTurns& a, const QuarterTurns& b) {
+  QuarterTurns result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto middle = static_cast<std::size_t>(a.image[i]);
+    result.image[i] = b.image[middle];
+    result.sign[i] = a.sign[i] * b.sign[middle];
+  }
+  return result;
+}
+
+QuarterTurns inverse(const QuarterTurns& q) {
+  QuarterTurns result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.image[static_cast<std::size_t>(q.image[i])] = static_cast<int>(i);
+    result.sign[static_cast<std::size_t>(q.image[i])] = q.sign[i];
+  }
+  return result;
+}
+
+Vector3 to_parent(const Rotation& r, const Vector3& v) {
+  Vector3 result = v;
+  for (auto plane = r.planes.rbegin(); plane != r.planes.rend(); ++plane) result = rotate(*plane, result, false);
+  return turn(r.quarter, result);
+}
+
+Vector3 to_child(const Rotation& r, const Vector3& v) {
+  Vector3 result = turn(inverse(r.quarter), v);
+  for (const PlaneRotation& plane : r.planes) result = rotate(plane, result, true);
+  return result;
+}
+
+Matrix3 symmetric_to_parent(const Rotation& r, const Matrix3& m) {
+  Matrix3 result = m;
+  for (auto plane = r.planes.rbegin(); plane != r.planes.rend(); ++plane) result = conjugate_symmetric(*plane, result);
+  return conjugate(r.quarter, result);
+}
+
+Matrix3 general_to_parent(const Rotation& r, const Matrix3& m) {
+  Matrix3 result = m;
+  for (auto plane = r.planes.rbegin(); plane != r.planes.rend(); ++plane) result = conjugate_general(*plane, result);
+  return conjugate(r.quarter, result);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,116 @@
+#include "algorithm/trace.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace robcogen::algorithm {
+
+using model::Quantity;
+using symbolic::Role;
+
+namespace {
+
+const std::vector<std::string> kAxes = {"x", "y", "z"};
+
+std::vector<std::string> spatial_elements(Role role, const std::string& prefix = "") {
+  const bool wrench = role == Role::base_wrench || role == Role::link_wrenches;
+  std::vector<std::string> names;
+  for (const char* part : {wrench ? "n" : "w", wrench ? "f" : "v"})
+    for (const std::string& axis : kAxes) names.push_back(prefix + part + axis);
+  return names;
+}
+
+}  // namespace
+
+Trace::Trace(const model::KinematicTree& robot) : tree(robot) {
+  if (tree.parameters.empty()) return;
+  std::vector<std::string> names;
+  for (const model::Parameter& p : tree.parameters) names.push_back(p.name);
+  parameters_ = input("parameters", Role::parameters, std::move(names));
+}
+
+std::vector<Expression> Trace::input(const std::string& name, Role role, std::vector<std::string> elements) {
+  std::vector<Expression> values;
+  for (std::size_t i = 0; i < elements.size(); ++i) values.push_back(graph.input(input_elements_++));
+  inputs_.push_back({name, role, std::move(elements)});
+  return values;
+}
+
+std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
+  std::vector<std::string> names;
+  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
+  return input(name, role, std::move(names));
+}
+
+Vector3 Trace::vector_input(const std::string& name, Role role) {
+  const std::vector<Expression> v = input(name, role, kAxes);
+  return {v[0], v[1], v[2]};
+}
+
+Spatial Trace::spatial_input(const std::string& name, Role role) {
+  const std::vector<Expression> v = input(name, role, spatial_elements(role));
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+std::vector<Spatial> Trace::link_wrench_input() {
+  std::vector<std::string> names;
+  for (const model::Link& link : tree.links)
+    for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_")) names.push_back(std::move(element));
+  const std::vector<Expression> v = input("external", Role::link_wrenches, std::move(names));
+  std::vector<Spatial> wrenches;
+  for (std::size_t i = 0; i < v.size(); i += 6)
+    wrenches.push_back(Spatial{Vector3{v[i], v[i + 1], v[i + 2]}, Vector3{v[i + 3], v[i + 4], v[i + 5]}});
+  return wrenches;
+}
+
+void Trace::output(const std::string& name, Role role, const std::vector<Expression>& values) {
+  output(name, role, static_cast<int>(values.size()), 1, values);
+}
+
+void Trace::output(const std::string& name, Role role, const Spatial& value) {
+  const Vector3 &n = value.angular, &f = value.linear;
+  output(name, role, std::vector<Expression>{n[0], n[1], n[2], f[0], f[1], f[2]});
+}
+
+void Trace::output(
+    const std::string& name,
+    Role role,
+    int rows,
+    int columns,
+    const std::vector<Expression>& values) {
+  shapes_.push_back({name, role, rows, columns, {}});
+  outputs_.push_back(values);
+}
+
+void Trace::section(const std::string& subject, const std::string& title) {
+  graph.begin_section(title, subject);
+}
+
+Expression Trace::lift(const Quantity& q, const std::vector<Expression>& variables) {
+  const auto of = [&](const Quantity& operand) { return lift(operand, variables); };
+  switch (q.op()) {
+    case Quantity::Op::constant: return graph.constant(q.number());
+    case Quantity::Op::parameter: return parameters_[static_cast<std::size_t>(q.index())];
+    case Quantity::Op::variable: return variables.at(static_cast<std::size_t>(q.index()));
+    case Quantity::Op::negate: return -of(q.left());
+    case Quantity::Op::add: return of(q.left()) + of(q.right());
+    case Quantity::Op::subtract: return of(q.left()) - of(q.right());
+    case Quantity::Op::multiply: return of(q.left()) * of(q.right());
+    case Quantity::Op::divide: return of(q.left()) / of(q.right());
+    case Quantity::Op::sine: return sin(of(q.left()));
+    case Quantity::Op::cosine: return cos(of(q.left()));
+    case Quantity::Op::tangent: return sin(of(q.left())) / cos(of(q.left()));
+    case Quantity::Op::square_root: return sqrt(of(q.left()));
+  }
+  throw std::logic_error("unknown quantity");
+}
+
+Vector3 Trace::lift(const std::array<Quantity, 3>& q, const std::vector<Expression>& variables) {
+  return {lift(q[0], variables), lift(q[1], variables), lift(q[2], variables)};
+}
+
+symbolic::Program Trace::program(const std::string& name) const {
+  return graph.program(name, inputs_, shapes_, outputs_);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,53 @@
+// One run of an algorithm over a robot: its inputs, its graph, and the robot's quantities as expressions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithm/spatial.h"
+#include "model/kinematic_tree.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+class Trace {
+ public:
+  // A parametric robot's parameters are the first input array of every program.
+  explicit Trace(const model::KinematicTree& tree);
+
+  const model::KinematicTree& tree;
+  Graph graph;
+
+  // Input arrays, in the order of the calls. Joint arrays have one element a joint.
+  std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
+  Vector3 vector_input(const std::string& name, symbolic::Role role);
+  Spatial spatial_input(const std::string& name, symbolic::Role role);
+  // One wrench a link, base first, in link coordinates about the link's origin.
+  std::vector<Spatial> link_wrench_input();
+
+  // Outputs, in the order of the calls; matrices column by column.
+  void output(const std::string& name, symbolic::Role role, const std::vector<Expression>& values);
+  void output(const std::string& name, symbolic::Role role, const Spatial& value);
+  void output(const std::string& name, symbolic::Role role, int rows, int columns,
+              const std::vector<Expression>& values);
+
+  // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
+  void section(const std::string& subject, const std::string& title);
+
+  // Variables stand for joint positions.
+  Expression lift(const model::Quantity& q, const std::vector<Expression>& variables = {});
+  Vector3 lift(const std::array<model::Quantity, 3>& q, const std::vector<Expression>& variables = {});
+
+  symbolic::Program program(const std::string& name) const;
+
+ private:
+  std::vector<Expression> input(const std::string& name, symbolic::Role role, std::vector<std::string> elements);
+
+  std::vector<Expression> parameters_;
+  std::vector<symbolic::InputArray> inputs_;
+  std::vector<symbolic::OutputArray> shapes_;
+  std::vector<std::vector<Expression>> outputs_;
+  int input_elements_ = 0;
+};
+
+}  // namespace robcogen::algorithm
