@@ -37,8 +37,10 @@ struct CoordinateTransforms {
 
 // The transform between any two frames that the motions connect: the path is walked from `left` to `right`, an edge
 // walked backwards contributes its inverse. nullopt when the frames are unknown or not connected.
-std::optional<CoordinateTransform> transform_between(const RigidMotions& motions, const std::string& left,
-                                                     const std::string& right,
-                                                     MovedFramePosition position = MovedFramePosition::right);
+std::optional<CoordinateTransform> transform_between(
+    const RigidMotions& motions,
+    const std::string& left,
+    const std::string& right,
+    MovedFramePosition position = MovedFramePosition::right);
 
 }  // namespace robcogen::model

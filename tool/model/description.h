@@ -52,6 +52,11 @@ struct Description {
   std::vector<Parameter> parameters;
 };
 
+// The base is link 0, then the links as declared.
+inline const DescribedLink& described_link(const Description& description, std::size_t index) {
+  return index == 0 ? description.base : description.links[index - 1];
+}
+
 // Links the elements and checks them: one parent each, no island, no cycle, names, every joint used once, reference
 // frames, ids (warnings), plausible mass properties (warnings with the numbers; an error, naming the joint, where a
 // massless subtree would make the inertia matrix singular for every q). nullopt when an error was reported.

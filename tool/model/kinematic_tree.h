@@ -35,12 +35,16 @@ struct Inertia {
 // Mass properties about the origin and in the axes of the link frame.
 struct RigidBodyInertia {
   Quantity mass;
-  std::array<Quantity, 3> first_moment;  // mass * centre of mass
+  std::array<Quantity, 3> first_moment;   // mass * centre of mass
   Quantity ixx, iyy, izz, ixy, ixz, iyz;  // moments, and products of positive sign
 };
 
 // Moves the properties from `reference` to the link frame; exact folding for constants, expressions for parameters.
 RigidBodyInertia in_link_frame(const Inertia& inertia);
+
+// parent_R_frame, row by row: maps coordinates in the placed frame to coordinates in its parent. Exact for multiples of
+// PI/2.
+std::array<std::array<Quantity, 3>, 3> rotation_matrix(const Placement& placement);
 
 struct Link {
   std::string name;
@@ -75,11 +79,14 @@ struct Frame {
   std::string name;
 };
 
+// Name of the frame that the link or joint of this name has without being asked.
+std::string implicit_frame_name(const std::string& element);
+
 class KinematicTree {
  public:
   std::string name;
   bool floating_base = false;
-  std::vector<Link> links;  // [0] is the base, then the links as declared
+  std::vector<Link> links;    // [0] is the base, then the links as declared
   std::vector<Joint> joints;  // as declared; q, qd, tau, … have this order
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
@@ -88,7 +95,9 @@ class KinematicTree {
   // Joint indices, parents before children, depth first, children in the order of the document.
   std::vector<int> topological() const;
   // -1 for the base's.
-  int parent_joint_of(int joint) const { return links[static_cast<std::size_t>(joints[static_cast<std::size_t>(joint)].parent)].parent_joint; }
+  int parent_joint_of(int joint) const {
+    return links[static_cast<std::size_t>(joints[static_cast<std::size_t>(joint)].parent)].parent_joint;
+  }
   // All frames that can be named: link frames, joint frames, then user frames that are not hidden.
   std::vector<Frame> frames() const;
   std::optional<Frame> find_frame(const std::string& name) const;

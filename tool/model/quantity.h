@@ -23,16 +23,27 @@ struct Parameter {
   Place place;  // first use
 };
 
-inline bool is_dynamics(ParameterKind kind) { return kind == ParameterKind::inertial; }
+inline bool is_dynamics(ParameterKind kind) {
+  return kind == ParameterKind::inertial;
+}
 
 // An immutable arithmetic expression over constants, parameters (by index into the model's list) and variables (by
 // index too). Operators fold constants exactly, and 0 + x, 1 * x, 0 * x.
 class Quantity {
  public:
   enum class Op {
-    constant, parameter, variable,
-    negate, add, subtract, multiply, divide,
-    sine, cosine, tangent, square_root,
+    constant,
+    parameter,
+    variable,
+    negate,
+    add,
+    subtract,
+    multiply,
+    divide,
+    sine,
+    cosine,
+    tangent,
+    square_root,
   };
 
   Quantity();  // the constant zero
@@ -42,10 +53,10 @@ class Quantity {
   static Quantity variable(int index);
 
   Op op() const;
-  const Number& number() const;     // op constant
-  int index() const;                // op parameter, variable
-  const Quantity& left() const;     // operand, or first operand
-  const Quantity& right() const;    // second operand
+  const Number& number() const;   // op constant
+  int index() const;              // op parameter, variable
+  const Quantity& left() const;   // operand, or first operand
+  const Quantity& right() const;  // second operand
 
   bool is_constant() const { return op() == Op::constant; }
   bool is_zero() const { return is_constant() && number().is_zero(); }
@@ -70,7 +81,9 @@ class Quantity {
 double evaluate(const Quantity& q, std::span<const double> parameters = {}, std::span<const double> variables = {});
 
 // Text in the documents' syntax.
-std::string print(const Quantity& q, const std::vector<Parameter>& parameters,
-                  const std::vector<std::string>& variables = {});
+std::string print(
+    const Quantity& q,
+    const std::vector<Parameter>& parameters,
+    const std::vector<std::string>& variables = {});
 
 }  // namespace robcogen::model

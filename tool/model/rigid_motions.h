@@ -35,6 +35,7 @@ struct RigidMotions {
   MotionConvention convention = MotionConvention::local;
   std::vector<Parameter> parameters;
   std::vector<std::string> variables;
+  std::vector<std::string> frames;  // may name more frames than the motions do
   std::vector<Motion> motions;
 };
 

@@ -1,0 +1,261 @@
+// From a description, whose elements refer to one another by name, to a tree.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/description.h"
+#include "model/name_index.h"
+#include "model/plausibility.h"
+
+namespace robcogen::model {
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+// The mention of a child that made one link the parent of another.
+struct Parenthood {
+  int parent = -1;  // link
+  Place place;
+};
+
+// What the steps of `build` share.
+struct Assembly {
+  const Description& description;
+  Diagnostics& diagnostics;
+  NameIndex links{"link"};
+  NameIndex joints{"joint"};
+  NameIndex frames{"frame"};
+  KinematicTree tree{};
+  std::vector<std::optional<Parenthood>> parents{};  // by link
+  std::vector<std::optional<Place>> joint_uses{};    // by joint
+  // What a misspelt name was probably meant to be: it is not reported as missing as well.
+  std::set<int> meant_links{};
+  std::set<int> meant_joints{};
+
+  std::size_t link_count() const { return description.links.size() + 1; }
+  const DescribedLink& link(std::size_t index) const { return described_link(description, index); }
+};
+
+void declare_elements(Assembly& a) {
+  for (std::size_t i = 0; i < a.link_count(); ++i) {
+    const DescribedLink& link = a.link(i);
+    a.links.add(link.name, link.place, a.diagnostics);
+    a.tree.links.push_back({link.name, link.inertia, -1, {}, link.place});
+  }
+  for (const DescribedJoint& joint : a.description.joints) {
+    a.joints.add(joint.name, joint.place, a.diagnostics);
+    a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place});
+    if (const auto link = a.links.find(joint.name)) {
+      Diagnostic& error = a.diagnostics.error(
+          "frame-name-clash", joint.place,
+          fmt::format(
+              "joint '{0}' and link '{0}' would both have the frame '{1}'", joint.name,
+              implicit_frame_name(joint.name)));
+      error.notes.push_back({a.links.place_of(*link), "the link is declared here"});
+    }
+  }
+  a.parents.resize(a.tree.links.size());
+  a.joint_uses.resize(a.tree.joints.size());
+}
+
+void declare_frames(Assembly& a) {
+  const std::string prefix = implicit_frame_name("");
+  for (std::size_t i = 0; i < a.link_count(); ++i) {
+    for (const DescribedFrame& frame : a.link(i).frames) {
+      a.frames.add(frame.name, frame.place, a.diagnostics);
+      const std::string element = frame.name.starts_with(prefix) ? frame.name.substr(prefix.size()) : "";
+      const bool hidden = a.links.find(element).has_value() || a.joints.find(element).has_value();
+      if (hidden) {
+        a.diagnostics.warning(
+            "frame-hidden", frame.place,
+            fmt::format(
+                "frame '{}' has the name that belongs to the frame of {} '{}': transforms and Jacobians mean that "
+                "one, and this frame serves only as a ref_frame",
+                frame.name, a.links.find(element) ? "link" : "joint", element));
+      }
+      a.tree.user_frames.push_back({frame.name, static_cast<int>(i), frame.placement, hidden, frame.place});
+    }
+  }
+}
+
+// Puts the pose of the frame that the mass properties refer to into them.
+void resolve_reference(Assembly& a, std::size_t index) {
+  const DescribedLink& link = a.link(index);
+  if (!link.inertia || !link.reference_frame) return;
+  const std::string& name = *link.reference_frame;
+  std::vector<std::string> own_names;
+  for (const DescribedFrame& frame : link.frames) {
+    if (frame.name == name) {
+      a.tree.links[index].inertia->reference = frame.placement;
+      return;
+    }
+    own_names.push_back(frame.name);
+  }
+  if (const auto elsewhere = a.frames.find(name)) {
+    const UserFrame& frame = a.tree.user_frames[at(*elsewhere)];
+    Diagnostic& error = a.diagnostics.error(
+        "reference-frame-elsewhere", link.reference_place,
+        fmt::format(
+            "ref_frame '{}' of link '{}' is a frame of link '{}'", name, link.name, a.tree.links[at(frame.link)].name));
+    error.notes.push_back({frame.place, "the frame is declared here"});
+  } else {
+    a.diagnostics
+        .error(
+            "unknown-reference-frame", link.reference_place,
+            fmt::format("link '{}' has no frame '{}'", link.name, name))
+        .hint = did_you_mean(name, own_names);
+  }
+}
+
+std::optional<int> find_or_report(
+    NameIndex& index,
+    const char* kind,
+    const std::string& name,
+    const Place& place,
+    std::set<int>& meant,
+    Diagnostics& diagnostics) {
+  if (const auto found = index.find(name)) return found;
+  Diagnostic& error =
+      diagnostics.error(fmt::format("unknown-{}", kind), place, fmt::format("{} '{}' is not declared", kind, name));
+  if (const auto similar = index.nearest_to(name)) {
+    error.hint = fmt::format("did you mean '{}'?", index.name_of(*similar));
+    meant.insert(*similar);
+  }
+  return std::nullopt;
+}
+
+// Whether `child` may become a child of `parent`; reports why not.
+bool may_adopt(Assembly& a, int parent, int child, const Place& place) {
+  const std::string& name = a.tree.links[at(child)].name;
+  const std::string& parent_name = a.tree.links[at(parent)].name;
+  if (child == parent) {
+    a.diagnostics.error("self-loop", place, fmt::format("link '{}' is a child of itself", name));
+    return false;
+  }
+  if (child == 0) {
+    a.diagnostics.error(
+        "base-as-child", place, fmt::format("the base '{}' is listed as a child of link '{}'", name, parent_name));
+    return false;
+  }
+  const auto& earlier = a.parents[at(child)];
+  if (!earlier) return true;
+  Diagnostic& error = earlier->parent == parent
+                          ? a.diagnostics.error(
+                                "link-used-twice", place,
+                                fmt::format("link '{}' is listed twice as a child of '{}'", name, parent_name))
+                          : a.diagnostics.error(
+                                "two-parents", place,
+                                fmt::format(
+                                    "link '{}' has two parents, '{}' and '{}'", name,
+                                    a.tree.links[at(earlier->parent)].name, parent_name));
+  error.notes.push_back({earlier->place, "first listed here"});
+  return false;
+}
+
+void link_child(Assembly& a, int parent, const DescribedChild& child) {
+  const auto link = find_or_report(a.links, "link", child.link, child.link_place, a.meant_links, a.diagnostics);
+  const auto joint = find_or_report(a.joints, "joint", child.joint, child.joint_place, a.meant_joints, a.diagnostics);
+  const bool adopted = link && may_adopt(a, parent, *link, child.link_place);
+  if (adopted) a.parents[at(*link)] = {parent, child.link_place};
+  if (!joint) return;
+  std::optional<Place>& use = a.joint_uses[at(*joint)];
+  if (use) {
+    a.diagnostics
+        .error(
+            "joint-used-twice", child.joint_place, fmt::format("joint '{}' connects two pairs of links", child.joint))
+        .notes.push_back({*use, "first used here"});
+    return;
+  }
+  use = child.joint_place;
+  if (!adopted) return;
+  a.tree.joints[at(*joint)].parent = parent;
+  a.tree.joints[at(*joint)].child = *link;
+  a.tree.links[at(*link)].parent_joint = *joint;
+  a.tree.links[at(parent)].child_joints.push_back(*joint);
+}
+
+void report_unused_joints(Assembly& a) {
+  for (std::size_t i = 0; i < a.joint_uses.size(); ++i) {
+    const int joint = static_cast<int>(i);
+    if (a.joint_uses[i] || a.meant_joints.contains(joint) || a.joints.is_repetition(joint)) continue;
+    a.diagnostics.error(
+        "joint-unused", a.tree.joints[i].place, fmt::format("joint '{}' connects no links", a.tree.joints[i].name));
+  }
+}
+
+// `loop` leads from each link to its parent.
+void report_cycle(Assembly& a, std::vector<int> loop) {
+  constexpr std::size_t kShown = 8;
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  std::reverse(loop.begin() + 1, loop.end());  // from parent to child, starting with the first declared
+  std::string text;
+  for (std::size_t i = 0; i < loop.size() && i < kShown; ++i) {
+    text += fmt::format("'{}' -> ", a.tree.links[at(loop[i])].name);
+  }
+  if (loop.size() > kShown) text += "... -> ";
+  const Link& first = a.tree.links[at(loop.front())];
+  Diagnostic& error =
+      a.diagnostics.error("cycle", first.place, fmt::format("links form a cycle: {}'{}'", text, first.name));
+  error.notes.push_back({a.parents[at(loop.front())]->place, fmt::format("'{}' is made a child here", first.name)});
+}
+
+// Every link must lead to the base. One that does not is in a cycle, or beyond one, or in an island.
+void check_connected(Assembly& a) {
+  enum class State { unseen, on_this_walk, done };
+  std::vector<State> states(a.tree.links.size(), State::unseen);
+  states[0] = State::done;
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    std::vector<int> walk;
+    int link = static_cast<int>(i);
+    while (states[at(link)] == State::unseen) {
+      states[at(link)] = State::on_this_walk;
+      walk.push_back(link);
+      if (!a.parents[at(link)]) break;
+      link = a.parents[at(link)]->parent;
+    }
+    const bool is_root = !a.parents[at(link)] && link != 0 && !walk.empty() && walk.back() == link;
+    if (is_root && !a.meant_links.contains(link) && !a.links.is_repetition(link)) {
+      const Link& root = a.tree.links[at(link)];
+      a.diagnostics.error(
+          "island", root.place,
+          fmt::format(
+              "link '{}' is not connected to the base '{}': no link has it as a child", root.name,
+              a.tree.links[0].name));
+    } else if (!is_root && states[at(link)] == State::on_this_walk) {
+      report_cycle(a, {std::find(walk.begin(), walk.end(), link), walk.end()});
+    }
+    for (const int seen : walk) states[at(seen)] = State::done;
+  }
+}
+
+}  // namespace
+
+std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  Assembly a{description, diagnostics};
+  a.tree.name = description.name;
+  a.tree.floating_base = description.floating_base;
+  a.tree.parameters = description.parameters;
+
+  declare_elements(a);
+  declare_frames(a);
+  for (std::size_t i = 0; i < a.link_count(); ++i) resolve_reference(a, i);
+  for (std::size_t i = 0; i < a.link_count(); ++i) {
+    for (const DescribedChild& child : a.link(i).children) link_child(a, static_cast<int>(i), child);
+  }
+  report_unused_joints(a);
+  check_connected(a);
+  check_link_ids(description, diagnostics);
+  check_mass_properties(description, diagnostics);
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+
+  check_inertia_matrix(a.tree, diagnostics);
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return std::move(a.tree);
+}
+
+}  // namespace robcogen::model

@@ -1,0 +1,230 @@
+// Is the joint-space inertia matrix H singular in every position?
+//
+// Eliminating the joints from the leaves to the base (the articulated-body recursion, Featherstone 2008, section 7.3)
+// yields the pivots of a factorisation of H: pivot j is the inertia that joint j meets while the joints beyond it are
+// free. H is singular where a pivot is zero; and as its determinant is analytic in q, it is singular everywhere if it
+// is at a position without special angles.
+//
+// A computed zero is only zero up to rounding, and what is small depends on the units and sizes of the robot. So every
+// articulated inertia is given a small inertia more, in proportion to itself: a pivot that doubles when this addition
+// doubles consists of nothing else.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "model/plausibility.h"
+
+namespace robcogen::model {
+
+namespace {
+
+// Large against the rounding of one recursion step, small against any inertia that a robot has on purpose.
+constexpr double kAddition = 1e-12;
+constexpr int kPositions = 3;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+using Matrix6 = std::array<std::array<double, 6>, 6>;  // spatial, angular rows first
+
+// Repeatable numbers between 0.5 and 1.5: no special angles, lengths or masses.
+class OrdinaryNumbers {
+ public:
+  explicit OrdinaryNumbers(int seed) : engine_(static_cast<std::uint64_t>(seed)) {}
+  double next() { return 0.5 + static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  std::vector<double> next(std::size_t count) {
+    std::vector<double> values(count);
+    for (double& value : values) value = next();
+    return values;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+Matrix6 spatial_inertia(const Inertia& inertia, const std::vector<double>& parameters) {
+  const RigidBodyInertia body = in_link_frame(inertia);
+  const auto value = [&](const Quantity& q) { return evaluate(q, parameters); };
+  const double m = value(body.mass);
+  const double hx = value(body.first_moment[0]), hy = value(body.first_moment[1]), hz = value(body.first_moment[2]);
+  const double ixy = value(body.ixy), ixz = value(body.ixz), iyz = value(body.iyz);
+  return {{
+      {value(body.ixx), -ixy, -ixz, 0.0, -hz, hy},
+      {-ixy, value(body.iyy), -iyz, hz, 0.0, -hx},
+      {-ixz, -iyz, value(body.izz), -hy, hx, 0.0},
+      {0.0, hz, -hy, m, 0.0, 0.0},
+      {-hz, 0.0, hx, 0.0, m, 0.0},
+      {hy, -hx, 0.0, 0.0, 0.0, m},
+  }};
+}
+
+// child_X_parent of spatial motion vectors.
+Matrix6 motion_transform(const Joint& joint, double q, const std::vector<double>& parameters) {
+  std::array<double, 3> p{}, sine{}, cosine{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = evaluate(joint.placement.translation[i], parameters);
+    // Turning about z is the last rotation of the placement and the motion of a revolute joint.
+    const double own = i == 2 && joint.type == JointType::revolute ? q : 0.0;
+    const double angle = evaluate(joint.placement.rotation[i], parameters) + own;
+    sine[i] = std::sin(angle), cosine[i] = std::cos(angle);
+  }
+  const auto [sx, sy, sz] = sine;
+  const auto [cx, cy, cz] = cosine;
+  const std::array<std::array<double, 3>, 3> R = {{
+      // parent_R_child
+      {cy * cz, -cy * sz, sy},
+      {cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy},
+      {sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy},
+  }};
+  if (joint.type == JointType::prismatic) {
+    for (std::size_t i = 0; i < 3; ++i) p[i] += q * R[i][2];
+  }
+  Matrix6 X{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
+      X[i][j] = X[i + 3][j + 3] = R[j][i];
+      X[i + 3][j] = R[l][i] * p[k] - R[k][i] * p[l];  // -R' [p]x
+    }
+  }
+  return X;
+}
+
+// a += X' b X
+void add_transformed(Matrix6& a, const Matrix6& X, const Matrix6& b) {
+  Matrix6 bX{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (std::size_t j = 0; j < 6; ++j) bX[i][j] += b[i][k] * X[k][j];
+    }
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t j = 0; j < 6; ++j) a[i][j] += X[k][i] * bX[k][j];
+    }
+  }
+}
+
+void add_in_proportion(Matrix6& a, double part) {
+  const double rotation = std::abs(a[0][0] + a[1][1] + a[2][2]) / 3.0;
+  const double translation = std::abs(a[3][3] + a[4][4] + a[5][5]) / 3.0;
+  for (std::size_t i = 0; i < 3; ++i) a[i][i] += part * rotation, a[i + 3][i + 3] += part * translation;
+}
+
+// Makes one direction free: what is left is the inertia that the others meet. Without any inertia there is nothing to
+// take away. Returns the pivot.
+double eliminate(Matrix6& a, std::size_t direction) {
+  const std::array<double, 6> column = a[direction];
+  const double pivot = column[direction];
+  if (pivot == 0.0) return pivot;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) a[i][j] -= column[i] * column[j] / pivot;
+  }
+  return pivot;
+}
+
+struct Pivots {
+  std::vector<double> joints;
+  std::vector<double> base;  // of a floating base; empty for a fixed one
+};
+
+enum class Beyond { free, locked };  // the joints beyond the one that is looked at
+
+Pivots pivots_of(const KinematicTree& tree, int position, Beyond beyond, double addition) {
+  OrdinaryNumbers numbers(position);
+  const std::vector<double> parameters = numbers.next(tree.parameters.size());
+  const std::vector<double> q = numbers.next(tree.joints.size());
+  std::vector<Matrix6> articulated(tree.links.size(), Matrix6{});
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    if (tree.links[i].inertia) articulated[i] = spatial_inertia(*tree.links[i].inertia, parameters);
+  }
+  Pivots pivots;
+  pivots.joints.resize(tree.joints.size());
+  const std::vector<int> order = tree.topological();
+  for (auto it = order.rbegin(); it != order.rend(); ++it) {
+    const Joint& joint = tree.joints[at(*it)];
+    Matrix6& inertia = articulated[at(joint.child)];
+    add_in_proportion(inertia, addition);
+    Matrix6 projected = inertia;
+    pivots.joints[at(*it)] = eliminate(projected, joint.type == JointType::revolute ? 2 : 5);
+    add_transformed(
+        articulated[at(joint.parent)], motion_transform(joint, q[at(*it)], parameters),
+        beyond == Beyond::free ? projected : inertia);
+  }
+  if (tree.floating_base) {
+    add_in_proportion(articulated[0], addition);
+    for (std::size_t i = 0; i < 6; ++i) pivots.base.push_back(eliminate(articulated[0], i));
+  }
+  return pivots;
+}
+
+// Of the pivots with the addition and with twice the addition.
+std::vector<bool> zeros(const std::vector<double>& once, const std::vector<double>& twice) {
+  std::vector<bool> result(once.size());
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    // A half for a zero, next to nothing for an inertia; false for what overflowed.
+    result[i] = twice[i] - once[i] >= 0.4 * std::abs(twice[i]);
+  }
+  return result;
+}
+
+struct Zeros {
+  std::vector<bool> joints;
+  std::vector<bool> base;
+  bool any() const {
+    const auto has = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), true) != v.end(); };
+    return has(joints) || has(base);
+  }
+};
+
+// The pivots that vanish at every position that is tried.
+Zeros zeros_everywhere(const KinematicTree& tree, Beyond beyond) {
+  Zeros result;
+  for (int position = 0; position < kPositions; ++position) {
+    const Pivots once = pivots_of(tree, position, beyond, kAddition);
+    const Pivots twice = pivots_of(tree, position, beyond, 2.0 * kAddition);
+    const Zeros here = {zeros(once.joints, twice.joints), zeros(once.base, twice.base)};
+    if (position == 0) {
+      result = here;
+    } else {
+      for (std::size_t i = 0; i < here.joints.size(); ++i) result.joints[i] = result.joints[i] && here.joints[i];
+      for (std::size_t i = 0; i < here.base.size(); ++i) result.base[i] = result.base[i] && here.base[i];
+    }
+    if (!result.any()) break;
+  }
+  return result;
+}
+
+}  // namespace
+
+void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics) {
+  const Zeros free = zeros_everywhere(tree, Beyond::free);
+  if (!free.any()) return;
+  const Zeros locked = zeros_everywhere(tree, Beyond::locked);
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    if (!free.joints[i]) continue;
+    const Joint& joint = tree.joints[i];
+    const char* missing = joint.type == JointType::revolute ? "inertia about its axis" : "mass";
+    const std::string reason =
+        locked.joints[i] ? fmt::format("nothing that joint '{}' moves has {}", joint.name, missing)
+                         : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.name);
+    Diagnostic& error = diagnostics.error(
+        "singular-inertia", joint.place, reason + ": the joint-space inertia matrix is singular in every position");
+    error.notes.push_back({tree.links[at(joint.child)].place, "the joint moves this link"});
+  }
+  if (std::find(free.base.begin(), free.base.end(), true) != free.base.end()) {
+    diagnostics.error(
+        "singular-base-inertia", tree.links[0].place,
+        fmt::format(
+            "floating base '{}' meets no inertia in some direction while the joints are free: the joint-space inertia "
+            "matrix is singular in every position",
+            tree.links[0].name));
+  }
+}
+
+}  // namespace robcogen::model

@@ -1,0 +1,102 @@
+#include "model/kinematic_tree.h"
+
+#include <algorithm>
+
+namespace robcogen::model {
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+Frame link_frame(const KinematicTree& tree, int link) {
+  return {Frame::Kind::link, link, implicit_frame_name(tree.links[at(link)].name)};
+}
+
+}  // namespace
+
+std::string implicit_frame_name(const std::string& element) {
+  return "fr_" + element;
+}
+
+std::vector<int> KinematicTree::topological() const {
+  std::vector<int> order;
+  order.reserve(joints.size());
+  // A stack of our own: a chain may be deeper than the call stack.
+  std::vector<int> pending(links[0].child_joints.rbegin(), links[0].child_joints.rend());
+  while (!pending.empty()) {
+    const int joint = pending.back();
+    pending.pop_back();
+    order.push_back(joint);
+    const std::vector<int>& beyond = links[at(joints[at(joint)].child)].child_joints;
+    pending.insert(pending.end(), beyond.rbegin(), beyond.rend());
+  }
+  return order;
+}
+
+std::vector<Frame> KinematicTree::frames() const {
+  std::vector<Frame> all;
+  all.reserve(links.size() + joints.size() + user_frames.size());
+  for (std::size_t i = 0; i < links.size(); ++i) all.push_back(link_frame(*this, static_cast<int>(i)));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    all.push_back({Frame::Kind::joint, static_cast<int>(i), implicit_frame_name(joints[i].name)});
+  }
+  for (std::size_t i = 0; i < user_frames.size(); ++i) {
+    if (!user_frames[i].hidden) all.push_back({Frame::Kind::user, static_cast<int>(i), user_frames[i].name});
+  }
+  return all;
+}
+
+std::optional<Frame> KinematicTree::find_frame(const std::string& frame_name) const {
+  const std::string prefix = implicit_frame_name("");
+  if (frame_name.starts_with(prefix)) {
+    const std::string element = frame_name.substr(prefix.size());
+    if (const auto link = find_link(element)) return Frame{Frame::Kind::link, *link, frame_name};
+    if (const auto joint = find_joint(element)) return Frame{Frame::Kind::joint, *joint, frame_name};
+  }
+  for (std::size_t i = 0; i < user_frames.size(); ++i) {
+    if (user_frames[i].name == frame_name) return Frame{Frame::Kind::user, static_cast<int>(i), frame_name};
+  }
+  return std::nullopt;
+}
+
+std::optional<int> KinematicTree::find_link(const std::string& link_name) const {
+  const auto found = std::find_if(links.begin(), links.end(), [&](const Link& l) { return l.name == link_name; });
+  if (found == links.end()) return std::nullopt;
+  return static_cast<int>(found - links.begin());
+}
+
+std::optional<int> KinematicTree::find_joint(const std::string& joint_name) const {
+  const auto found = std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == joint_name; });
+  if (found == joints.end()) return std::nullopt;
+  return static_cast<int>(found - joints.begin());
+}
+
+int KinematicTree::link_of(const Frame& frame) const {
+  switch (frame.kind) {
+    case Frame::Kind::joint:
+      return joints[at(frame.index)].parent;
+    case Frame::Kind::user:
+      return user_frames[at(frame.index)].link;
+    case Frame::Kind::link:
+      break;
+  }
+  return frame.index;
+}
+
+DesiredTransforms default_desired(const KinematicTree& tree) {
+  DesiredTransforms desired;
+  const Frame base = link_frame(tree, 0);
+  for (const Frame& frame : tree.frames()) {
+    const bool is_base = frame.kind == Frame::Kind::link && frame.index == 0;
+    if (is_base || frame.kind == Frame::Kind::joint) continue;
+    desired.transforms.push_back({base, frame});
+    desired.transforms.push_back({frame, base});
+    const bool is_leaf = frame.kind == Frame::Kind::link && tree.links[at(frame.index)].child_joints.empty();
+    if (is_leaf || frame.kind == Frame::Kind::user) desired.jacobians.push_back({base, frame});
+  }
+  return desired;
+}
+
+}  // namespace robcogen::model

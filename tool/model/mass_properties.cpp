@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/plausibility.h"
+
+namespace robcogen::model {
+
+namespace {
+
+// A moment may miss the triangle inequality or positivity by this part of the largest one: documents round their
+// numbers, and rods and plates lie exactly on the limit.
+constexpr double kMomentTolerance = 1e-6;
+// Rounding of the subtraction of m |c|^2, relative to what it is subtracted from.
+constexpr double kShiftTolerance = 1e-14;
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+bool is_constant(const Inertia& i) {
+  const auto all = {&i.mass, &i.com[0], &i.com[1], &i.com[2], &i.ixx, &i.iyy, &i.izz, &i.ixy, &i.ixz, &i.iyz};
+  return std::all_of(all.begin(), all.end(), [](const Quantity* q) { return q->is_constant(); });
+}
+
+// The inertia tensor about the centre of mass; principal moments do not depend on the axes, so those of the reference
+// frame will do.
+Matrix central_tensor(const Inertia& i) {
+  const double m = evaluate(i.mass);
+  const double x = evaluate(i.com[0]), y = evaluate(i.com[1]), z = evaluate(i.com[2]);
+  const double xy = -(evaluate(i.ixy) - m * x * y);
+  const double xz = -(evaluate(i.ixz) - m * x * z);
+  const double yz = -(evaluate(i.iyz) - m * y * z);
+  const double xx = evaluate(i.ixx) - m * (y * y + z * z);
+  const double yy = evaluate(i.iyy) - m * (x * x + z * z);
+  const double zz = evaluate(i.izz) - m * (x * x + y * y);
+  return {{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}};
+}
+
+// Eigenvalues of a symmetric matrix in ascending order, by cyclic Jacobi rotations (Golub and Van Loan, 8.5).
+std::array<double, 3> eigenvalues(Matrix a) {
+  constexpr int kSweeps = 12;  // quadratic convergence: five are enough for doubles
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+      if (a[p][q] == 0.0) continue;
+      const double tau = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+      const double t = std::copysign(1.0, tau) / (std::abs(tau) + std::hypot(1.0, tau));
+      const double c = 1.0 / std::hypot(1.0, t), s = t * c;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double kp = a[k][p], kq = a[k][q];
+        a[k][p] = c * kp - s * kq, a[k][q] = s * kp + c * kq;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double pk = a[p][k], qk = a[q][k];
+        a[p][k] = c * pk - s * qk, a[q][k] = s * pk + c * qk;
+      }
+    }
+  }
+  std::array<double, 3> values = {a[0][0], a[1][1], a[2][2]};
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+void check_mass(const DescribedLink& link, Diagnostics& diagnostics) {
+  const Quantity& mass = link.inertia->mass;
+  if (!mass.is_constant()) return;
+  if (mass.number().value() < 0.0) {
+    diagnostics.warning(
+        "negative-mass", link.inertia_place,
+        fmt::format("mass of link '{}' is negative: {} kg", link.name, print_double(mass.number().value())));
+  } else if (mass.is_zero()) {
+    diagnostics.warning("zero-mass", link.inertia_place, fmt::format("mass of link '{}' is zero", link.name)).hint =
+        "leave out the inertia of a link that is meant to have none";
+  }
+}
+
+void check_moments(const DescribedLink& link, Diagnostics& diagnostics) {
+  const Inertia& inertia = *link.inertia;
+  if (!is_constant(inertia) || evaluate(inertia.mass) < 0.0) return;
+  const auto [low, middle, high] = eigenvalues(central_tensor(inertia));
+  const double largest_given =
+      std::max({std::abs(evaluate(inertia.ixx)), std::abs(evaluate(inertia.iyy)), std::abs(evaluate(inertia.izz))});
+  const double tolerance = kMomentTolerance * std::max(std::abs(low), std::abs(high)) + kShiftTolerance * largest_given;
+  const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g} kg m^2", low, middle, high);
+  if (low < -tolerance) {
+    diagnostics.warning(
+        "inertia-not-positive", link.inertia_place,
+        fmt::format(
+            "inertia of link '{}' about its centre of mass is not positive semi-definite: principal moments {}",
+            link.name, moments));
+  } else if (high > low + middle + tolerance) {
+    diagnostics.warning(
+        "triangle-inequality", link.inertia_place,
+        fmt::format(
+            "no body has the inertia of link '{}': of its principal moments about the centre of mass, {}, the largest "
+            "exceeds the sum of the others",
+            link.name, moments));
+  }
+}
+
+}  // namespace
+
+void check_mass_properties(const Description& description, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i <= description.links.size(); ++i) {
+    const DescribedLink& link = described_link(description, i);
+    const bool is_used = i > 0 || description.floating_base;
+    if (!link.inertia || !is_used) continue;
+    check_mass(link, diagnostics);
+    check_moments(link, diagnostics);
+  }
+}
+
+}  // namespace robcogen::model

@@ -1,0 +1,20 @@
+// Checks of what a robot says, beyond whether its elements form a tree.
+#pragma once
+
+#include "model/description.h"
+
+namespace robcogen::model {
+
+// Warns about ids of links that are given twice, and about gaps between them. Ids are hints and mean nothing else.
+void check_link_ids(const Description& description, Diagnostics& diagnostics);
+
+// Warns, with the numbers, about a mass that is negative or zero, and about moments of inertia that no body has:
+// negative about some axis through the centre of mass, or one larger than the sum of the other two. Properties that
+// depend on parameters are not judged, nor is a fixed base, whose properties are never used.
+void check_mass_properties(const Description& description, Diagnostics& diagnostics);
+
+// Reports every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space
+// inertia matrix has no inverse anywhere. Parameters are taken to have some value that is not special.
+void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics);
+
+}  // namespace robcogen::model
