@@ -9,8 +9,7 @@ void name_composite(Trace& trace, const std::string& link, const MassProperties&
   name(trace.graph, m.first_moment, link + "_h");
   const char* axes = "xyz";
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j)
-      trace.graph.name(m.pseudo_inertia[i][j], link + "_S" + axes[i] + axes[j]);
+    for (std::size_t j = i; j < 3; ++j) trace.graph.name(m.pseudo_inertia[i][j], link + "_S" + axes[i] + axes[j]);
 }
 
 void collect(const Setup& setup, int link, std::vector<MassProperties>& composite) {

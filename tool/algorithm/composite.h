@@ -17,7 +17,10 @@ Spatial unit_wrench(const MassProperties& composite, bool revolute);
 Spatial rigid_body_acceleration(Trace& trace, const MassProperties& body, const Spatial& missing);
 
 // Adds to tau[j] what a common acceleration of the base asks of joint j.
-void add_composite_forces(const Setup& setup, const std::vector<MassProperties>& composite,
-                          const Spatial& base_acceleration, std::vector<Expression>& tau);
+void add_composite_forces(
+    const Setup& setup,
+    const std::vector<MassProperties>& composite,
+    const Spatial& base_acceleration,
+    std::vector<Expression>& tau);
 
 }  // namespace robcogen::algorithm

@@ -26,8 +26,10 @@ inline constexpr double kStandardGravity = 9.81;  // m/s^2, along -z of the base
 symbolic::Program newton_euler(const model::KinematicTree& tree, const std::string& name, Loads loads);
 
 // Floating base that nothing holds (Featherstone 2008, table 9.6): q, qd, qdd, base_velocity -> tau, base_acceleration.
-symbolic::Program unactuated_base_inverse_dynamics(const model::KinematicTree& tree, const std::string& name,
-                                                   Loads loads);
+symbolic::Program unactuated_base_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads);
 
 // Forces at zero acceleration: q, qd [, base_velocity] -> tau [, base_wrench].
 symbolic::Program bias_forces(const model::KinematicTree& tree, const std::string& name, Loads loads);

@@ -39,8 +39,8 @@ ArticulatedInertia displaced(const ArticulatedInertia& x, const Vector3& p) {
     for (std::size_t c = 0; c < 3; ++c) result.b[r][c] = x.b[r][c] + dot(k[r], x.m[c]);
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = r; c < 3; ++c) {
-      result.a[r][c] = r == c ? x.a[r][r] + dot(k[r], result.b[r] + x.b[r])
-                              : x.a[r][c] + dot(k[c], result.b[r]) + dot(k[r], x.b[c]);
+      result.a[r][c] =
+          r == c ? x.a[r][r] + dot(k[r], result.b[r] + x.b[r]) : x.a[r][c] + dot(k[c], result.b[r]) + dot(k[r], x.b[c]);
       result.a[c][r] = result.a[r][c];
     }
   }
@@ -50,8 +50,7 @@ ArticulatedInertia displaced(const ArticulatedInertia& x, const Vector3& p) {
 ArticulatedInertia to_parent(const Pose& pose, const ArticulatedInertia& child) {
   const ArticulatedInertia slid = displaced(child, {Expression(), Expression(), pose.slide});
   return displaced(
-      {symmetric_to_parent(pose.rotation, slid.a),
-       general_to_parent(pose.rotation, slid.b),
+      {symmetric_to_parent(pose.rotation, slid.a), general_to_parent(pose.rotation, slid.b),
        symmetric_to_parent(pose.rotation, slid.m)},
       pose.offset);
 }
@@ -65,8 +64,7 @@ struct JointState {
 
 class ArticulatedBodies {
  public:
-  ArticulatedBodies(
-      const Setup& setup, std::vector<Expression> qd, std::vector<Expression> tau, const LoadInputs& load)
+  ArticulatedBodies(const Setup& setup, std::vector<Expression> qd, std::vector<Expression> tau, const LoadInputs& load)
       : setup_(setup), qd_(std::move(qd)), tau_(std::move(tau)), load_(load), joints_(tau_.size()) {}
 
   // Down with velocities, up with inertias and bias wrenches, of one link and all beyond it.

@@ -17,9 +17,12 @@ struct Angle {
 
 // The constant part of a sum, and the rest.
 std::pair<Number, Expression> split_constant(
-    Trace& trace, const Quantity& q, const std::vector<Expression>& positions) {
+    Trace& trace,
+    const Quantity& q,
+    const std::vector<Expression>& positions) {
   switch (q.op()) {
-    case Quantity::Op::constant: return {q.number(), Expression()};
+    case Quantity::Op::constant:
+      return {q.number(), Expression()};
     case Quantity::Op::negate: {
       const auto [constant, rest] = split_constant(trace, q.left(), positions);
       return {-constant, -rest};
@@ -31,7 +34,8 @@ std::pair<Number, Expression> split_constant(
       const bool sum = q.op() == Quantity::Op::add;
       return {sum ? c1 + c2 : c1 - c2, sum ? r1 + r2 : r1 - r2};
     }
-    default: return {Number(), trace.lift(q, positions)};
+    default:
+      return {Number(), trace.lift(q, positions)};
   }
 }
 

@@ -21,8 +21,10 @@ struct Pose {
 };
 
 // The product of primitive transforms (moved frame on the right) as a pose. `positions` are the values of variables.
-Pose pose_of(Trace& trace, const std::vector<model::PrimitiveTransform>& primitives,
-             const std::vector<Expression>& positions);
+Pose pose_of(
+    Trace& trace,
+    const std::vector<model::PrimitiveTransform>& primitives,
+    const std::vector<Expression>& positions);
 
 // Pose of the child link frame in the parent link frame, of every joint, from the robot's motions document.
 std::vector<Pose> joint_poses(Trace& trace, const std::vector<Expression>& q);

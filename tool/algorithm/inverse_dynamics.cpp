@@ -33,7 +33,8 @@ class Recursion {
     if (base && !setup_.floating()) return total;
     const std::string& name = setup_.link_name(link);
     setup_.trace.section(name, "link " + name + ": force and moment");
-    Spatial own = link_wrench(setup_.trace, setup_.mass(link), motion, !base && !setup_.parent_matters(link) && is_revolute(link));
+    Spatial own = link_wrench(
+        setup_.trace, setup_.mass(link), motion, !base && !setup_.parent_matters(link) && is_revolute(link));
     if (loads_) loads_->subtract_external(link, own);
     total += own;
     algorithm::name(setup_.trace.graph, total.linear, name + "_f");

@@ -39,8 +39,8 @@ Program joint_space_inertia(const model::KinematicTree& tree, const std::string&
     const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
     const std::string& link = setup.link_name(joint.child);
     trace.section(link, "link " + link + ": column of joint " + joint.name);
-    Spatial wrench = unit_wrench(
-        composite[static_cast<std::size_t>(joint.child)], joint.type == model::JointType::revolute);
+    Spatial wrench =
+        unit_wrench(composite[static_cast<std::size_t>(joint.child)], joint.type == model::JointType::revolute);
     int i = j;
     while (true) {
       const model::Joint& here = tree.joints[static_cast<std::size_t>(i)];

@@ -38,7 +38,9 @@ struct Reached {
   Vector3 position;
 };
 
-Vector3 column(const Matrix3& m, std::size_t k) { return {m[0][k], m[1][k], m[2][k]}; }
+Vector3 column(const Matrix3& m, std::size_t k) {
+  return {m[0][k], m[1][k], m[2][k]};
+}
 
 void turn(Matrix3& m, const PlaneRotation& plane) {
   const auto i = static_cast<std::size_t>((plane.axis + 1) % 3), j = static_cast<std::size_t>((plane.axis + 2) % 3);
@@ -102,8 +104,7 @@ class Walk {
   void name_here(const std::string& joint) {
     const char* axes = "xyz";
     for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t c = 0; c < 3; ++c)
-        trace_.graph.name(here.rotation[r][c], joint + "_R" + axes[r] + axes[c]);
+      for (std::size_t c = 0; c < 3; ++c) trace_.graph.name(here.rotation[r][c], joint + "_R" + axes[r] + axes[c]);
     algorithm::name(trace_.graph, here.position, joint + "_p");
   }
 };
@@ -141,7 +142,10 @@ std::vector<Expression> spatial(const Reached& x, bool motion) {
 }  // namespace
 
 Program coordinate_transform(
-    const model::KinematicTree& tree, const model::FramePair& frames, TransformForm form, const std::string& name) {
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    TransformForm form,
+    const std::string& name) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   Walk walk(trace, q);
@@ -160,8 +164,7 @@ Program coordinate_transform(
   return trace.program(name);
 }
 
-Program geometric_jacobian(
-    const model::KinematicTree& tree, const model::FramePair& frames, const std::string& name) {
+Program geometric_jacobian(const model::KinematicTree& tree, const model::FramePair& frames, const std::string& name) {
   struct Axis {
     Vector3 direction;
     Vector3 point;

@@ -20,10 +20,10 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
     return multiply(inertia, wd) + cross(w, multiply(inertia, w));
   }
   const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
-  const Expression nx = u[2][0] * s[0][1] + u[2][1] * s[1][1] - u[1][2] * s[2][2] + (zz - yy) * s[1][2] -
-                        u[1][0] * s[0][2];
-  const Expression ny = (xx - zz) * s[0][2] + u[0][1] * s[1][2] + u[0][2] * s[2][2] - u[2][0] * s[0][0] -
-                        u[2][1] * s[0][1];
+  const Expression nx =
+      u[2][0] * s[0][1] + u[2][1] * s[1][1] - u[1][2] * s[2][2] + (zz - yy) * s[1][2] - u[1][0] * s[0][2];
+  const Expression ny =
+      (xx - zz) * s[0][2] + u[0][1] * s[1][2] + u[0][2] * s[2][2] - u[2][0] * s[0][0] - u[2][1] * s[0][1];
   const Expression main = form == MomentForm::products
                               ? u[1][0] * s[0][0] - u[0][1] * s[1][1]
                               : wd[2] * (s[0][0] + s[1][1]) + (w[0] * w[1]) * (s[0][0] - s[1][1]);
@@ -78,8 +78,7 @@ MassProperties mass_properties(Trace& trace, const model::Link& link) {
 Matrix3 inertia_tensor(const MassProperties& m) {
   const Matrix3& s = m.pseudo_inertia;
   return {
-      {Vector3{s[1][1] + s[2][2], -s[0][1], -s[0][2]},
-       Vector3{-s[0][1], s[0][0] + s[2][2], -s[1][2]},
+      {Vector3{s[1][1] + s[2][2], -s[0][1], -s[0][2]}, Vector3{-s[0][1], s[0][0] + s[2][2], -s[1][2]},
        Vector3{-s[0][2], -s[1][2], s[0][0] + s[1][1]}}};
 }
 
@@ -90,9 +89,7 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b) {
 MassProperties to_parent(const Pose& pose, const MassProperties& child) {
   const MassProperties slid = displaced(child, {Expression(), Expression(), pose.slide});
   const MassProperties turned = {
-      slid.mass,
-      to_parent(pose.rotation, slid.first_moment),
-      symmetric_to_parent(pose.rotation, slid.pseudo_inertia)};
+      slid.mass, to_parent(pose.rotation, slid.first_moment), symmetric_to_parent(pose.rotation, slid.pseudo_inertia)};
   return displaced(turned, pose.offset);
 }
 
@@ -102,8 +99,7 @@ AngularState angular_state(const Vector3& w, const Vector3& wd) {
   return {
       w,
       wd,
-      {{Vector3{-(yy + zz), xy - wd[2], xz + wd[1]},
-        Vector3{xy + wd[2], -(xx + zz), yz - wd[0]},
+      {{Vector3{-(yy + zz), xy - wd[2], xz + wd[1]}, Vector3{xy + wd[2], -(xx + zz), yz - wd[0]},
         Vector3{xz - wd[1], yz + wd[0], -(xx + yy)}}}};
 }
 

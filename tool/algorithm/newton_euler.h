@@ -1,8 +1,8 @@
 // Newton-Euler in its cheap form: 3-vectors and pseudo-inertias.
 //
 // A link's mass properties are (m, h, S): mass, first moment h = integral of r dm, pseudo-inertia S = integral of r r'
-// dm, about the link's origin in link axes; the inertia tensor is tr(S) 1 - S. With U = [wd]x + [w]x [w]x, the classical
-// acceleration of a point r of the link is a + U r, so that force and moment about the origin are
+// dm, about the link's origin in link axes; the inertia tensor is tr(S) 1 - S. With U = [wd]x + [w]x [w]x, the
+// classical acceleration of a point r of the link is a + U r, so that force and moment about the origin are
 //     f = U h + m a,     n = (axial vector of U S) + h x a.
 // Accelerations carry gravity: the base accelerates by -g. (Featherstone 2008, ch. 5, in the notation of ch. 2 split
 // into 3-vectors; pseudo-inertia: Atkeson, An, Hollerbach 1986.)
@@ -47,8 +47,12 @@ struct LinkMotion {
 AngularState angular_state(const Vector3& w, const Vector3& wd);
 
 // Motion of a child from its parent's, joint velocity and acceleration.
-LinkMotion child_motion(const Pose& pose, bool revolute, const LinkMotion& parent, const Expression& qd,
-                        const Expression& qdd);
+LinkMotion child_motion(
+    const Pose& pose,
+    bool revolute,
+    const LinkMotion& parent,
+    const Expression& qd,
+    const Expression& qdd);
 
 // The wrench that gives the link this motion, about its origin. Of three equivalent forms of the moment, the one that
 // adds fewest operations to what is computed already. With `only_z` nothing but that moment component is wanted.

@@ -28,13 +28,11 @@ void add_overloads(
     list.push_back({group, "", name, std::move(lines), {}, {}, build(kernel, loads)});
   };
   if (!tree.floating_base) add(Loads::standard_gravity, "", "Gravity is (0, 0, -9.81) m/s^2 in base coordinates.");
-  add(Loads::gravity,
-      tree.floating_base ? "" : "_gravity",
-      "`gravity` (m/s^2) is in base coordinates.");
+  add(Loads::gravity, tree.floating_base ? "" : "_gravity", "`gravity` (m/s^2) is in base coordinates.");
   if (takes_external)
-    add(Loads::gravity_and_external,
-        "_external",
-        "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about the "
+    add(Loads::gravity_and_external, "_external",
+        "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about "
+        "the "
         "link's origin.");
 }
 
@@ -43,31 +41,23 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree) {
   const std::string group = "inverse_dynamics";
   if (!tree.floating_base) {
     add_overloads(
-        list,
-        tree,
-        group,
-        "inverse_dynamics",
+        list, tree, group, "inverse_dynamics",
         {"Joint forces tau (N m, N) for joint accelerations qdd: recursive Newton-Euler (Featherstone 2008, ch. 5)."},
         [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads); });
     return list;
   }
   add_overloads(
-      list,
-      tree,
-      group,
-      "inverse_dynamics",
+      list, tree, group, "inverse_dynamics",
       {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the base that nothing "
        "holds (Featherstone 2008, sec. 9.4).",
        "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
       [&](const std::string& kernel, Loads loads) { return unactuated_base_inverse_dynamics(tree, kernel, loads); });
   add_overloads(
-      list,
-      tree,
-      group,
-      "inverse_dynamics_fully_actuated",
+      list, tree, group, "inverse_dynamics_fully_actuated",
       {"Joint forces tau (N m, N) and the wrench on the base for joint and base accelerations: recursive Newton-Euler "
        "(Featherstone 2008, ch. 5).",
-       "`base_velocity`, `base_acceleration` (spatial, gravity not included) and `base_wrench` are in base coordinates, "
+       "`base_velocity`, `base_acceleration` (spatial, gravity not included) and `base_wrench` are in base "
+       "coordinates, "
        "angular first."},
       [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads); });
   return list;
@@ -76,28 +66,20 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree) {
 std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree) {
   std::vector<RobotFunction> list;
   const std::string group = "bias_forces";
-  const std::string base = tree.floating_base ? "`base_velocity` and `base_wrench` are in base coordinates, angular first."
-                                              : "";
+  const std::string base =
+      tree.floating_base ? "`base_velocity` and `base_wrench` are in base coordinates, angular first." : "";
   const auto summary = [&](const std::string& what) {
     std::vector<std::string> lines{what};
     if (!base.empty()) lines.push_back(base);
     return lines;
   };
   add_overloads(
-      list,
-      tree,
-      group,
-      "bias_forces",
+      list, tree, group, "bias_forces",
       summary("Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, minus external ones."),
       [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads); });
   add_overloads(
-      list,
-      tree,
-      group,
-      "gravity_forces",
-      summary("Generalised forces that hold the robot at rest against gravity."),
-      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads); },
-      false);
+      list, tree, group, "gravity_forces", summary("Generalised forces that hold the robot at rest against gravity."),
+      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads); }, false);
   list.push_back(
       {group,
        "",
@@ -116,9 +98,9 @@ std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree) {
       "ch. 7)."};
   if (tree.floating_base)
     summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
-  add_overloads(list, tree, "forward_dynamics", "forward_dynamics", summary, [&](const std::string& kernel, Loads loads) {
-    return forward_dynamics(tree, kernel, loads);
-  });
+  add_overloads(
+      list, tree, "forward_dynamics", "forward_dynamics", summary,
+      [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads); });
   return list;
 }
 
@@ -183,13 +165,15 @@ std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const mode
 }  // namespace
 
 const std::vector<std::string>& groups() {
-  static const std::vector<std::string> names = {
-      "inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "transforms", "jacobians"};
+  static const std::vector<std::string> names = {"inverse_dynamics",    "bias_forces", "forward_dynamics",
+                                                 "joint_space_inertia", "transforms",  "jacobians"};
   return names;
 }
 
 std::vector<RobotFunction> functions(
-    const KinematicTree& tree, const model::DesiredTransforms& desired, const std::string& group) {
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group) {
   if (group == "inverse_dynamics") return inverse_dynamics_group(tree);
   if (group == "bias_forces") return bias_forces_group(tree);
   if (group == "forward_dynamics") return forward_dynamics_group(tree);

@@ -25,7 +25,9 @@ const std::vector<std::string>& groups();
 
 // The functions of one group. Gravity, where it enters, is folded to (0, 0, -9.81) in a fixed-base robot's first
 // overload and an input in the others; external wrenches are inputs of the last.
-std::vector<RobotFunction> functions(const model::KinematicTree& tree, const model::DesiredTransforms& desired,
-                                     const std::string& group);
+std::vector<RobotFunction> functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group);
 
 }  // namespace robcogen::algorithm

@@ -37,7 +37,9 @@ void LoadInputs::subtract_external(int link, Spatial& wrench) const {
   if (!external.empty()) wrench -= external[static_cast<std::size_t>(link)];
 }
 
-LinkMotion base_motion(const Vector3& gravity) { return {angular_state({}, {}), -gravity}; }
+LinkMotion base_motion(const Vector3& gravity) {
+  return {angular_state({}, {}), -gravity};
+}
 
 LinkMotion base_motion(const Spatial& velocity, const Spatial& acceleration, const Vector3& gravity) {
   return {

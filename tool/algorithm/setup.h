@@ -20,7 +20,7 @@ struct Setup {
   Setup(Trace& trace, const std::vector<Expression>& q);
 
   Trace& trace;
-  std::vector<Pose> poses;            // by joint: child link in parent link
+  std::vector<Pose> poses;             // by joint: child link in parent link
   std::vector<MassProperties> masses;  // by link
 
   const model::KinematicTree& tree() const { return trace.tree; }

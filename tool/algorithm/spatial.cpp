@@ -3,7 +3,9 @@
 namespace robcogen::algorithm {
 namespace {
 
-Expression signed_by(int sign, const Expression& e) { return sign < 0 ? -e : e; }
+Expression signed_by(int sign, const Expression& e) {
+  return sign < 0 ? -e : e;
+}
 
 Vector3 rotate(const PlaneRotation& r, const Vector3& v, bool transposed) {
   const auto i = static_cast<std::size_t>((r.axis + 1) % 3), j = static_cast<std::size_t>((r.axis + 2) % 3);
@@ -73,21 +75,39 @@ Matrix3 conjugate(const QuarterTurns& q, const Matrix3& m) {
 
 }  // namespace
 
-Vector3 operator+(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector3 operator-(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector3 operator-(const Vector3& a) { return {-a[0], -a[1], -a[2]}; }
-Vector3 operator*(const Expression& k, const Vector3& a) { return {k * a[0], k * a[1], k * a[2]}; }
-Vector3& operator+=(Vector3& a, const Vector3& b) { return a = a + b; }
-Vector3& operator-=(Vector3& a, const Vector3& b) { return a = a - b; }
-Expression dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vector3 operator-(const Vector3& a) {
+  return {-a[0], -a[1], -a[2]};
+}
+Vector3 operator*(const Expression& k, const Vector3& a) {
+  return {k * a[0], k * a[1], k * a[2]};
+}
+Vector3& operator+=(Vector3& a, const Vector3& b) {
+  return a = a + b;
+}
+Vector3& operator-=(Vector3& a, const Vector3& b) {
+  return a = a - b;
+}
+Expression dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Vector3 multiply(const Matrix3& m, const Vector3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+Vector3 multiply(const Matrix3& m, const Vector3& v) {
+  return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
+}
 
-bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+bool is_zero(const Vector3& v) {
+  return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
+}
 
 Matrix3 skew(const Vector3& p) {
   const Expression zero;
@@ -113,9 +133,13 @@ Spatial& operator-=(Spatial& a, const Spatial& b) {
   return a;
 }
 
-Expression dot(const Spatial& a, const Spatial& b) { return dot(a.angular, b.angular) + dot(a.linear, b.linear); }
+Expression dot(const Spatial& a, const Spatial& b) {
+  return dot(a.angular, b.angular) + dot(a.linear, b.linear);
+}
 
-Matrix3 operator+(const Matrix3& a, const Matrix3& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
+Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
+  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+}
 
 void name(Graph& graph, const Vector3& v, const std::string& name) {
   graph.name(v[0], name + "x");

@@ -55,7 +55,8 @@ Spatial Trace::spatial_input(const std::string& name, Role role) {
 std::vector<Spatial> Trace::link_wrench_input() {
   std::vector<std::string> names;
   for (const model::Link& link : tree.links)
-    for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_")) names.push_back(std::move(element));
+    for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_"))
+      names.push_back(std::move(element));
   const std::vector<Expression> v = input("external", Role::link_wrenches, std::move(names));
   std::vector<Spatial> wrenches;
   for (std::size_t i = 0; i < v.size(); i += 6)
@@ -72,12 +73,7 @@ void Trace::output(const std::string& name, Role role, const Spatial& value) {
   output(name, role, std::vector<Expression>{n[0], n[1], n[2], f[0], f[1], f[2]});
 }
 
-void Trace::output(
-    const std::string& name,
-    Role role,
-    int rows,
-    int columns,
-    const std::vector<Expression>& values) {
+void Trace::output(const std::string& name, Role role, int rows, int columns, const std::vector<Expression>& values) {
   shapes_.push_back({name, role, rows, columns, {}});
   outputs_.push_back(values);
 }
@@ -89,18 +85,30 @@ void Trace::section(const std::string& subject, const std::string& title) {
 Expression Trace::lift(const Quantity& q, const std::vector<Expression>& variables) {
   const auto of = [&](const Quantity& operand) { return lift(operand, variables); };
   switch (q.op()) {
-    case Quantity::Op::constant: return graph.constant(q.number());
-    case Quantity::Op::parameter: return parameters_[static_cast<std::size_t>(q.index())];
-    case Quantity::Op::variable: return variables.at(static_cast<std::size_t>(q.index()));
-    case Quantity::Op::negate: return -of(q.left());
-    case Quantity::Op::add: return of(q.left()) + of(q.right());
-    case Quantity::Op::subtract: return of(q.left()) - of(q.right());
-    case Quantity::Op::multiply: return of(q.left()) * of(q.right());
-    case Quantity::Op::divide: return of(q.left()) / of(q.right());
-    case Quantity::Op::sine: return sin(of(q.left()));
-    case Quantity::Op::cosine: return cos(of(q.left()));
-    case Quantity::Op::tangent: return sin(of(q.left())) / cos(of(q.left()));
-    case Quantity::Op::square_root: return sqrt(of(q.left()));
+    case Quantity::Op::constant:
+      return graph.constant(q.number());
+    case Quantity::Op::parameter:
+      return parameters_[static_cast<std::size_t>(q.index())];
+    case Quantity::Op::variable:
+      return variables.at(static_cast<std::size_t>(q.index()));
+    case Quantity::Op::negate:
+      return -of(q.left());
+    case Quantity::Op::add:
+      return of(q.left()) + of(q.right());
+    case Quantity::Op::subtract:
+      return of(q.left()) - of(q.right());
+    case Quantity::Op::multiply:
+      return of(q.left()) * of(q.right());
+    case Quantity::Op::divide:
+      return of(q.left()) / of(q.right());
+    case Quantity::Op::sine:
+      return sin(of(q.left()));
+    case Quantity::Op::cosine:
+      return cos(of(q.left()));
+    case Quantity::Op::tangent:
+      return sin(of(q.left())) / cos(of(q.left()));
+    case Quantity::Op::square_root:
+      return sqrt(of(q.left()));
   }
   throw std::logic_error("unknown quantity");
 }

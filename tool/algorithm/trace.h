@@ -28,8 +28,12 @@ class Trace {
   // Outputs, in the order of the calls; matrices column by column.
   void output(const std::string& name, symbolic::Role role, const std::vector<Expression>& values);
   void output(const std::string& name, symbolic::Role role, const Spatial& value);
-  void output(const std::string& name, symbolic::Role role, int rows, int columns,
-              const std::vector<Expression>& values);
+  void output(
+      const std::string& name,
+      symbolic::Role role,
+      int rows,
+      int columns,
+      const std::vector<Expression>& values);
 
   // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
   void section(const std::string& subject, const std::string& title);

@@ -6,7 +6,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-constexpr int kLatency = 4;          // cycles of an addition, a multiplication, or the two fused
+constexpr int kLatency = 4;           // cycles of an addition, a multiplication, or the two fused
 constexpr int kDivisionLatency = 14;  // division, square root
 
 struct Use {
@@ -59,10 +59,17 @@ int critical_path(const Program& p) {
     const Statement& s = p.statements[i];
     switch (s.op) {
       case Op::sine:
-      case Op::cosine: break;  // given
-      case Op::divide: ready[i] = std::max(at(s.a), at(s.b)) + kDivisionLatency; break;
-      case Op::square_root: ready[i] = at(s.a) + kDivisionLatency; break;
-      case Op::multiply: ready[i] = std::max(at(s.a), at(s.b)) + kLatency; break;
+      case Op::cosine:
+        break;  // given
+      case Op::divide:
+        ready[i] = std::max(at(s.a), at(s.b)) + kDivisionLatency;
+        break;
+      case Op::square_root:
+        ready[i] = at(s.a) + kDivisionLatency;
+        break;
+      case Op::multiply:
+        ready[i] = std::max(at(s.a), at(s.b)) + kLatency;
+        break;
       case Op::add:
       case Op::subtract: {
         ready[i] = std::max(at(s.a), at(s.b)) + kLatency;
@@ -90,12 +97,22 @@ OperationCount count(const Program& p) {
   for (const Statement& s : p.statements) {
     switch (s.op) {
       case Op::add:
-      case Op::subtract: ++c.add; break;
-      case Op::multiply: ++c.mul; break;
-      case Op::divide: ++c.div; break;
-      case Op::square_root: ++c.sqrt; break;
+      case Op::subtract:
+        ++c.add;
+        break;
+      case Op::multiply:
+        ++c.mul;
+        break;
+      case Op::divide:
+        ++c.div;
+        break;
+      case Op::square_root:
+        ++c.sqrt;
+        break;
       case Op::sine:
-      case Op::cosine: angles.emplace(static_cast<int>(s.a.kind), s.a.index); break;
+      case Op::cosine:
+        angles.emplace(static_cast<int>(s.a.kind), s.a.index);
+        break;
     }
   }
   c.sincos = static_cast<int>(angles.size());

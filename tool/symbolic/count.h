@@ -10,8 +10,8 @@ struct OperationCount {
   int add = 0;  // additions and subtractions
   int div = 0;
   int sqrt = 0;
-  int sincos = 0;        // distinct arguments of sin and cos
-  int instructions = 0;  // mul + add after fusing a product into the sum that uses it
+  int sincos = 0;         // distinct arguments of sin and cos
+  int instructions = 0;   // mul + add after fusing a product into the sum that uses it
   int critical_path = 0;  // cycles: 4 for mul, add and fused, 14 for div and sqrt, 0 for sin and cos (taken as given)
 };
 

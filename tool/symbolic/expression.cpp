@@ -42,7 +42,9 @@ Expression operator*(const Expression& a, const Expression& b) {
   return common_graph(a, b)->multiply(a, b);
 }
 
-Expression operator*(double a, const Expression& b) { return b.is_zero() ? b : b.graph()->constant(a) * b; }
+Expression operator*(double a, const Expression& b) {
+  return b.is_zero() ? b : b.graph()->constant(a) * b;
+}
 
 Expression operator/(const Expression& a, const Expression& b) {
   if (b.is_zero()) throw std::logic_error("division by the constant zero");
@@ -245,8 +247,11 @@ Expression Graph::multiply(Expression a, Expression b) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Graph: the program
 
-Program Graph::program(std::string name, std::vector<InputArray> inputs, std::vector<OutputArray> shapes,
-                       const std::vector<std::vector<Expression>>& outputs) const {
+Program Graph::program(
+    std::string name,
+    std::vector<InputArray> inputs,
+    std::vector<OutputArray> shapes,
+    const std::vector<std::vector<Expression>>& outputs) const {
   std::vector<bool> reachable(nodes_.size(), false);
   for (const auto& values : outputs)
     for (const Expression& e : values) reachable[static_cast<std::size_t>(e.node())] = true;
@@ -292,7 +297,9 @@ Program Graph::program(std::string name, std::vector<InputArray> inputs, std::ve
       if (n.b >= 0) s.b = operand_of[static_cast<std::size_t>(n.b)];
       s.section = new_section[section];
       s.named = !names_[i].empty();
-      s.name = unique(s.named ? names_[i] : sections_[section].prefix + "_t" + std::to_string(next_number[sections_[section].prefix]++));
+      s.name = unique(
+          s.named ? names_[i]
+                  : sections_[section].prefix + "_t" + std::to_string(next_number[sections_[section].prefix]++));
       here = {Operand::Kind::statement, static_cast<int>(p.statements.size()), false};
       p.statements.push_back(std::move(s));
     }

@@ -35,7 +35,9 @@ class Expression {
   friend bool operator==(const Expression& a, const Expression& b) {
     return a.node_ == b.node_ && a.negative_ == b.negative_;
   }
-  friend Expression operator-(const Expression& a) { return a.is_zero() ? a : Expression(a.graph_, a.node_, !a.negative_); }
+  friend Expression operator-(const Expression& a) {
+    return a.is_zero() ? a : Expression(a.graph_, a.node_, !a.negative_);
+  }
   friend Expression operator+(const Expression& a, const Expression& b);
   friend Expression operator-(const Expression& a, const Expression& b) { return a + (-b); }
   friend Expression operator*(const Expression& a, const Expression& b);
@@ -93,8 +95,11 @@ class Graph {
 
   // The program that computes these outputs: reachable operations in the order of their making. `outputs[k]` supplies
   // the values of `shapes[k]`.
-  Program program(std::string name, std::vector<InputArray> inputs, std::vector<OutputArray> shapes,
-                  const std::vector<std::vector<Expression>>& outputs) const;
+  Program program(
+      std::string name,
+      std::vector<InputArray> inputs,
+      std::vector<OutputArray> shapes,
+      const std::vector<std::vector<Expression>>& outputs) const;
 
  private:
   friend Expression operator+(const Expression&, const Expression&);

@@ -18,13 +18,20 @@ Real value_of(const Number& n) {
 template <class Real>
 Real apply(Op op, Real a, Real b) {
   switch (op) {
-    case Op::add: return a + b;
-    case Op::subtract: return a - b;
-    case Op::multiply: return a * b;
-    case Op::divide: return a / b;
-    case Op::square_root: return std::sqrt(a);
-    case Op::sine: return std::sin(a);
-    case Op::cosine: return std::cos(a);
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return a / b;
+    case Op::square_root:
+      return std::sqrt(a);
+    case Op::sine:
+      return std::sin(a);
+    case Op::cosine:
+      return std::cos(a);
   }
   throw std::logic_error("unknown operation");
 }

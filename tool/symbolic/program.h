@@ -13,7 +13,9 @@ namespace robcogen::symbolic {
 
 enum class Op { add, subtract, multiply, divide, square_root, sine, cosine };
 
-constexpr bool is_binary(Op op) { return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide; }
+constexpr bool is_binary(Op op) {
+  return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide;
+}
 
 // What a statement reads: a constant, an element of an input array, or an earlier statement; possibly negated.
 struct Operand {
@@ -27,9 +29,9 @@ struct Operand {
 struct Statement {
   Op op = Op::add;
   Operand a;
-  Operand b;         // unused by unary operations
-  std::string name;  // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
-  int section = 0;   // into Program::sections
+  Operand b;           // unused by unary operations
+  std::string name;    // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
+  int section = 0;     // into Program::sections
   bool named = false;  // the name was given by the algorithm: a back end keeps it as a statement of its own
 };
 
@@ -70,7 +72,7 @@ struct OutputArray {
 
 // A run of statements that belong together: becomes a comment in generated text.
 struct Section {
-  std::string title;  // `link lowerleg: velocity and acceleration`
+  std::string title;   // `link lowerleg: velocity and acceleration`
   std::string prefix;  // unnamed statements of the section are numbered as `<prefix>_t<k>`
 };
 

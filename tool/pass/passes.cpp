@@ -1,0 +1,39 @@
+#include "pass/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace robcogen::pass {
+namespace {
+
+struct Pass {
+  const char* name;
+  symbolic::Program (*run)(const symbolic::Program&);
+};
+
+constexpr std::array kPasses = {
+    Pass{"simplify", simplify}, Pass{"cse", eliminate_common_subexpressions}, Pass{"dead-code", eliminate_dead_code},
+    Pass{"sink", sink}};
+
+}  // namespace
+
+const std::vector<std::string>& names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> list;
+    for (const Pass& pass : kPasses) list.emplace_back(pass.name);
+    return list;
+  }();
+  return all;
+}
+
+symbolic::Program run(symbolic::Program program, const std::vector<std::string>& passes) {
+  for (const std::string& name : passes)
+    if (std::find(names().begin(), names().end(), name) == names().end())
+      throw std::logic_error("there is no pass '" + name + "'");
+  for (const Pass& pass : kPasses)
+    if (std::find(passes.begin(), passes.end(), pass.name) != passes.end()) program = pass.run(program);
+  return program;
+}
+
+}  // namespace robcogen::pass

@@ -1,0 +1,31 @@
+// Program to equivalent program. Each pass can be left out; results then differ by rounding only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symbolic/program.h"
+
+namespace robcogen::pass {
+
+// Rebuilds the program through the folding rules of symbolic::Graph: constants, zeros, ones, k1 (k2 x), k1 x + k2 x,
+// (x + c1) + c2, (p + q) - q. What nothing uses goes.
+symbolic::Program simplify(const symbolic::Program& program);
+
+// Computes equal statements once: same operation on the same operands, in either order where it commutes.
+symbolic::Program eliminate_common_subexpressions(const symbolic::Program& program);
+
+// Drops statements that no output needs.
+symbolic::Program eliminate_dead_code(const symbolic::Program& program);
+
+// Moves each statement to the latest section that still precedes all its uses: values live shorter, sections stay
+// whole.
+symbolic::Program sink(const symbolic::Program& program);
+
+// Names of all passes, in the order in which they run.
+const std::vector<std::string>& names();
+
+// Runs the named passes in canonical order; an unknown name is an internal fault (std::logic_error).
+symbolic::Program run(symbolic::Program program, const std::vector<std::string>& passes = names());
+
+}  // namespace robcogen::pass

@@ -1,0 +1,31 @@
+#include "pass/statements.h"
+
+#include <numeric>
+
+namespace robcogen::pass {
+
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+Program rearrange(const Program& p, const std::vector<int>& kept, const std::vector<int>& replacement) {
+  std::vector<int> place(p.statements.size(), -1);
+  for (std::size_t k = 0; k < kept.size(); ++k) place[static_cast<std::size_t>(kept[k])] = static_cast<int>(k);
+  const auto renumber = [&](Operand& o) {
+    if (o.kind != Operand::Kind::statement) return;
+    o.index = place[static_cast<std::size_t>(replacement[static_cast<std::size_t>(o.index)])];
+  };
+  Program result = p;
+  result.statements.clear();
+  for (int i : kept) {
+    Statement s = p.statements[static_cast<std::size_t>(i)];
+    renumber(s.a);
+    if (symbolic::is_binary(s.op)) renumber(s.b);
+    result.statements.push_back(std::move(s));
+  }
+  for (symbolic::OutputArray& array : result.outputs)
+    for (Operand& o : array.values) renumber(o);
+  return result;
+}
+
+}  // namespace robcogen::pass

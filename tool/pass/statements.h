@@ -1,0 +1,24 @@
+// Rewriting a program's list of statements: what the passes on statements share.
+#pragma once
+
+#include <vector>
+
+#include "symbolic/program.h"
+
+namespace robcogen::pass {
+
+// The program with only these statements, in this order (operands before users), renumbered. `replacement[i]` is the
+// statement that stands for statement i; a statement that is kept stands for itself.
+symbolic::Program rearrange(
+    const symbolic::Program& program,
+    const std::vector<int>& kept,
+    const std::vector<int>& replacement);
+
+// Calls f on every operand that reads a statement.
+template <class F>
+void for_each_read(const symbolic::Statement& s, F f) {
+  if (s.a.kind == symbolic::Operand::Kind::statement) f(s.a.index);
+  if (symbolic::is_binary(s.op) && s.b.kind == symbolic::Operand::Kind::statement) f(s.b.index);
+}
+
+}  // namespace robcogen::pass
