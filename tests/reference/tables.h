@@ -1,0 +1,86 @@
+// Reflection tables that own their data: robots made at run time, for the tests.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "robcogen/reflection.h"
+
+namespace robcogen::reference {
+
+using Triple = std::array<double, 3>;
+
+// Grows link by link; `robot` is a view that is valid as long as the tables live and do not grow.
+class Tables {
+ public:
+  explicit Tables(const std::string& name, bool floating_base = false) : floating_base_(floating_base) {
+    name_ = stored(name);
+  }
+  Tables(const Tables&) = delete;
+  Tables& operator=(const Tables&) = delete;
+  Tables(Tables&&) = default;
+  Tables& operator=(Tables&&) = default;
+
+  // Mass properties of the link that is added, about the link origin; products of positive sign.
+  struct Body {
+    double mass = 0;
+    Triple com{};
+    std::array<double, 6> inertia{};
+  };
+
+  // The first link is the base. Returns the link's index.
+  int add_link(const std::string& name, const Body& body) {
+    links_.push_back({stored(name), -1, body.mass, {}, {}});
+    std::copy(body.com.begin(), body.com.end(), links_.back().com);
+    std::copy(body.inertia.begin(), body.inertia.end(), links_.back().inertia);
+    return static_cast<int>(links_.size()) - 1;
+  }
+
+  // Returns the joint's index.
+  int add_joint(
+      const std::string& name,
+      bool revolute,
+      int parent,
+      int child,
+      const Triple& translation = {},
+      const Triple& rotation = {}) {
+    joints_.push_back({stored(name), revolute, parent, child, {}, {}});
+    std::copy(translation.begin(), translation.end(), joints_.back().translation);
+    std::copy(rotation.begin(), rotation.end(), joints_.back().rotation);
+    links_[static_cast<std::size_t>(child)].parent_joint = static_cast<int>(joints_.size()) - 1;
+    return static_cast<int>(joints_.size()) - 1;
+  }
+
+  // Returns the frame's index.
+  int add_frame(const std::string& name, int link, const Triple& translation = {}, const Triple& rotation = {}) {
+    frames_.push_back({stored(name), link, {}, {}});
+    std::copy(translation.begin(), translation.end(), frames_.back().translation);
+    std::copy(rotation.begin(), rotation.end(), frames_.back().rotation);
+    return static_cast<int>(frames_.size()) - 1;
+  }
+
+  reflection::Robot robot() const {
+    return {name_,         floating_base_, view(links_), view(joints_),
+            view(frames_), {nullptr, 0},   {nullptr, 0}, {nullptr, 0}};
+  }
+
+ private:
+  const char* stored(const std::string& text) { return names_.emplace_back(text).c_str(); }
+
+  template <class T>
+  static reflection::Table<T> view(const std::vector<T>& items) {
+    return {items.data(), static_cast<int>(items.size())};
+  }
+
+  bool floating_base_ = false;
+  const char* name_ = nullptr;
+  std::deque<std::string> names_;  // a deque: growing and moving keep the strings in place
+  std::vector<reflection::Link> links_;
+  std::vector<reflection::Joint> joints_;
+  std::vector<reflection::Frame> frames_;
+};
+
+}  // namespace robcogen::reference
