@@ -14,12 +14,18 @@ namespace robcogen::import {
 model::Description describe(const language::kinematics::Document& document, Diagnostics& diagnostics);
 
 // describe, then model::build.
-std::optional<model::KinematicTree> kinematic_tree(const language::kinematics::Document& document,
-                                                   Diagnostics& diagnostics);
+std::optional<model::KinematicTree> kinematic_tree(
+    const language::kinematics::Document& document,
+    Diagnostics& diagnostics);
 
 // Frames resolved against the robot. Lenient: a pair that names an unknown frame is skipped with a warning, as are
 // duplicates, unlisted frames and a robot name that differs.
-model::DesiredTransforms desired_transforms(const language::desired::Document& document,
-                                            const model::KinematicTree& tree, Diagnostics& diagnostics);
+model::DesiredTransforms desired_transforms(
+    const language::desired::Document& document,
+    const model::KinematicTree& tree,
+    Diagnostics& diagnostics);
+
+// The codes of the warnings of desired_transforms, which a strict reading makes errors.
+const std::vector<std::string>& lenient_codes();
 
 }  // namespace robcogen::import

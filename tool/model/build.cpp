@@ -26,9 +26,9 @@ struct Parenthood {
 struct Assembly {
   const Description& description;
   Diagnostics& diagnostics;
-  NameIndex links{"link"};
-  NameIndex joints{"joint"};
-  NameIndex frames{"frame"};
+  NameIndex links{};
+  NameIndex joints{};
+  NameIndex frames{};
   KinematicTree tree{};
   std::vector<std::optional<Parenthood>> parents{};  // by link
   std::vector<std::optional<Place>> joint_uses{};    // by joint
@@ -40,44 +40,76 @@ struct Assembly {
   const DescribedLink& link(std::size_t index) const { return described_link(description, index); }
 };
 
+// Enters a name, and reports one that is taken or differs from another in case only. `elements` are those entered so
+// far.
+template <class Element>
+void declare(
+    NameIndex& index,
+    const char* kind,
+    const std::string& name,
+    const Place& place,
+    const std::vector<Element>& elements,
+    Diagnostics& diagnostics) {
+  if (const auto same = index.find(name)) {
+    diagnostics.error(fmt::format("duplicate-{}", kind), place, fmt::format("{} '{}' is declared twice", kind, name))
+        .notes.push_back({elements[at(*same)].place, "first declared here"});
+  } else if (const auto similar = index.find_in_other_case(name)) {
+    const Element& other = elements[at(*similar)];
+    diagnostics
+        .warning(
+            "names-differ-in-case", place, fmt::format("{}s '{}' and '{}' differ in case only", kind, other.name, name))
+        .notes.push_back({other.place, fmt::format("'{}' is declared here", other.name)});
+  }
+  index.add(name);
+}
+
 void declare_elements(Assembly& a) {
   for (std::size_t i = 0; i < a.link_count(); ++i) {
     const DescribedLink& link = a.link(i);
-    a.links.add(link.name, link.place, a.diagnostics);
+    declare(a.links, "link", link.name, link.place, a.tree.links, a.diagnostics);
     a.tree.links.push_back({link.name, link.inertia, -1, {}, link.place});
   }
   for (const DescribedJoint& joint : a.description.joints) {
-    a.joints.add(joint.name, joint.place, a.diagnostics);
+    declare(a.joints, "joint", joint.name, joint.place, a.tree.joints, a.diagnostics);
     a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place});
     if (const auto link = a.links.find(joint.name)) {
-      Diagnostic& error = a.diagnostics.error(
-          "frame-name-clash", joint.place,
-          fmt::format(
-              "joint '{0}' and link '{0}' would both have the frame '{1}'", joint.name,
-              implicit_frame_name(joint.name)));
-      error.notes.push_back({a.links.place_of(*link), "the link is declared here"});
+      a.diagnostics
+          .error(
+              "frame-name-clash", joint.place,
+              fmt::format(
+                  "joint '{0}' and link '{0}' would both have the frame '{1}'", joint.name,
+                  implicit_frame_name(joint.name)))
+          .notes.push_back({a.tree.links[at(*link)].place, "the link is declared here"});
     }
   }
   a.parents.resize(a.tree.links.size());
   a.joint_uses.resize(a.tree.joints.size());
 }
 
-void declare_frames(Assembly& a) {
+// What the implicit frame of this name belongs to: "link 'hip'"; empty when there is no such frame.
+std::string owner_of_implicit_frame(const Assembly& a, const std::string& frame) {
   const std::string prefix = implicit_frame_name("");
+  if (!frame.starts_with(prefix)) return "";
+  const std::string element = frame.substr(prefix.size());
+  if (a.links.find(element)) return fmt::format("link '{}'", element);
+  if (a.joints.find(element)) return fmt::format("joint '{}'", element);
+  return "";
+}
+
+void declare_frames(Assembly& a) {
   for (std::size_t i = 0; i < a.link_count(); ++i) {
     for (const DescribedFrame& frame : a.link(i).frames) {
-      a.frames.add(frame.name, frame.place, a.diagnostics);
-      const std::string element = frame.name.starts_with(prefix) ? frame.name.substr(prefix.size()) : "";
-      const bool hidden = a.links.find(element).has_value() || a.joints.find(element).has_value();
-      if (hidden) {
+      declare(a.frames, "frame", frame.name, frame.place, a.tree.user_frames, a.diagnostics);
+      const std::string owner = owner_of_implicit_frame(a, frame.name);
+      if (!owner.empty()) {
         a.diagnostics.warning(
             "frame-hidden", frame.place,
             fmt::format(
-                "frame '{}' has the name that belongs to the frame of {} '{}': transforms and Jacobians mean that "
-                "one, and this frame serves only as a ref_frame",
-                frame.name, a.links.find(element) ? "link" : "joint", element));
+                "frame '{}' has the name that belongs to the frame of {}: transforms and Jacobians mean that one, and "
+                "this frame serves only as a ref_frame",
+                frame.name, owner));
       }
-      a.tree.user_frames.push_back({frame.name, static_cast<int>(i), frame.placement, hidden, frame.place});
+      a.tree.user_frames.push_back({frame.name, static_cast<int>(i), frame.placement, !owner.empty(), frame.place});
     }
   }
 }
@@ -143,15 +175,13 @@ bool may_adopt(Assembly& a, int parent, int child, const Place& place) {
   }
   const auto& earlier = a.parents[at(child)];
   if (!earlier) return true;
-  Diagnostic& error = earlier->parent == parent
-                          ? a.diagnostics.error(
-                                "link-used-twice", place,
-                                fmt::format("link '{}' is listed twice as a child of '{}'", name, parent_name))
-                          : a.diagnostics.error(
-                                "two-parents", place,
-                                fmt::format(
-                                    "link '{}' has two parents, '{}' and '{}'", name,
-                                    a.tree.links[at(earlier->parent)].name, parent_name));
+  const bool same_parent = earlier->parent == parent;
+  const std::string message =
+      same_parent
+          ? fmt::format("link '{}' is listed twice as a child of '{}'", name, parent_name)
+          : fmt::format(
+                "link '{}' has two parents, '{}' and '{}'", name, a.tree.links[at(earlier->parent)].name, parent_name);
+  Diagnostic& error = a.diagnostics.error(same_parent ? "link-used-twice" : "two-parents", place, message);
   error.notes.push_back({earlier->place, "first listed here"});
   return false;
 }

@@ -1,0 +1,157 @@
+#include "import/parameters.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+
+namespace robcogen::import {
+
+using language::Expression;
+using model::Parameter;
+using model::ParameterKind;
+using model::Quantity;
+
+namespace {
+
+const char* kind_name(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::length:
+      return "a length";
+    case ParameterKind::angle:
+      return "an angle";
+    case ParameterKind::inertial:
+      break;
+  }
+  return "a mass property";
+}
+
+}  // namespace
+
+void QuantityReader::declare_constants(const Expression& expression) {
+  if (expression.kind != Expression::Kind::constant) {
+    if (expression.left) declare_constants(*expression.left);
+    if (expression.right) declare_constants(*expression.right);
+    return;
+  }
+  if (!expression.left) return;
+  const Quantity value = read(*expression.left, ParameterKind::length);
+  const auto [earlier, is_new] = constants_.insert({expression.name, {value, place(expression)}});
+  if (is_new || earlier->second.value.number() == value.number()) return;
+  diagnostics_
+      .error(
+          "conflicting-constant", place(expression),
+          fmt::format("constant '{}' is given a second value", expression.name))
+      .notes.push_back({earlier->second.place, "first value here"});
+}
+
+Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) {
+  const Quantity result = operate(expression, kind);
+  const bool divides_by_zero = result.op() == Quantity::Op::divide && result.right().is_zero();
+  const bool is_finite = !result.is_constant() || std::isfinite(result.number().value());
+  if (is_finite && !divides_by_zero) return result;
+  diagnostics_.error(
+      "not-finite", place(expression), divides_by_zero ? "division by zero" : "this expression has no finite value");
+  return Quantity();
+}
+
+Quantity QuantityReader::operate(const Expression& expression, ParameterKind kind) {
+  const auto left = [&] { return read(*expression.left, kind); };
+  const auto right = [&] { return read(*expression.right, kind); };
+  switch (expression.kind) {
+    case Expression::Kind::number:
+      return Quantity(expression.number);
+    case Expression::Kind::pi:
+      return Quantity(Number::pi_multiple(1));
+    case Expression::Kind::name:
+      return parameter(expression, kind);
+    case Expression::Kind::constant:
+      return constant(expression);
+    case Expression::Kind::negate:
+      return -left();
+    // Named, so that the left operand is read first and parameters keep the order of the document.
+    case Expression::Kind::add: {
+      const Quantity a = left();
+      return a + right();
+    }
+    case Expression::Kind::subtract: {
+      const Quantity a = left();
+      return a - right();
+    }
+    case Expression::Kind::multiply: {
+      const Quantity a = left();
+      return a * right();
+    }
+    case Expression::Kind::divide: {
+      const Quantity a = left();
+      return a / right();
+    }
+    case Expression::Kind::sine:
+      return sin(left());
+    case Expression::Kind::cosine:
+      return cos(left());
+    case Expression::Kind::tangent:
+      return tan(left());
+    case Expression::Kind::square_root:
+      return sqrt(left());
+  }
+  assert(false && "unknown expression");
+  return Quantity();
+}
+
+Quantity QuantityReader::parameter(const Expression& expression, ParameterKind kind) {
+  const std::string& name = expression.name;
+  auto& same_interface = is_dynamics(kind) ? dynamics_parameters_ : kinematics_parameters_;
+  const auto& other_interface = is_dynamics(kind) ? kinematics_parameters_ : dynamics_parameters_;
+  const auto [entry, is_new] = same_interface.insert({name, static_cast<int>(parameters_.size())});
+  if (is_new) {
+    const auto other = other_interface.find(name);
+    if (other != other_interface.end()) {
+      const Parameter& earlier = parameters_[static_cast<std::size_t>(other->second)];
+      diagnostics_
+          .warning(
+              "parameter-in-two-interfaces", place(expression),
+              fmt::format(
+                  "parameter '{}' is {} here and {} elsewhere: these are two parameters, one of the dynamics and one "
+                  "of the kinematics",
+                  name, kind_name(kind), kind_name(earlier.kind)))
+          .notes.push_back({earlier.place, "first used here"});
+    }
+    parameters_.push_back({name, kind, std::nullopt, place(expression)});
+  }
+  Parameter& parameter = parameters_[static_cast<std::size_t>(entry->second)];
+  if (parameter.kind != kind && two_units_.insert(entry->second).second) {
+    diagnostics_
+        .warning(
+            "parameter-of-two-units", place(expression),
+            fmt::format("parameter '{}' is {} here and {} elsewhere", name, kind_name(kind), kind_name(parameter.kind)))
+        .notes.push_back({parameter.place, "first used here"});
+  }
+  if (expression.default_value) {
+    const double value = expression.default_value->value();
+    if (parameter.default_value.value_or(value) != value) {
+      diagnostics_
+          .error(
+              "conflicting-default", place(expression),
+              fmt::format(
+                  "parameter '{}' has default {} here and {} elsewhere", name, print_double(value),
+                  print_double(*parameter.default_value)))
+          .notes.push_back({parameter.place, "first used here"});
+    }
+    parameter.default_value = parameter.default_value.value_or(value);
+  }
+  return Quantity::parameter(entry->second);
+}
+
+Quantity QuantityReader::constant(const Expression& expression) {
+  const auto found = constants_.find(expression.name);
+  if (found != constants_.end()) return found->second.value;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : constants_) names.push_back(name);
+  diagnostics_
+      .error("unknown-constant", place(expression), fmt::format("constant '{}' is not declared", expression.name))
+      .hint = did_you_mean(expression.name, names);
+  return Quantity();
+}
+
+}  // namespace robcogen::import
