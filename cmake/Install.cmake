@@ -1,0 +1,31 @@
+# The installed package: what find_package(robcogen) of another project needs, and the generator.
+include(CMakePackageConfigHelpers)
+
+set(package_dir lib/cmake/robcogen)
+
+install(DIRECTORY runtime/include/ tests/reference/include/ DESTINATION include)
+install(
+  DIRECTORY robots
+  DESTINATION share/robcogen
+  FILES_MATCHING
+  PATTERN "*.kindsl"
+  PATTERN "*.dtdsl"
+  PATTERN demo EXCLUDE)
+
+install(TARGETS robcogen_runtime robcogen_reference EXPORT robcogenTargets)
+install(EXPORT robcogenTargets NAMESPACE robcogen:: DESTINATION ${package_dir})
+# An export set of its own: a cross build reads the targets above, and not the executable of another machine.
+if(TARGET robcogen)
+  install(TARGETS robcogen EXPORT robcogenToolTargets RUNTIME DESTINATION bin)
+  install(EXPORT robcogenToolTargets NAMESPACE robcogen:: DESTINATION ${package_dir})
+endif()
+
+configure_package_config_file(cmake/robcogenConfig.cmake.in robcogenConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(robcogenConfigVersion.cmake COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+install(
+  FILES ${CMAKE_CURRENT_BINARY_DIR}/robcogenConfig.cmake
+        ${CMAKE_CURRENT_BINARY_DIR}/robcogenConfigVersion.cmake
+        cmake/Robcogen.cmake
+        cmake/RobcogenArguments.cmake
+        cmake/RobcogenTool.cmake
+  DESTINATION ${package_dir})

@@ -1,0 +1,217 @@
+# robcogen_add_robot: a robot document becomes a static library.
+#
+#     robcogen_add_robot(
+#       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
+#       MODEL hyl.kindsl            # the robot document, relative to the calling CMakeLists.txt
+#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
+#       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
+#       [NAMESPACE a::b]            # enclosing namespace
+#       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia transforms
+#                                   # jacobians; without it, all of them
+#       [LANGUAGES cpp]
+#       [IMPORT_DIRS dir…]          # where the documents' imports are looked for, before ROBCOGEN_IMPORT_DIRS
+#       [DEPENDS file|target…]      # when a rule of the build makes MODEL or DESIRED
+#       [COMPILE_OPTIONS option…]   # for the generated translation units only
+#       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
+#       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
+#       [EXCLUDE_FROM_ALL]
+#       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
+#       [OPTIONS flag…])            # further flags of `robcogen generate`
+#
+# Makes, for TARGET hyl:
+#     hyl            the static library; #include <hyl/hyl.h>
+#     hyl_codegen    the generated files only
+#     hyl_selfcheck  compares the compiled code with an independent recursion; ctest hyl.selfcheck, label `robot`
+#                    (where BUILD_TESTING is on)
+#     hyl_bench      times the functions (where Google Benchmark is found)
+# and the umbrellas robcogen_codegen and robcogen_bench. Anything wrong in the call ends the configuration.
+#
+# The list of generated files follows from the keywords alone, so that no configuration reads a model or runs the tool.
+cmake_minimum_required(VERSION 3.25)
+include_guard(GLOBAL)
+
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
+
+set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
+set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
+                                             transforms jacobians)
+
+function(robcogen_add_robot)
+  set(flags NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
+  set(lists ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
+  cmake_parse_arguments(PARSE_ARGV 0 robot "${flags}" "${values}" "${lists}")
+  get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
+
+  _robcogen_check_keywords(${values} ${lists} ${flags})
+  _robcogen_complete_arguments()
+  _robcogen_check_elements(ALGORITHMS ${groups})
+  _robcogen_check_elements(LANGUAGES cpp)
+  _robcogen_check_documents()
+  _robcogen_check_names()
+  _robcogen_require_tool()
+
+  _robcogen_generated_files(${robot_NAME} "${robot_ALGORITHMS}" headers sources)
+  list(TRANSFORM headers PREPEND ${robot_OUTPUT_DIR}/)
+  list(TRANSFORM sources PREPEND ${robot_OUTPUT_DIR}/)
+  _robcogen_add_codegen(${robot_TARGET}_codegen)
+  _robcogen_add_library(${robot_TARGET})
+  if(BUILD_TESTING AND NOT robot_NO_TESTS)
+    _robcogen_add_selfcheck(${robot_TARGET}_selfcheck)
+  endif()
+  if(NOT robot_NO_BENCH)
+    _robcogen_add_bench(${robot_TARGET}_bench)
+  endif()
+  if(robot_EXPORT_FILES)
+    set(${robot_EXPORT_FILES} ${headers} ${sources} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Sets `headers` and `sources` to the files of a robot, relative to its include root. No algorithms means all.
+function(_robcogen_generated_files name algorithms headers sources)
+  get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
+  set(header_list ${name}/model.h ${name}/types.h ${name}/robot.h ${name}/reflection.h ${name}/${name}.h)
+  set(source_list "")
+  foreach(group IN LISTS groups)
+    if(NOT algorithms OR group IN_LIST algorithms)
+      list(APPEND header_list ${name}/${group}.h ${name}/kernel/${group}.h)
+      list(APPEND source_list ${name}/${group}.cpp)
+    endif()
+  endforeach()
+  set(${headers} ${header_list} PARENT_SCOPE)
+  set(${sources} ${source_list} PARENT_SCOPE)
+endfunction()
+
+# The rule's output is a stamp and the files are its by-products, because the tool leaves a file that would not change
+# untouched: as outputs they would look out of date to Make for ever.
+function(_robcogen_add_codegen target)
+  set(stamp ${robot_OUTPUT_DIR}/${robot_NAME}.stamp)
+  set(depfile ${robot_OUTPUT_DIR}/${robot_NAME}.d)
+  _robcogen_generate_arguments(arguments)
+  cmake_path(GET robot_MODEL FILENAME document)
+  # DEPENDS, not MAIN_DEPENDENCY: two robots may be made of one document.
+  add_custom_command(
+    OUTPUT ${stamp}
+    BYPRODUCTS ${headers} ${sources}
+    COMMAND robcogen::robcogen generate ${robot_MODEL} -o ${robot_OUTPUT_DIR} ${arguments} --depfile ${depfile}
+            --depfile-target ${stamp} --stamp ${stamp}
+    DEPENDS robcogen::robcogen ${robot_MODEL} ${robot_DESIRED} ${robot_DEPENDS}
+    DEPFILE ${depfile}
+    COMMENT "Generating robot ${robot_NAME} from ${document}"
+    VERBATIM)
+  add_custom_target(${target} DEPENDS ${stamp})
+  set_target_properties(${target} PROPERTIES FOLDER robots)
+  _robcogen_join_umbrella(robcogen_codegen ${target})
+endfunction()
+
+# Sets `result` to the keywords of the call in the words of `robcogen generate`.
+function(_robcogen_generate_arguments result)
+  set(arguments --name ${robot_NAME})
+  if(robot_NAMESPACE)
+    list(APPEND arguments --namespace ${robot_NAMESPACE})
+  endif()
+  if(robot_DESIRED)
+    list(APPEND arguments --desired ${robot_DESIRED})
+  endif()
+  if(robot_ALGORITHMS)
+    list(APPEND arguments --algorithms ${robot_ALGORITHMS})
+  endif()
+  foreach(language IN LISTS robot_LANGUAGES)
+    list(APPEND arguments --language ${language})
+  endforeach()
+  foreach(directory IN LISTS robot_IMPORT_DIRS)
+    list(APPEND arguments -I ${directory})
+  endforeach()
+  if(MSVC)
+    list(APPEND arguments --error-format msvc)
+  endif()
+  set(${result} ${arguments} ${robot_OPTIONS} PARENT_SCOPE)
+endfunction()
+
+function(_robcogen_add_library target)
+  _robcogen_exclusion(exclusion)
+  add_library(${target} STATIC ${exclusion} ${sources})
+  add_library(${PROJECT_NAME}::${target} ALIAS ${target})
+  add_dependencies(${target} ${target}_codegen)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${robot_OUTPUT_DIR} FILES ${headers})
+  target_link_libraries(${target} PUBLIC robcogen::runtime)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  # gcc packs neighbouring scalars of the straight-line kernels into vectors, and spends more on shuffling them than
+  # it wins; the generator packs where it pays.
+  target_compile_options(
+    ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> ${robot_COMPILE_OPTIONS})
+  # One unit an algorithm is what keeps rebuilds small and parallel.
+  set_target_properties(
+    ${target}
+    PROPERTIES ROBCOGEN_MODEL ${robot_MODEL}
+               ROBCOGEN_NAME ${robot_NAME}
+               FOLDER robots
+               POSITION_INDEPENDENT_CODE ON
+               UNITY_BUILD OFF
+               CXX_CLANG_TIDY "")
+endfunction()
+
+function(_robcogen_add_selfcheck target)
+  _robcogen_exclusion(exclusion)
+  add_executable(${target} ${exclusion})
+  _robcogen_link_harness(${target} robcogen::selfcheck_harness)
+  # A cross-built program needs an emulator; a robot outside of `all` is not built before ctest runs.
+  if(robot_EXCLUDE_FROM_ALL OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))
+    return()
+  endif()
+  set(arguments "")
+  if(NOT robot_TEST_SEED STREQUAL "")
+    list(APPEND arguments --seed ${robot_TEST_SEED})
+  endif()
+  if(NOT robot_TEST_SAMPLES STREQUAL "")
+    list(APPEND arguments --samples ${robot_TEST_SAMPLES})
+  endif()
+  add_test(NAME ${robot_TARGET}.selfcheck COMMAND ${target} ${arguments})
+  set_tests_properties(${robot_TARGET}.selfcheck PROPERTIES LABELS robot)
+endfunction()
+
+function(_robcogen_add_bench target)
+  find_package(benchmark QUIET)
+  if(NOT TARGET benchmark::benchmark)
+    return()
+  endif()
+  add_executable(${target} EXCLUDE_FROM_ALL)
+  _robcogen_link_harness(${target} robcogen::bench_harness)
+  set_property(GLOBAL APPEND PROPERTY ROBCOGEN_BENCH_TARGETS ${target})
+  _robcogen_join_umbrella(robcogen_bench ${target})
+endfunction()
+
+# Makes `target` of a harness that is written once for all robots: its sources come with the interface target
+# `harness`, and these definitions tell it which robot it is compiled for.
+function(_robcogen_link_harness target harness)
+  target_link_libraries(${target} PRIVATE ${robot_TARGET} ${harness})
+  string(JOIN "::" qualified ${robot_NAMESPACE} ${robot_NAME})
+  target_compile_definitions(
+    ${target}
+    PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_NAME}/robot.h> ROBCOGEN_REFLECTION_HEADER=<${robot_NAME}/reflection.h>
+            ROBCOGEN_ROBOT_NAMESPACE=${qualified})
+  foreach(group IN LISTS groups)
+    string(TOUPPER ${group} upper)
+    set(has 0)
+    if(NOT robot_ALGORITHMS OR group IN_LIST robot_ALGORITHMS)
+      set(has 1)
+    endif()
+    target_compile_definitions(${target} PRIVATE ROBCOGEN_HAS_${upper}=${has})
+  endforeach()
+  set_target_properties(${target} PROPERTIES FOLDER robots)
+endfunction()
+
+function(_robcogen_exclusion result)
+  set(${result} "" PARENT_SCOPE)
+  if(robot_EXCLUDE_FROM_ALL)
+    set(${result} EXCLUDE_FROM_ALL PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(_robcogen_join_umbrella umbrella target)
+  if(NOT TARGET ${umbrella})
+    add_custom_target(${umbrella})
+  endif()
+  add_dependencies(${umbrella} ${target})
+endfunction()

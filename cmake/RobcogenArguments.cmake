@@ -1,0 +1,117 @@
+# What a call of robcogen_add_robot may say: its checks and its defaults.
+#
+# The functions here read the variables robot_<KEYWORD> of the call in whose scope they run.
+
+# Ends the configuration with a message that names the call.
+function(_robcogen_refuse)
+  string(CONCAT text ${ARGN})
+  message(FATAL_ERROR "robcogen_add_robot(TARGET ${robot_TARGET}): ${text}")
+endfunction()
+
+function(_robcogen_check_keywords)
+  if("SHARED" IN_LIST robot_UNPARSED_ARGUMENTS)
+    _robcogen_refuse("SHARED is refused: a robot is a static library; link it into a shared one of your own")
+  endif()
+  if(robot_UNPARSED_ARGUMENTS)
+    list(JOIN robot_UNPARSED_ARGUMENTS "' '" unknown)
+    list(JOIN ARGN " " known)
+    _robcogen_refuse("unknown argument '${unknown}'; the keywords are ${known}")
+  endif()
+  if(robot_KEYWORDS_MISSING_VALUES)
+    list(JOIN robot_KEYWORDS_MISSING_VALUES " and " keywords)
+    _robcogen_refuse("${keywords} without a value")
+  endif()
+  foreach(keyword TARGET MODEL)
+    if("${robot_${keyword}}" STREQUAL "")
+      _robcogen_refuse("${keyword} is missing")
+    endif()
+  endforeach()
+  foreach(keyword TEST_SEED TEST_SAMPLES)
+    if(NOT "${robot_${keyword}}" MATCHES "^[0-9]*$")
+      _robcogen_refuse("${keyword} must be a whole number, not '${robot_${keyword}}'")
+    endif()
+  endforeach()
+endfunction()
+
+# Refuses every element of the list robot_<keyword> that is not among the arguments.
+function(_robcogen_check_elements keyword)
+  foreach(element IN LISTS robot_${keyword})
+    if(NOT element IN_LIST ARGN)
+      list(JOIN ARGN " " known)
+      _robcogen_refuse("${keyword} does not know '${element}'; it knows ${known}")
+    endif()
+  endforeach()
+endfunction()
+
+# A file that a rule of the build makes does not stand yet: DEPENDS vouches for it.
+function(_robcogen_check_documents)
+  foreach(keyword MODEL DESIRED)
+    if(robot_${keyword} AND NOT EXISTS "${robot_${keyword}}" AND NOT robot_DEPENDS)
+      _robcogen_refuse("${keyword} does not exist: ${robot_${keyword}} (DEPENDS, when a rule of the build makes it)")
+    endif()
+  endforeach()
+  cmake_path(GET robot_MODEL EXTENSION LAST_ONLY extension)
+  if(NOT extension STREQUAL ".kindsl")
+    _robcogen_refuse("MODEL must be a .kindsl document, not '${extension}': ${robot_MODEL}")
+  endif()
+endfunction()
+
+# Generated namespaces are named in C++ next to those that generated code uses.
+function(_robcogen_check_identifier keyword identifier)
+  set(reserved
+      alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl
+      concept const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype default
+      delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline int long
+      mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public register
+      reinterpret_cast requires return short signed sizeof static static_assert static_cast struct switch template this
+      thread_local throw true try typedef typeid typename union unsigned using virtual void volatile wchar_t while xor
+      xor_eq std Eigen robcogen)
+  if(NOT identifier MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
+    _robcogen_refuse("${keyword} '${identifier}' is not an identifier")
+  endif()
+  if(identifier IN_LIST reserved)
+    _robcogen_refuse("${keyword} '${identifier}' is a reserved word of the generated code")
+  endif()
+endfunction()
+
+function(_robcogen_check_names)
+  if(TARGET "${robot_TARGET}")
+    _robcogen_refuse("a target of this name stands already")
+  endif()
+  _robcogen_check_identifier(NAME "${robot_NAME}")
+  string(REPLACE "::" ";" enclosing "${robot_NAMESPACE}")
+  foreach(identifier IN LISTS enclosing)
+    _robcogen_check_identifier(NAMESPACE "${identifier}")
+  endforeach()
+  get_property(owner GLOBAL PROPERTY ROBCOGEN_OWNER_OF_${robot_NAME})
+  if(owner)
+    _robcogen_refuse("NAME '${robot_NAME}' is taken by the robot of target '${owner}'")
+  endif()
+  set_property(GLOBAL PROPERTY ROBCOGEN_OWNER_OF_${robot_NAME} ${robot_TARGET})
+endfunction()
+
+# Fills in what the call leaves out, and makes paths absolute.
+function(_robcogen_complete_arguments)
+  if(NOT robot_NAME)
+    string(MAKE_C_IDENTIFIER "${robot_TARGET}" robot_NAME)
+  endif()
+  if(NOT robot_LANGUAGES)
+    set(robot_LANGUAGES cpp)
+  endif()
+  if(NOT robot_OUTPUT_DIR)
+    set(robot_OUTPUT_DIR robcogen.gen/${robot_TARGET})
+  endif()
+  cmake_path(ABSOLUTE_PATH robot_OUTPUT_DIR BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" NORMALIZE)
+  foreach(keyword MODEL DESIRED)
+    if(robot_${keyword})
+      cmake_path(ABSOLUTE_PATH robot_${keyword} BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    endif()
+  endforeach()
+  set(directories "")
+  foreach(directory IN LISTS robot_IMPORT_DIRS ROBCOGEN_IMPORT_DIRS)
+    cmake_path(ABSOLUTE_PATH directory BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    list(APPEND directories "${directory}")
+  endforeach()
+  set(robot_IMPORT_DIRS "${directories}")
+  return(PROPAGATE robot_NAME robot_LANGUAGES robot_OUTPUT_DIR robot_MODEL robot_DESIRED robot_IMPORT_DIRS)
+endfunction()
