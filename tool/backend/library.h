@@ -56,6 +56,7 @@ struct Library {
   std::string robot;       // the robot's name in the document
   std::string model_file;  // file name without folders
   std::string model_hash;  // of the canonical document
+  std::string generator_version;  // of the tool: stands in one file only, so that a new version recompiles little
   bool floating_base = false;
   std::vector<LinkData> links;  // [0] is the base
   std::vector<JointData> joints;

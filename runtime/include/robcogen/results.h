@@ -1,0 +1,33 @@
+// What functions of floating-base robots return; kDof joints.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "robcogen/spatial.h"
+
+namespace robcogen {
+
+// Joint forces (N m, N), and the spatial acceleration of a base that nothing holds (base coordinates, gravity not
+// included).
+template <class Scalar, int kDof>
+struct InverseDynamics {
+  Eigen::Matrix<Scalar, kDof, 1> tau;
+  BasicSpatialAcceleration<Scalar> base_acceleration;
+};
+
+// Joint forces (N m, N), and the wrench on the base (base coordinates, about the base origin).
+template <class Scalar, int kDof>
+struct GeneralizedForce {
+  Eigen::Matrix<Scalar, kDof, 1> tau;
+  BasicWrench<Scalar> base_wrench;
+};
+
+// Joint accelerations (rad/s^2, m/s^2), and the spatial acceleration of the base (base coordinates, gravity not
+// included).
+template <class Scalar, int kDof>
+struct GeneralizedAcceleration {
+  Eigen::Matrix<Scalar, kDof, 1> qdd;
+  BasicSpatialAcceleration<Scalar> base_acceleration;
+};
+
+}  // namespace robcogen

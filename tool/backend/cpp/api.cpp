@@ -1,0 +1,198 @@
+#include "backend/cpp/api.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "backend/cpp/names.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Program;
+using symbolic::Role;
+
+// A namespace that would hide one that generated text refers to.
+std::string namespace_name(const std::string& wanted) {
+  const std::string name = identifier(wanted);
+  return name == "std" || name == "Eigen" || name == "robcogen" ? name + "_" : name;
+}
+
+std::string whole_namespace(const Library& library) {
+  std::string result;
+  std::string rest = library.enclosing;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find("::"), rest.size());
+    result += namespace_name(rest.substr(0, end)) + "::";
+    rest.erase(0, end + 2);
+  }
+  return result + namespace_name(library.name);
+}
+
+template <class Item>
+std::vector<std::string> enumerators(const std::vector<Item>& items) {
+  NameScope scope;
+  std::vector<std::string> wanted;
+  for (const Item& item : items) wanted.push_back(item.name);
+  return claim_all(scope, wanted);
+}
+
+bool is_joint_array(Role role) {
+  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
+         role == Role::joint_force;
+}
+
+// The alias of types.h for a role that has one of its own.
+std::string alias(Role role) {
+  if (is_joint_array(role)) return "JointState";
+  switch (role) {
+    case Role::gravity:
+      return "Gravity";
+    case Role::base_velocity:
+      return "Twist";
+    case Role::base_acceleration:
+      return "SpatialAcceleration";
+    case Role::base_wrench:
+      return "Wrench";
+    case Role::link_wrenches:
+      return "LinkWrenches";
+    case Role::inertia_matrix:
+      return "InertiaMatrix";
+    default:
+      return "";
+  }
+}
+
+std::string matrix(int rows, int columns) {
+  return "Matrix<" + std::to_string(rows) + ", " + std::to_string(columns) + ">";
+}
+
+// A function's inputs as a signature, with or without gravity.
+std::vector<Role> signature(const Program& program, bool with_gravity) {
+  std::vector<Role> roles;
+  for (const InputArray& input : program.inputs)
+    if (with_gravity || input.role != Role::gravity) roles.push_back(input.role);
+  return roles;
+}
+
+Overload overload(const Callable& callable, bool with_gravity) {
+  const Program& program = callable.function->program;
+  Overload result{&callable, result_type(program), {}, !with_gravity};
+  for (const InputArray& input : program.inputs)
+    if (with_gravity || input.role != Role::gravity) result.arguments.push_back({type_of(input), input.name, ""});
+  return result;
+}
+
+}  // namespace
+
+Api api(const Library& library) {
+  Api result;
+  result.library = &library;
+  result.space = whole_namespace(library);
+  result.joints = enumerators(library.joints);
+  result.links = enumerators(library.links);
+  result.frames = enumerators(library.frames);
+
+  NameScope kernels;
+  std::vector<std::string> wanted;
+  for (const Function& f : library.functions) wanted.push_back(f.kernel);
+  const std::vector<std::string> kernel_names = claim_all(kernels, wanted);
+
+  // Overloads share a name; two functions that are different ones must not.
+  std::map<std::string, NameScope> taken;
+  std::map<std::pair<std::string, std::string>, std::string> names;
+  for (const bool legal : {true, false}) {
+    for (const Function& f : library.functions) {
+      if ((identifier(f.name) == f.name) != legal || names.contains({f.scope, f.name})) continue;
+      names[{f.scope, f.name}] = taken[f.scope].claim(f.name);
+    }
+  }
+  for (std::size_t i = 0; i < library.functions.size(); ++i) {
+    const Function& f = library.functions[i];
+    const std::string& name = names.at({f.scope, f.name});
+    const bool jacobian = !f.program.outputs.empty() && f.program.outputs.front().role == Role::jacobian;
+    result.callables.push_back({&f, kernel_names[i], name, jacobian ? taken[f.scope].claim(name + "_columns") : ""});
+  }
+  return result;
+}
+
+std::string type_of(const InputArray& input) {
+  const std::string name = alias(input.role);
+  return name.empty() ? matrix(static_cast<int>(input.elements.size()), 1) : name;
+}
+
+std::string result_type(const Program& program) {
+  if (program.outputs.size() == 1) {
+    const OutputArray& output = program.outputs.front();
+    const std::string name = alias(output.role);
+    return name.empty() ? matrix(output.rows, output.columns) : name;
+  }
+  if (program.outputs.size() == 2) {
+    const Role first = program.outputs[0].role, second = program.outputs[1].role;
+    if (first == Role::joint_force && second == Role::base_acceleration) return "InverseDynamics";
+    if (first == Role::joint_force && second == Role::base_wrench) return "GeneralizedForce";
+    if (first == Role::joint_acceleration && second == Role::base_acceleration) return "GeneralizedAcceleration";
+  }
+  throw std::logic_error("no C++ type holds the outputs of '" + program.name + "'");
+}
+
+std::string result_member(const Program& program, const OutputArray& output) {
+  if (program.outputs.size() == 1) return "";
+  switch (output.role) {
+    case Role::joint_force:
+      return "tau";
+    case Role::joint_acceleration:
+      return "qdd";
+    case Role::base_wrench:
+      return "base_wrench";
+    default:
+      return "base_acceleration";
+  }
+}
+
+std::vector<Overload> overloads(const std::vector<const Callable*>& callables) {
+  std::vector<Overload> result;
+  for (const Callable* callable : callables) {
+    const Program& program = callable->function->program;
+    result.push_back(overload(*callable, true));
+    const std::vector<Role> without = signature(program, false);
+    const bool optional = std::none_of(callables.begin(), callables.end(), [&](const Callable* other) {
+      return signature(other->function->program, true) == without;
+    });
+    if (!optional) continue;
+    Argument& last = result.back().arguments.back();
+    if (last.type == alias(Role::gravity))
+      last.default_value = "Gravity::standard()";
+    else
+      result.push_back(overload(*callable, false));
+  }
+  return result;
+}
+
+std::vector<Overload> overloads(const Api& api, const std::string& group, const std::string& scope) {
+  // Functions of one name stand together, where the first of them stands.
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<const Callable*>> by_name;
+  for (const Callable& c : api.callables) {
+    if (c.function->group != group || c.function->scope != scope) continue;
+    if (!by_name.contains(c.name)) order.push_back(c.name);
+    by_name[c.name].push_back(&c);
+  }
+  std::vector<Overload> result;
+  for (const std::string& name : order)
+    for (Overload& o : overloads(by_name[name])) result.push_back(std::move(o));
+  return result;
+}
+
+std::vector<std::string> scopes(const Api& api, const std::string& group) {
+  std::vector<std::string> result;
+  for (const Callable& c : api.callables) {
+    if (c.function->group != group) continue;
+    if (std::find(result.begin(), result.end(), c.function->scope) == result.end()) result.push_back(c.function->scope);
+  }
+  return result;
+}
+
+}  // namespace robcogen::backend::cpp

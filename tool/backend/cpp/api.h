@@ -1,0 +1,58 @@
+// The C++ interface of a library: every identifier settled, and the overloads that its functions make.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend::cpp {
+
+// A function of the library under its C++ names.
+struct Callable {
+  const Function* function = nullptr;
+  std::string kernel;   // in namespace `kernel`
+  std::string name;     // in the function's scope
+  std::string columns;  // Jacobians: the constant beside it that lists the joints of its columns
+};
+
+struct Api {
+  const Library* library = nullptr;
+  std::string space;                               // the whole namespace: `a::hyl`
+  std::vector<std::string> joints, links, frames;  // enumerators
+  std::vector<Callable> callables;                 // in the order of Library::functions
+};
+
+// Refers to the library, which must live as long.
+Api api(const Library& library);
+
+struct Argument {
+  std::string type;
+  std::string name;
+  std::string default_value;  // empty: none
+};
+
+struct Overload {
+  const Callable* callable = nullptr;
+  std::string result;
+  std::vector<Argument> arguments;
+  bool adds_standard_gravity = false;  // has no argument for it, and calls the overload that has one
+};
+
+// The overloads that these functions make, all of one scope and name. Gravity may be left out wherever no function of
+// its own does without it: then it is standard gravity.
+std::vector<Overload> overloads(const std::vector<const Callable*>& callables);
+
+// The overloads of a group in this scope, in order.
+std::vector<Overload> overloads(const Api& api, const std::string& group, const std::string& scope);
+
+// The scopes of a group in the order of their first function.
+std::vector<std::string> scopes(const Api& api, const std::string& group);
+
+// C++ type of an input, and of what a function returns. The names are aliases of types.h.
+std::string type_of(const symbolic::InputArray& input);
+std::string result_type(const symbolic::Program& program);
+// The member of the result type that holds this output; empty when the function returns the output itself.
+std::string result_member(const symbolic::Program& program, const symbolic::OutputArray& output);
+
+}  // namespace robcogen::backend::cpp

@@ -1,0 +1,124 @@
+#include "backend/cpp/layout.h"
+
+#include <algorithm>
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+  std::string result;
+  for (std::size_t i = 0; i < items.size(); ++i) result += (i ? separator : "") + items[i];
+  return result;
+}
+
+std::string blanks(std::size_t count) {
+  return std::string(count, ' ');
+}
+
+}  // namespace
+
+std::string comment(const std::string& text, std::size_t indent) {
+  std::string clean = text;
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+    if (c == '\\') c = '/';  // at the end of a line it would swallow the next one
+  }
+  while (!clean.empty() && clean.back() == ' ') clean.pop_back();
+  const std::string prefix = blanks(indent) + "// ";
+  const std::size_t room = kColumns - prefix.size();
+  std::string result;
+  while (clean.size() > room) {
+    std::size_t cut = clean.rfind(' ', room);
+    if (cut == std::string::npos || cut == 0) cut = clean.find(' ', 1);
+    if (cut == std::string::npos) break;
+    result += prefix + clean.substr(0, cut) + "\n";
+    clean.erase(0, clean.find_first_not_of(' ', cut));
+  }
+  return result + prefix + clean + "\n";
+}
+
+std::string declaration(
+    const std::string& head,
+    const std::vector<std::string>& parameters,
+    const std::string& tail,
+    std::size_t indent) {
+  const std::string line = blanks(indent) + head + "(" + joined(parameters, ", ") + ")" + tail;
+  if (line.size() <= kColumns || parameters.empty()) return line + "\n";
+  const std::string separator = "\n" + blanks(indent + 4);
+  return blanks(indent) + head + "(" + separator + joined(parameters, "," + separator) + ")" + tail + "\n";
+}
+
+std::string call(const std::string& head, const std::vector<std::string>& arguments, std::size_t indent) {
+  const std::string line = blanks(indent) + head + "(" + joined(arguments, ", ") + ");";
+  if (line.size() <= kColumns || arguments.empty()) return line + "\n";
+  std::string result = blanks(indent) + head + "(\n";
+  std::string row = blanks(indent + 4);
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string next = arguments[i] + (i + 1 < arguments.size() ? "," : ");");
+    if (row.size() > indent + 4 && row.size() + 1 + next.size() > kColumns) {
+      result += row + "\n";
+      row = blanks(indent + 4);
+    }
+    row += (row.size() > indent + 4 ? " " : "") + next;
+  }
+  return result + row + "\n";
+}
+
+std::string remarked_list(
+    const std::string& head,
+    const std::vector<std::string>& items,
+    const std::vector<std::string>& remarks) {
+  if (items.empty()) return head + " = {};\n";
+  std::size_t width = 0;
+  for (const std::string& item : items) width = std::max(width, item.size());
+  std::string result = head + " = {\n";
+  for (std::size_t i = 0; i < items.size(); ++i)
+    result += "    " + items[i] + "," + blanks(width - items[i].size()) + "  // " + remarks[i] + "\n";
+  return result + "};\n";
+}
+
+std::string numbered_list(const std::string& head, const std::vector<std::string>& items) {
+  const std::string line = head + " = " + braced(items) + ";";
+  if (line.size() <= kColumns) return line + "\n";
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < items.size(); ++i) numbers.push_back(std::to_string(i));
+  return remarked_list(head, items, numbers);
+}
+
+std::string entry(const std::vector<std::string>& fields, std::size_t indent) {
+  const std::string line = blanks(indent) + "{" + joined(fields, ", ") + "},";
+  if (line.size() <= kColumns) return line + "\n";
+  const std::string separator = ",\n" + blanks(indent + 4);
+  return blanks(indent) + "{\n" + blanks(indent + 4) + joined(fields, separator) + ",\n" + blanks(indent) + "},\n";
+}
+
+std::string braced(const std::vector<std::string>& items) {
+  return "{" + joined(items, ", ") + "}";
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') continue;
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string paragraphs(const std::vector<std::string>& parts) {
+  std::string result;
+  for (const std::string& part : parts) {
+    if (part.empty()) continue;
+    if (!result.empty()) result += "\n";
+    result += part;
+  }
+  return result;
+}
+
+std::string in_namespace(const std::string& name, const std::string& body) {
+  if (body.empty()) return "";
+  return "namespace " + name + " {\n\n" + body + "\n}  // namespace " + name + "\n";
+}
+
+}  // namespace robcogen::backend::cpp

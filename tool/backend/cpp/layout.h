@@ -1,0 +1,50 @@
+// Layout of generated C++ as the project's .clang-format wants it: 120 columns, one parameter a line where they do not
+// fit in one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace robcogen::backend::cpp {
+
+inline constexpr std::size_t kColumns = 120;
+
+// Comment lines, wrapped at blanks. Characters that would end or continue a comment are replaced.
+std::string comment(const std::string& text, std::size_t indent = 0);
+
+// `head(parameters) tail`, as in `inline JointState f(const JointState& q) noexcept {`.
+std::string declaration(
+    const std::string& head,
+    const std::vector<std::string>& parameters,
+    const std::string& tail,
+    std::size_t indent = 0);
+
+// `head(arguments);` as a statement.
+std::string call(const std::string& head, const std::vector<std::string>& arguments, std::size_t indent);
+
+// `head = {…};` with one item a line and the remark of each behind it. (Without remarks clang-format would arrange long
+// lists in columns.)
+std::string remarked_list(
+    const std::string& head,
+    const std::vector<std::string>& items,
+    const std::vector<std::string>& remarks);
+
+// `head = {items};` in one line if they fit, else one a line, each with its number.
+std::string numbered_list(const std::string& head, const std::vector<std::string>& items);
+
+// One entry of a table, `{fields},` at this indentation; fields that do not fit stand one a line.
+std::string entry(const std::vector<std::string>& fields, std::size_t indent);
+
+// `{0.0, 1.0}`
+std::string braced(const std::vector<std::string>& items);
+
+// A string literal.
+std::string quoted(const std::string& text);
+
+// Text with blank lines between the parts; empty parts vanish.
+std::string paragraphs(const std::vector<std::string>& parts);
+
+// `namespace a::b { … }`, or nothing around nothing.
+std::string in_namespace(const std::string& name, const std::string& body);
+
+}  // namespace robcogen::backend::cpp

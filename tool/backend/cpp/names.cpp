@@ -1,0 +1,123 @@
+#include "backend/cpp/names.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace robcogen::backend::cpp {
+namespace {
+
+constexpr auto kKeywords = std::to_array<std::string_view>({
+    "alignas",   "alignof",  "and",        "and_eq",    "asm",          "auto",          "bitand",
+    "bitor",     "bool",     "break",      "case",      "catch",        "char",          "char16_t",
+    "char32_t",  "char8_t",  "class",      "co_await",  "co_return",    "co_yield",      "compl",
+    "concept",   "const",    "const_cast", "consteval", "constexpr",    "constinit",     "continue",
+    "decltype",  "default",  "delete",     "do",        "double",       "dynamic_cast",  "else",
+    "enum",      "explicit", "export",     "extern",    "false",        "float",         "for",
+    "friend",    "goto",     "if",         "inline",    "int",          "long",          "mutable",
+    "namespace", "new",      "noexcept",   "not",       "not_eq",       "nullptr",       "operator",
+    "or",        "or_eq",    "private",    "protected", "public",       "register",      "requires",
+    "return",    "short",    "signed",     "sizeof",    "static",       "static_assert", "static_cast",
+    "struct",    "switch",   "template",   "this",      "thread_local", "throw",         "true",
+    "try",       "typedef",  "typeid",     "typename",  "typeof",       "union",         "unsigned",
+    "using",     "virtual",  "void",       "volatile",  "wchar_t",      "while",         "xor",
+    "xor_eq",
+});
+
+// Macros of C and POSIX headers, and the few global variables that a local name would shadow. Names with a leading
+// underscore need no entry: no identifier of ours has one.
+constexpr auto kStandardMacros = std::to_array<std::string_view>({
+    "BUFSIZ",         "CHAR_BIT",    "CHAR_MAX",  "CHAR_MIN",     "DBL_DIG",
+    "DBL_EPSILON",    "DBL_MAX",     "DBL_MIN",   "DOMAIN",       "ECHO",
+    "EDOM",           "EINTR",       "EINVAL",    "EIO",          "ENOENT",
+    "ENOMEM",         "EOF",         "EPERM",     "ERANGE",       "EXIT_FAILURE",
+    "EXIT_SUCCESS",   "FLT_EPSILON", "FLT_MAX",   "FLT_MIN",      "FP_FAST_FMA",
+    "FP_INFINITE",    "FP_NAN",      "FP_NORMAL", "FP_SUBNORMAL", "FP_ZERO",
+    "HUGE",           "HUGE_VAL",    "HUGE_VALF", "HUGE_VALL",    "I",
+    "INFINITY",       "INT_MAX",     "INT_MIN",   "LONG_MAX",     "LONG_MIN",
+    "MATH_ERREXCEPT", "MATH_ERRNO",  "MAXFLOAT",  "M_1_PI",       "M_2_PI",
+    "M_2_SQRTPI",     "M_E",         "M_LN10",    "M_LN2",        "M_LOG10E",
+    "M_LOG2E",        "M_PI",        "M_PI_2",    "M_PI_4",       "M_SQRT1_2",
+    "M_SQRT2",        "NAN",         "NDEBUG",    "NULL",         "OVERFLOW",
+    "PLOSS",          "RAND_MAX",    "SEEK_CUR",  "SEEK_END",     "SEEK_SET",
+    "SIGABRT",        "SIGFPE",      "SIGILL",    "SIGINT",       "SIGKILL",
+    "SIGSEGV",        "SIGTERM",     "SING",      "SNAN",         "SNANF",
+    "SNANL",          "TLOSS",       "UNDERFLOW", "X_TLOSS",      "assert",
+    "complex",        "daylight",    "environ",   "errno",        "i386",
+    "imaginary",      "linux",       "major",     "makedev",      "math_errhandling",
+    "minor",          "offsetof",    "setjmp",    "signgam",      "sparc",
+    "stderr",         "stdin",       "stdout",    "timezone",     "unix",
+});
+
+// Windows, macOS, X11, Qt, Arduino.
+constexpr auto kPlatformMacros = std::to_array<std::string_view>({
+    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DELETE", "DEG_TO_RAD", "ERROR",   "FALSE",     "False",
+    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",    "PI",         "STRICT",  "Status",    "Success",
+    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",   "far",        "foreach", "interface", "max",
+    "min",    "near", "nil",      "pascal",  "signals",  "slots",  "small",
+});
+
+template <std::size_t n>
+bool contains(const std::array<std::string_view, n>& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+}  // namespace
+
+bool is_reserved(const std::string& name) {
+  return contains(kKeywords, name) || contains(kStandardMacros, name) || contains(kPlatformMacros, name);
+}
+
+std::string identifier(const std::string& wanted) {
+  std::string name;
+  for (char c : wanted) {
+    const char legal = is_letter(c) || is_digit(c) ? c : '_';
+    if (legal == '_' && (name.empty() || name.back() == '_')) continue;
+    name += legal;
+  }
+  if (name.empty() || is_digit(name.front())) name.insert(0, "n");
+  if (is_reserved(name)) name += '_';
+  return name;
+}
+
+std::string shortened(const std::string& name, std::size_t limit) {
+  if (name.size() <= limit) return name;
+  const std::size_t head = (limit - 1) / 2;
+  return identifier(name.substr(0, head) + "_" + name.substr(name.size() - (limit - 1 - head)));
+}
+
+NameScope::NameScope(const std::vector<std::string>& taken) {
+  for (const std::string& name : taken) take(name);
+}
+
+bool NameScope::take(const std::string& name) {
+  return uses_.emplace(name, 1).second;
+}
+
+std::string NameScope::claim(const std::string& wanted) {
+  const std::string name = identifier(wanted);
+  if (take(name)) return name;
+  int& uses = uses_[name];
+  while (true) {
+    const std::string numbered = (name.back() == '_' ? name : name + "_") + std::to_string(++uses);
+    if (take(numbered)) return numbered;
+  }
+}
+
+std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted) {
+  std::vector<std::string> names(wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (identifier(wanted[i]) == wanted[i] && scope.take(wanted[i])) names[i] = wanted[i];
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (names[i].empty()) names[i] = scope.claim(wanted[i]);
+  return names;
+}
+
+}  // namespace robcogen::backend::cpp

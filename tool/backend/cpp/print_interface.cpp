@@ -1,0 +1,171 @@
+// <name>/<group>.h, Eigen functions over the kernels, and <name>/robot.h, the same as static members of a type.
+//
+// The functions are inline: compiled with the user's options, so that options of the library's own translation units
+// can never change how Eigen lays out what crosses the border.
+#include "backend/cpp/layout.h"
+#include "backend/cpp/lower.h"
+#include "backend/cpp/printers.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::vector<std::string> parameter_list(const Overload& overload) {
+  std::vector<std::string> list;
+  for (const Argument& a : overload.arguments)
+    list.push_back("const " + a.type + "& " + a.name + (a.default_value.empty() ? "" : " = " + a.default_value));
+  return list;
+}
+
+std::string call_of_kernel(const Callable& callable) {
+  const symbolic::Program& program = callable.function->program;
+  const std::vector<Parameter> names = parameters(program);
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) arguments.push_back(names[i].name + ".data()");
+  std::string result = names[program.inputs.size()].name;
+  if (program.outputs.size() > 1) result = "result";
+  for (const symbolic::OutputArray& output : program.outputs) {
+    const std::string member = result_member(program, output);
+    arguments.push_back(result + (member.empty() ? "" : "." + member) + ".data()");
+  }
+  return "  " + result_type(program) + " " + result + ";\n" + call("kernel::" + callable.kernel, arguments, 2) +
+         "  return " + result + ";\n";
+}
+
+// Arguments passed on to an overload that takes gravity too, if this one does not.
+std::vector<std::string> passed_on(const Overload& overload) {
+  std::vector<std::string> arguments;
+  for (std::size_t p = 0, a = 0; p < overload.callable->function->program.inputs.size(); ++p) {
+    const bool gravity = overload.callable->function->program.inputs[p].role == symbolic::Role::gravity;
+    if (gravity && overload.adds_standard_gravity)
+      arguments.push_back("Gravity::standard()");
+    else
+      arguments.push_back(overload.arguments[a++].name);
+  }
+  return arguments;
+}
+
+std::string documentation(const Overload& overload, std::size_t indent) {
+  if (overload.adds_standard_gravity) return comment("As above, under standard gravity.", indent);
+  std::string result;
+  for (const std::string& line : overload.callable->function->summary) result += comment(line, indent);
+  return result;
+}
+
+std::string function(const Overload& overload) {
+  std::string result =
+      declaration("inline " + overload.result + " " + overload.callable->name, parameter_list(overload), " noexcept {");
+  if (overload.adds_standard_gravity)
+    result += call("return " + overload.callable->name, passed_on(overload), 2);
+  else
+    result += call_of_kernel(*overload.callable);
+  return result + "}\n";
+}
+
+std::string columns_constant(const Api& api, const Callable& callable) {
+  if (callable.columns.empty()) return "";
+  std::vector<std::string> joints;
+  for (int joint : callable.function->columns)
+    joints.push_back("Joint::" + api.joints[static_cast<std::size_t>(joint)]);
+  return numbered_list(
+      "inline constexpr std::array<Joint, " + std::to_string(joints.size()) + "> " + callable.columns, joints);
+}
+
+// The functions of one scope. Documentation and constants stand with the first precision only.
+std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
+  std::vector<std::string> parts;
+  for (const Overload& o : overloads(api, group, scope)) {
+    if (single_precision) {
+      parts.push_back(function(o));
+      continue;
+    }
+    parts.push_back(columns_constant(api, *o.callable));
+    parts.push_back(documentation(o, 0) + function(o));
+  }
+  const std::string prefix = single_precision ? (scope.empty() ? "f32" : "f32::") : "";
+  if (prefix.empty() && scope.empty()) return paragraphs(parts);
+  return in_namespace(prefix + scope, paragraphs(parts));
+}
+
+std::string member_function(const Overload& overload, const std::string& space) {
+  const std::string head = "static " + overload.result + " " + overload.callable->name;
+  std::vector<std::string> names;
+  for (const Argument& a : overload.arguments) names.push_back(a.name);
+  const std::string body = call("return " + space + "::" + overload.callable->name, names, 0);
+  const std::string line =
+      declaration(head, parameter_list(overload), " noexcept { " + body.substr(0, body.size() - 1) + " }", 2);
+  if (line.size() <= kColumns + 1) return line;
+  return declaration(head, parameter_list(overload), " noexcept {", 2) +
+         call("return " + space + "::" + overload.callable->name, names, 4) + "  }\n";
+}
+
+std::string robot_type(const Api& api, const std::string& scalar, const std::string& space) {
+  const Library& library = *api.library;
+  const auto constant = [](const std::string& type, const std::string& name, const std::string& value) {
+    return "  static constexpr " + type + " " + name + " = " + value + ";\n";
+  };
+  std::string types = "  using Scalar = " + scalar + ";\n";
+  std::vector<std::string> names = {"Gravity", "InertiaMatrix", "JointState", "LinkWrenches", "SpatialAcceleration",
+                                    "Twist",   "Wrench"};
+  if (library.floating_base)
+    names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
+  for (const std::string& name : names) types += "  using " + name + " = " + space + "::" + name + ";\n";
+  std::vector<std::string> parts = {
+      types, constant("int", "kDof", std::to_string(library.joints.size())) +
+                 constant("int", "kLinkCount", std::to_string(library.links.size())) +
+                 constant("bool", "kFloatingBase", library.floating_base ? "true" : "false")};
+  for (const std::string& group : library.groups) {
+    std::string members;
+    for (const Overload& o : overloads(api, group, "")) members += member_function(o, space);
+    parts.push_back(members);
+  }
+  return "struct Robot {\n" + paragraphs(parts) + "};\n";
+}
+
+std::vector<std::string> group_headers(const Library& library) {
+  std::vector<std::string> headers;
+  for (const std::string& group : library.groups) headers.push_back("\"" + header_path(library.name, group) + "\"");
+  return headers;
+}
+
+}  // namespace
+
+std::string print_interface(const Api& api, const std::string& group, const std::string& path) {
+  const Library& library = *api.library;
+  std::vector<std::string> kernels, parts;
+  bool tables = false;
+  for (const Callable& c : api.callables) {
+    if (c.function->group != group) continue;
+    kernels.push_back(kernel_declaration(c));
+    tables = tables || !c.columns.empty();
+  }
+  parts.push_back(in_namespace("kernel", paragraphs(kernels)));
+  for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, false));
+  for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, true));
+  return paragraphs(
+      {banner(library, path, "functions over Eigen types, in double and (namespace f32) single precision"),
+       "#pragma once\n", tables ? includes({"<array>"}) : "",
+       includes({"\"" + header_path(library.name, "types") + "\""}), in_namespace(api.space, paragraphs(parts))});
+}
+
+std::string print_robot(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  std::vector<std::string> headers = group_headers(library);
+  headers.push_back("\"" + header_path(library.name, "types") + "\"");
+  const std::string body = paragraphs(
+      {"// The robot as a type, for code that is generic over robots.\n" + robot_type(api, "double", "::" + api.space),
+       in_namespace("f32", robot_type(api, "float", "::" + api.space + "::f32"))});
+  return paragraphs(
+      {banner(library, path, "the robot as a type"), "#pragma once\n", includes(headers),
+       in_namespace(api.space, body)});
+}
+
+std::string print_umbrella(const Api& api, const std::string& path) {
+  std::vector<std::string> headers = group_headers(*api.library);
+  for (const std::string stem : {"model", "robot", "types"})
+    headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
+  return paragraphs(
+      {banner(*api.library, path, "everything but the tables of " + header_path(api.library->name, "reflection")),
+       "#pragma once\n", includes(headers)});
+}
+
+}  // namespace robcogen::backend::cpp

@@ -1,0 +1,103 @@
+// <name>/kernel/<group>.h, the kernels as text, and <name>/<group>.cpp, that compiles them for double and float.
+#include "backend/cpp/layout.h"
+#include "backend/cpp/lower.h"
+#include "backend/cpp/printers.h"
+#include "symbolic/count.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::string counts(const symbolic::Program& program) {
+  const symbolic::OperationCount c = symbolic::count(program);
+  std::string result = std::to_string(c.mul) + " mul, " + std::to_string(c.add) + " add";
+  const auto append = [&](int count, const char* what) {
+    if (count) result += ", " + std::to_string(count) + " " + what;
+  };
+  append(c.div, "div");
+  append(c.sqrt, "sqrt");
+  append(c.sincos, "sincos");
+  return result + "; " + std::to_string(c.instructions) +
+         " instructions with products fused into sums; critical path " + std::to_string(c.critical_path) + " cycles.";
+}
+
+std::string signature(const Kernel& kernel) {
+  std::vector<std::string> list;
+  for (const Parameter& p : kernel.parameters)
+    list.push_back((p.output ? "Scalar* " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
+  const char* tail = kernel.lines.empty() ? " noexcept {}" : " noexcept {";
+  return "template <class Scalar>\n" + declaration("void " + kernel.name, list, tail);
+}
+
+std::string body(const Kernel& kernel) {
+  if (kernel.lines.empty()) return "";
+  std::string result;
+  for (const std::string& function : kernel.functions) result += "  using std::" + function + ";\n";
+  if (!kernel.functions.empty()) result += "\n";
+  for (std::size_t i = 0; i < kernel.lines.size(); ++i) {
+    const Line& line = kernel.lines[i];
+    if (line.kind != Line::Kind::section)
+      result += "  " + text(line) + "\n";
+    else
+      result += (i ? "\n" : "") + comment(line.expression, 2);
+  }
+  return result + "}\n";
+}
+
+std::string print_kernel(const Callable& callable) {
+  std::string result;
+  for (const std::string& line : callable.function->summary) result += comment(line);
+  result += comment(counts(callable.function->program));
+  const Kernel kernel = lower(callable.function->program, callable.kernel);
+  return result + signature(kernel) + body(kernel);
+}
+
+// `0 HAA, 1 HFE`
+std::string numbered_joints(const Library& library) {
+  std::string result;
+  for (std::size_t i = 0; i < library.joints.size(); ++i)
+    result += (i ? ", " : "") + std::to_string(i) + " " + library.joints[i].name;
+  return result.empty() ? "none" : result;
+}
+
+std::string explicit_instantiations(const Callable& callable) {
+  std::string result;
+  for (const std::string scalar : {"double", "float"}) {
+    std::vector<std::string> types;
+    for (const Parameter& p : parameters(callable.function->program))
+      types.push_back(p.output ? scalar + "*" : "const " + scalar + "*");
+    result += declaration("template void " + callable.kernel + "<" + scalar + ">", types, " noexcept;");
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string kernel_declaration(const Callable& callable) {
+  std::vector<std::string> list;
+  for (const Parameter& p : parameters(callable.function->program))
+    list.push_back((p.output ? "Scalar* " : "const Scalar* ") + p.name);
+  return "template <class Scalar>\n" + declaration("void " + callable.kernel, list, " noexcept;");
+}
+
+std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
+  std::vector<std::string> kernels;
+  for (const Callable& c : api.callables)
+    if (c.function->group == group) kernels.push_back(print_kernel(c));
+  return paragraphs(
+      {banner(*api.library, path, "kernels for any scalar type, without Eigen; outputs must not overlap inputs") +
+           comment("Joints: " + numbered_joints(*api.library) + "."),
+       "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos.h\"", "\"robcogen/version.h\""}),
+       runtime_check(api), in_namespace(api.space + "::kernel", paragraphs(kernels))});
+}
+
+std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
+  std::vector<std::string> kernels;
+  for (const Callable& c : api.callables)
+    if (c.function->group == group) kernels.push_back(explicit_instantiations(c));
+  return paragraphs(
+      {banner(*api.library, path, "kernels compiled for double and float"),
+       includes({"\"" + kernel_path(api.library->name, group) + "\""}),
+       in_namespace(api.space + "::kernel", paragraphs(kernels))});
+}
+
+}  // namespace robcogen::backend::cpp

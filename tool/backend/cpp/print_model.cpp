@@ -1,0 +1,135 @@
+// <name>/model.h, the robot's constants without Eigen, and <name>/types.h, its Eigen types.
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+std::string enumeration(const std::string& name, const std::vector<std::string>& enumerators) {
+  if (enumerators.empty()) return "enum class " + name + " : int {};\n";
+  std::string result = "enum class " + name + " : int {\n";
+  for (std::size_t i = 0; i < enumerators.size(); ++i)
+    result += "  " + enumerators[i] + " = " + std::to_string(i) + ",\n";
+  return result + "};\n";
+}
+
+std::string index_function(const std::string& type, const std::string& parameter) {
+  return "constexpr int index(" + type + " " + parameter + ") noexcept {\n  return static_cast<int>(" + parameter +
+         ");\n}\n";
+}
+
+std::string constant(const std::string& declaration, const std::string& value, const std::string& remark = "") {
+  return "inline constexpr " + declaration + " = " + value + ";" + (remark.empty() ? "" : "  // " + remark) + "\n";
+}
+
+std::string array(
+    const std::string& type,
+    const std::string& size,
+    const std::string& name,
+    const std::vector<std::string>& items,
+    const std::vector<std::string>& remarks) {
+  return remarked_list("inline constexpr std::array<" + type + ", " + size + "> " + name, items, remarks);
+}
+
+template <class Item>
+std::string names(
+    const std::string& size,
+    const std::string& name,
+    const std::vector<Item>& items,
+    const std::vector<std::string>& enumerators) {
+  std::vector<std::string> list;
+  for (const Item& item : items) list.push_back(quoted(item.name));
+  return array("const char*", size, name, list, enumerators);
+}
+
+std::string sizes(const Library& library) {
+  const auto count = [](std::size_t n) { return std::to_string(n); };
+  return constant("int kDof", count(library.joints.size())) + constant("int kLinkCount", count(library.links.size())) +
+         constant("int kFrameCount", count(library.frames.size())) +
+         constant("bool kFloatingBase", library.floating_base ? "true" : "false");
+}
+
+std::string joint_tables(const Api& api) {
+  std::vector<std::string> types, parents, children;
+  for (const JointData& joint : api.library->joints) {
+    types.push_back(joint.revolute ? "robcogen::JointType::revolute" : "robcogen::JointType::prismatic");
+    parents.push_back("Link::" + api.links[at(joint.parent)]);
+    children.push_back("Link::" + api.links[at(joint.child)]);
+  }
+  return paragraphs(
+      {names("kDof", "kJointNames", api.library->joints, api.joints),
+       array("robcogen::JointType", "kDof", "kJointTypes", types, api.joints),
+       array("Link", "kDof", "kJointParents", parents, api.joints),
+       array("Link", "kDof", "kJointChildren", children, api.joints)});
+}
+
+std::string link_tables(const Api& api) {
+  std::vector<std::string> parents;
+  for (const LinkData& link : api.library->links)
+    parents.push_back(link.parent_joint < 0 ? "-1" : "index(Joint::" + api.joints[at(link.parent_joint)] + ")");
+  return paragraphs(
+      {names("kLinkCount", "kLinkNames", api.library->links, api.links),
+       "// Index of the joint that carries the link; -1 for the base.\n" +
+           array("int", "kLinkCount", "kLinkParentJoints", parents, api.links)});
+}
+
+std::string frame_tables(const Api& api) {
+  std::vector<std::string> links;
+  for (const FrameData& frame : api.library->frames) links.push_back("Link::" + api.links[at(frame.link)]);
+  return paragraphs(
+      {names("kFrameCount", "kFrameNames", api.library->frames, api.frames),
+       "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
+}
+
+// One set of aliases; the text is the same for both scalars.
+std::string aliases(const Library& library, const std::string& scalar) {
+  const std::string size = library.floating_base ? "6 + kDof" : "kDof";
+  std::string result = "using JointState = JointVector<" + scalar + ">;\n" + "using InertiaMatrix = Eigen::Matrix<" +
+                       scalar + ", " + size + ", " + size + ">;\n" + "using LinkWrenches = robcogen::LinkWrenches<" +
+                       scalar + ", Link, kLinkCount>;\n";
+  for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
+    result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
+  if (library.floating_base)
+    for (const std::string type : {"InverseDynamics", "GeneralizedForce", "GeneralizedAcceleration"})
+      result += "using " + type + " = robcogen::" + type + "<" + scalar + ", kDof>;\n";
+  return result + "\ntemplate <int kRows, int kColumns>\nusing Matrix = Eigen::Matrix<" + scalar +
+         ", kRows, kColumns>;\n";
+}
+
+}  // namespace
+
+std::string print_model(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  const std::string body = paragraphs(
+      {constant("const char* kName", quoted(library.robot)) +
+           constant("const char* kModelHash", quoted(library.model_hash)) +
+           constant("const char* kGeneratorVersion", quoted(library.generator_version)),
+       sizes(library), "// In the order of joint vectors.\n" + enumeration("Joint", api.joints),
+       "// The base first.\n" + enumeration("Link", api.links), enumeration("Frame", api.frames),
+       index_function("Joint", "joint"), index_function("Link", "link"), index_function("Frame", "frame"),
+       joint_tables(api), link_tables(api), frame_tables(api)});
+  return paragraphs(
+      {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n", includes({"<array>"}),
+       includes({"\"robcogen/joint_type.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+       in_namespace(api.space, body)});
+}
+
+std::string print_types(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\"", "\"robcogen/spatial.h\""};
+  if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
+  const std::string body = paragraphs(
+      {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
+       "Eigen::Matrix<Scalar, kDof, 1>;\n",
+       aliases(library, "double"),
+       "// The same in single precision.\n" + in_namespace("f32", aliases(library, "float"))});
+  return paragraphs(
+      {banner(library, path, "Eigen types"), "#pragma once\n", includes({"<Eigen/Core>"}), includes(runtime),
+       includes({"\"" + header_path(library.name, "model") + "\""}), in_namespace(api.space, body)});
+}
+
+}  // namespace robcogen::backend::cpp

@@ -1,0 +1,141 @@
+// <name>/reflection.h: the tables that the self-check and the benchmark of a robot read.
+#include <map>
+#include <utility>
+
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+#include "support/number.h"
+#include "symbolic/count.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::Role;
+
+template <std::size_t n>
+std::string numbers(const std::array<double, n>& values) {
+  std::vector<std::string> texts;
+  for (double v : values) texts.push_back(print_double(v));
+  return braced(texts);
+}
+
+// `inline constexpr <type> <name>[] = {entries};`, and how the robot's table refers to it.
+struct Table {
+  std::string definition;
+  std::string reference;
+};
+
+Table table(const std::string& type, const std::string& name, const std::vector<std::vector<std::string>>& entries) {
+  if (entries.empty()) return {"", "{nullptr, 0}"};
+  std::string text = "inline constexpr robcogen::reflection::" + type + " " + name + "[] = {\n";
+  for (const std::vector<std::string>& fields : entries) text += entry(fields, 4);
+  return {text + "};\n", "{" + name + ", " + std::to_string(entries.size()) + "}"};
+}
+
+Table links(const Library& library) {
+  std::vector<std::vector<std::string>> rows;
+  for (const LinkData& l : library.links)
+    rows.push_back(
+        {quoted(l.name), std::to_string(l.parent_joint), print_double(l.mass), numbers(l.com), numbers(l.inertia)});
+  return table("Link", "kLinks", rows);
+}
+
+Table joints(const Library& library) {
+  std::vector<std::vector<std::string>> rows;
+  for (const JointData& j : library.joints)
+    rows.push_back(
+        {quoted(j.name), j.revolute ? "true" : "false", std::to_string(j.parent), std::to_string(j.child),
+         numbers(j.translation), numbers(j.rotation)});
+  return table("Joint", "kJoints", rows);
+}
+
+Table frames(const Library& library) {
+  std::vector<std::vector<std::string>> rows;
+  for (const FrameData& f : library.frames)
+    rows.push_back({quoted(f.name), std::to_string(f.link), numbers(f.translation), numbers(f.rotation)});
+  return table("Frame", "kFrames", rows);
+}
+
+bool is_form(const Callable& c, Role role) {
+  return c.function->left_frame >= 0 && !c.function->program.outputs.empty() &&
+         c.function->program.outputs.front().role == role;
+}
+
+std::string address(const Callable& c) {
+  return "&kernel::" + c.kernel + "<double>";
+}
+
+// One row a pair of frames that has all three forms.
+Table transforms(const Api& api) {
+  using Pair = std::pair<int, int>;
+  std::map<Pair, std::string> motion, force;
+  for (const Callable& c : api.callables) {
+    if (is_form(c, Role::spatial_motion)) motion[{c.function->left_frame, c.function->right_frame}] = address(c);
+    if (is_form(c, Role::spatial_force)) force[{c.function->left_frame, c.function->right_frame}] = address(c);
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const Callable& c : api.callables) {
+    const Pair pair(c.function->left_frame, c.function->right_frame);
+    if (!is_form(c, Role::homogeneous) || !motion.contains(pair) || !force.contains(pair)) continue;
+    rows.push_back(
+        {quoted(c.function->name), std::to_string(pair.first), std::to_string(pair.second), address(c), motion[pair],
+         force[pair]});
+  }
+  return table("Transform", "kTransforms", rows);
+}
+
+Table jacobians(const Api& api) {
+  std::vector<std::vector<std::string>> rows;
+  std::string columns;
+  for (const Callable& c : api.callables) {
+    if (!is_form(c, Role::jacobian)) continue;
+    std::vector<std::string> indices;
+    for (int j : c.function->columns) indices.push_back(std::to_string(j));
+    const std::string name = indices.empty() ? "nullptr" : c.columns;
+    if (!indices.empty()) columns += numbered_list("inline constexpr int " + name + "[]", indices);
+    rows.push_back(
+        {quoted(c.function->name), std::to_string(c.function->left_frame), std::to_string(c.function->right_frame),
+         name, std::to_string(indices.size()), address(c)});
+  }
+  Table result = table("Jacobian", "kJacobians", rows);
+  result.definition = paragraphs({columns, result.definition});
+  return result;
+}
+
+Table functions(const Api& api) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Callable& c : api.callables) {
+    const symbolic::OperationCount n = symbolic::count(c.function->program);
+    std::vector<std::string> counts;
+    for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
+      counts.push_back(std::to_string(k));
+    rows.push_back({quoted(c.kernel), braced(counts)});
+  }
+  return table("Function", "kFunctions", rows);
+}
+
+}  // namespace
+
+std::string print_reflection(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  std::vector<std::string> kernels;
+  for (const Callable& c : api.callables)
+    if (c.function->left_frame >= 0) kernels.push_back(kernel_declaration(c));
+  const std::vector<Table> tables = {links(library),  joints(library), frames(library),
+                                     transforms(api), jacobians(api),  functions(api)};
+  std::string robot = "inline constexpr robcogen::reflection::Robot robot = {\n    " + quoted(library.robot) +
+                      ",\n    " + (library.floating_base ? "true" : "false") + ",\n";
+  std::vector<std::string> parts;
+  for (const Table& t : tables) {
+    parts.push_back(t.definition);
+    robot += "    " + t.reference + ",\n";
+  }
+  parts.push_back(robot + "};\n");
+  return paragraphs(
+      {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
+       includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+       in_namespace(api.space + "::kernel", paragraphs(kernels)),
+       in_namespace(api.space + "::reflection", paragraphs(parts))});
+}
+
+}  // namespace robcogen::backend::cpp

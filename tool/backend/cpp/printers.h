@@ -1,0 +1,36 @@
+// The printers behind `print`: each makes the text of one kind of file.
+#pragma once
+
+#include <string>
+
+#include "backend/cpp/api.h"
+
+namespace robcogen::backend::cpp {
+
+// Path of a header of this robot, as its files include it: `hyl/types.h`. Where the name is that of the umbrella header
+// (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
+std::string header_path(const std::string& name, const std::string& stem);
+std::string umbrella_path(const std::string& name);
+std::string kernel_path(const std::string& name, const std::string& group);
+std::string source_path(const std::string& name, const std::string& group);
+
+// First lines of every file: what it is, from which model.
+std::string banner(const Library& library, const std::string& path, const std::string& what);
+// Refuses a runtime that the text was not made for.
+std::string runtime_check(const Api& api);
+// `#include` lines; names with their quotes or angle brackets.
+std::string includes(std::vector<std::string> names);
+
+// Signatures of a kernel: `const Scalar* q, …, Scalar* tau`.
+std::string kernel_declaration(const Callable& callable);
+
+std::string print_model(const Api& api, const std::string& path);
+std::string print_types(const Api& api, const std::string& path);
+std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
+std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
+std::string print_interface(const Api& api, const std::string& group, const std::string& path);
+std::string print_robot(const Api& api, const std::string& path);
+std::string print_reflection(const Api& api, const std::string& path);
+std::string print_umbrella(const Api& api, const std::string& path);
+
+}  // namespace robcogen::backend::cpp
