@@ -46,12 +46,13 @@ template <class Element>
 void declare(
     NameIndex& index,
     const char* kind,
+    const char* duplicate_code,
     const std::string& name,
     const Place& place,
     const std::vector<Element>& elements,
     Diagnostics& diagnostics) {
   if (const auto same = index.find(name)) {
-    diagnostics.error(fmt::format("duplicate-{}", kind), place, fmt::format("{} '{}' is declared twice", kind, name))
+    diagnostics.error(duplicate_code, place, fmt::format("{} '{}' is declared twice", kind, name))
         .notes.push_back({elements[at(*same)].place, "first declared here"});
   } else if (const auto similar = index.find_in_other_case(name)) {
     const Element& other = elements[at(*similar)];
@@ -66,11 +67,11 @@ void declare(
 void declare_elements(Assembly& a) {
   for (std::size_t i = 0; i < a.link_count(); ++i) {
     const DescribedLink& link = a.link(i);
-    declare(a.links, "link", link.name, link.place, a.tree.links, a.diagnostics);
+    declare(a.links, "link", "duplicate-link", link.name, link.place, a.tree.links, a.diagnostics);
     a.tree.links.push_back({link.name, link.inertia, -1, {}, link.place});
   }
   for (const DescribedJoint& joint : a.description.joints) {
-    declare(a.joints, "joint", joint.name, joint.place, a.tree.joints, a.diagnostics);
+    declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics);
     a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place});
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
@@ -99,7 +100,7 @@ std::string owner_of_implicit_frame(const Assembly& a, const std::string& frame)
 void declare_frames(Assembly& a) {
   for (std::size_t i = 0; i < a.link_count(); ++i) {
     for (const DescribedFrame& frame : a.link(i).frames) {
-      declare(a.frames, "frame", frame.name, frame.place, a.tree.user_frames, a.diagnostics);
+      declare(a.frames, "frame", "duplicate-frame", frame.name, frame.place, a.tree.user_frames, a.diagnostics);
       const std::string owner = owner_of_implicit_frame(a, frame.name);
       if (!owner.empty()) {
         a.diagnostics.warning(
@@ -146,13 +147,13 @@ void resolve_reference(Assembly& a, std::size_t index) {
 std::optional<int> find_or_report(
     NameIndex& index,
     const char* kind,
+    const char* unknown_code,
     const std::string& name,
     const Place& place,
     std::set<int>& meant,
     Diagnostics& diagnostics) {
   if (const auto found = index.find(name)) return found;
-  Diagnostic& error =
-      diagnostics.error(fmt::format("unknown-{}", kind), place, fmt::format("{} '{}' is not declared", kind, name));
+  Diagnostic& error = diagnostics.error(unknown_code, place, fmt::format("{} '{}' is not declared", kind, name));
   if (const auto similar = index.nearest_to(name)) {
     error.hint = fmt::format("did you mean '{}'?", index.name_of(*similar));
     meant.insert(*similar);
@@ -187,8 +188,10 @@ bool may_adopt(Assembly& a, int parent, int child, const Place& place) {
 }
 
 void link_child(Assembly& a, int parent, const DescribedChild& child) {
-  const auto link = find_or_report(a.links, "link", child.link, child.link_place, a.meant_links, a.diagnostics);
-  const auto joint = find_or_report(a.joints, "joint", child.joint, child.joint_place, a.meant_joints, a.diagnostics);
+  const auto link =
+      find_or_report(a.links, "link", "unknown-link", child.link, child.link_place, a.meant_links, a.diagnostics);
+  const auto joint =
+      find_or_report(a.joints, "joint", "unknown-joint", child.joint, child.joint_place, a.meant_joints, a.diagnostics);
   const bool adopted = link && may_adopt(a, parent, *link, child.link_place);
   if (adopted) a.parents[at(*link)] = {parent, child.link_place};
   if (!joint) return;

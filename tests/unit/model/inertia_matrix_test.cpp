@@ -1,0 +1,253 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "descriptions.h"
+
+namespace robcogen::model {
+namespace {
+
+using Codes = std::vector<std::string>;
+using test::number;
+using test::pi;
+
+std::vector<std::string> messages(const Description& d) {
+  Diagnostics diagnostics;
+  build(d, diagnostics);
+  std::vector<std::string> result;
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity == Severity::error)
+      result.push_back(diagnostic.message.substr(0, diagnostic.message.find(':')));
+  }
+  return result;
+}
+
+const Codes kNone;
+const std::string kBase = "floating base 'base' meets no inertia in some direction while the joints are free";
+
+TEST(InertiaMatrix, NamesTheJointOfAMasslessLeaf) {
+  Description d = test::two_links();
+  d.links[1] = test::massless("two");
+  EXPECT_EQ(messages(d), Codes{"nothing that joint 'b' moves has inertia about its axis"});
+  d.joints[1].type = JointType::prismatic;
+  EXPECT_EQ(messages(d), Codes{"nothing that joint 'b' moves has mass"});
+}
+
+TEST(InertiaMatrix, NamesTheJointThatTurnsAPointMassOnItsAxis) {
+  Description d = test::two_links();
+  d.links[1].inertia = test::ball(1.0, 0.0);
+  d.links[1].inertia->com[2] = number(0.3);
+  EXPECT_EQ(messages(d), Codes{"nothing that joint 'b' moves has inertia about its axis"});
+  d.links[1].inertia->com[0] = number(1e-3);  // off the axis, however little
+  d.links[1].inertia->ixx = d.links[1].inertia->iyy = number(0.09);
+  d.links[1].inertia->izz = number(1e-6);
+  EXPECT_EQ(messages(d), kNone);
+}
+
+TEST(InertiaMatrix, AcceptsAMasslessLinkInTheMiddle) {
+  Description d = test::two_links();
+  d.links[0] = test::massless("one", {{"two", "b", {}, {}}});
+  d.joints[1].placement.rotation[0] = pi(1, 2);
+  EXPECT_EQ(messages(d), kNone);
+}
+
+TEST(InertiaMatrix, RefusesAMasslessLinkBetweenTwoJointsOfOneAxis) {
+  Description d = test::two_links();
+  d.links[0] = test::massless("one", {{"two", "b", {}, {}}});
+  d.joints[1].placement.translation[2] = number(0.7);  // along the axis
+  EXPECT_EQ(messages(d), Codes{"joint 'a' meets no inertia while the joints beyond it are free"});
+}
+
+TEST(InertiaMatrix, AcceptsASingularityOfOnePositionOnly) {
+  // A massless universal joint: singular only where its axes line up.
+  Description d = test::chain(3);
+  d.links[0] = test::massless("l0", d.links[0].children);
+  d.links[1] = test::massless("l1", d.links[1].children);
+  for (DescribedJoint& joint : d.joints) joint.placement = {};
+  d.joints[1].placement.rotation[0] = pi(1, 2);
+  d.joints[2].placement.rotation[0] = pi(-1, 2);  // a third axis, equal to the first at q = 0
+  EXPECT_EQ(messages(d), kNone);
+}
+
+TEST(InertiaMatrix, AcceptsAMasslessFloatingBaseThatTheLegsHold) {
+  Description d;
+  d.name = "legs";
+  d.floating_base = true;
+  d.base = test::massless("base", {{"left", "a", {}, {}}, {"right", "b", {}, {}}});
+  d.links = {test::link("left"), test::link("right")};
+  d.joints = {test::joint("a"), test::joint("b")};
+  EXPECT_EQ(messages(d), Codes{kBase});  // two joints of one axis leave the base free to turn about it
+  d.joints[1].placement.rotation[0] = pi(1, 2);
+  EXPECT_EQ(messages(d), kNone);
+}
+
+TEST(InertiaMatrix, RefusesAMasslessFloatingBase) {
+  Description d;
+  d.name = "nothing";
+  d.base = test::massless("base");
+  EXPECT_EQ(messages(d), kNone);
+  d.floating_base = true;
+  EXPECT_EQ(messages(d), Codes{kBase});
+  d.base.inertia = test::ball(1.0, 0.0);  // a point can turn freely
+  EXPECT_EQ(messages(d), Codes{kBase});
+}
+
+TEST(InertiaMatrix, TakesParametersForPositive) {
+  Description d = test::two_links();
+  d.parameters = {{"m", ParameterKind::inertial, {}, {}}, {"i", ParameterKind::inertial, {}, {}}};
+  d.links[1].inertia = Inertia();
+  d.links[1].inertia->mass = Quantity::parameter(0);
+  EXPECT_EQ(messages(d), Codes{"nothing that joint 'b' moves has inertia about its axis"});
+  d.links[1].inertia->izz = Quantity::parameter(1);
+  EXPECT_EQ(messages(d), kNone);
+  d.links[1].inertia->izz = Quantity::parameter(1) * Quantity();
+  EXPECT_EQ(messages(d), Codes{"nothing that joint 'b' moves has inertia about its axis"});
+}
+
+TEST(InertiaMatrix, JudgesSmallThingsOnLargeOnesByTheirOwnSize) {
+  // A finger of a milligram on an excavator.
+  Description d = test::two_links();
+  d.links[0].inertia = test::ball(1e5, 1e6);
+  d.joints[1].placement.translation = {number(10.0), number(3.0), number(-2.0)};
+  d.links[1].inertia = test::ball(1e-6, 1e-13);
+  EXPECT_EQ(messages(d), kNone);
+  // Nearly massless in the middle of one axis.
+  d = test::two_links();
+  d.links[0].inertia = test::ball(1e-9, 1e-9);
+  EXPECT_EQ(messages(d), kNone);
+}
+
+TEST(InertiaMatrix, AcceptsALongChain) {
+  EXPECT_EQ(messages(test::chain(2000)), kNone);
+}
+
+// --- random robots with many reasons to be singular, against the rank of the matrix itself ---------------------
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+// H(q) as the sum of J' I J over the bodies, with Jacobians in world axes about the centre of mass.
+Eigen::MatrixXd inertia_matrix(const Description& d, const std::vector<int>& parents, const Eigen::VectorXd& q) {
+  const int n = static_cast<int>(d.joints.size()), b = d.floating_base ? 6 : 0;
+  std::vector<Eigen::Isometry3d> world = {Eigen::Isometry3d::Identity()};
+  std::vector<Eigen::MatrixXd> jacobians = {Eigen::MatrixXd::Zero(6, b + n)};  // of the link origin: angular, linear
+  if (b != 0) jacobians[0].leftCols(6).setIdentity();
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(b + n, b + n);
+  for (int i = 0; i <= n; ++i) {
+    if (i > 0) {
+      const DescribedJoint& joint = d.joints[static_cast<std::size_t>(i - 1)];
+      const int p = parents[static_cast<std::size_t>(i - 1)];
+      const bool turns = joint.type == JointType::revolute;
+      const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+      const Eigen::Isometry3d travel = turns ? Eigen::Isometry3d(Eigen::AngleAxisd(q[i - 1], z))
+                                             : Eigen::Isometry3d(Eigen::Translation3d(q[i - 1] * z));
+      const Eigen::Isometry3d& parent = world[static_cast<std::size_t>(p)];
+      world.push_back(parent * test::pose(joint.placement) * travel);
+      Eigen::MatrixXd J = jacobians[static_cast<std::size_t>(p)];
+      J.bottomRows(3) -= skew(world.back().translation() - parent.translation()) * J.topRows(3);
+      (turns ? J.topRows(3) : J.bottomRows(3)).col(b + i - 1) += world.back().linear() * z;
+      jacobians.push_back(J);
+    }
+    const DescribedLink& link = described_link(d, static_cast<std::size_t>(i));
+    if (!link.inertia) continue;
+    const Inertia& body = *link.inertia;
+    const double m = evaluate(body.mass);
+    const Eigen::Vector3d c(evaluate(body.com[0]), evaluate(body.com[1]), evaluate(body.com[2]));
+    const Eigen::Vector3d about_origin(evaluate(body.ixx), evaluate(body.iyy), evaluate(body.izz));
+    const Eigen::Matrix3d R = world[static_cast<std::size_t>(i)].linear();
+    Eigen::Matrix3d I_c = about_origin.asDiagonal();
+    I_c(0, 1) = I_c(1, 0) = -evaluate(body.ixy);
+    I_c(0, 2) = I_c(2, 0) = -evaluate(body.ixz);
+    I_c(1, 2) = I_c(2, 1) = -evaluate(body.iyz);
+    I_c += m * skew(c) * skew(c);  // from the origin to the centre of mass
+    const Eigen::MatrixXd& J = jacobians[static_cast<std::size_t>(i)];
+    const Eigen::MatrixXd angular = J.topRows(3);
+    const Eigen::MatrixXd linear = J.bottomRows(3) - skew(R * c) * angular;
+    H += m * linear.transpose() * linear + angular.transpose() * R * I_c * R.transpose() * angular;
+  }
+  return H;
+}
+
+int nullity(const Eigen::MatrixXd& H) {
+  // Numbers are of order one or zero here, so an absolute limit will do.
+  constexpr double kZero = 1e-9;
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
+  return static_cast<int>((values.array() < kZero).count());
+}
+
+TEST(InertiaMatrix, AgreesWithTheRankOfTheMatrixOnRandomRobots) {
+  constexpr std::uint64_t kSeed = 90125;
+  std::mt19937_64 engine(kSeed);
+  const auto pick = [&](int below) { return static_cast<int>(engine() % static_cast<unsigned>(below)); };
+  std::uniform_real_distribution<double> any(-2.5, 2.5);
+  int singular = 0;
+  constexpr int kRounds = 3000;
+  for (int round = 0; round < kRounds; ++round) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", round " + std::to_string(round));
+    Description d;
+    d.name = "random";
+    d.floating_base = pick(3) == 0;
+    // Massless, a point mass (on the axis or off it), a rod along x or z, or a ball; nothing in between.
+    const auto random_inertia = [&]() -> std::optional<Inertia> {
+      Inertia i = test::ball(1.0, 0.0);
+      switch (pick(6)) {
+        case 0:
+        case 1:
+          return std::nullopt;
+        case 2:
+          return i;
+        case 3:
+          i.com[0] = number(0.5);
+          i.iyy = i.izz = number(0.25);
+          return i;
+        case 4:
+          i.ixx = i.iyy = number(0.2);
+          return i;
+        default:
+          return test::ball();
+      }
+    };
+    d.base = test::massless("base");
+    d.base.inertia = random_inertia();
+    const int n = 1 + pick(6);
+    std::vector<int> parents;
+    for (int i = 0; i < n; ++i) {
+      const std::string name = std::to_string(i);
+      const int parent = pick(3) == 0 ? pick(i + 1) : i;
+      parents.push_back(parent);
+      (parent == 0 ? d.base : d.links[static_cast<std::size_t>(parent - 1)])
+          .children.push_back({"l" + name, "j" + name, {}, {}});
+      d.links.push_back(test::massless("l" + name));
+      d.links.back().inertia = random_inertia();
+      Placement placement;
+      for (Quantity& angle : placement.rotation) angle = pi(pick(3) == 0 ? 1 : 0, 2);
+      for (Quantity& length : placement.translation) length = number(pick(3) == 0 ? 1.0 : 0.0);
+      d.joints.push_back(test::joint("j" + name, pick(3) == 0 ? JointType::prismatic : JointType::revolute, placement));
+    }
+    int expected = n + 6;
+    for (int position = 0; position < 3; ++position) {
+      const Eigen::VectorXd q = Eigen::VectorXd::NullaryExpr(n, [&] { return any(engine); });
+      expected = std::min(expected, nullity(inertia_matrix(d, parents, q)));
+    }
+    Diagnostics diagnostics;
+    build(d, diagnostics);
+    const Codes codes = test::codes(diagnostics);
+    const auto joints = std::count(codes.begin(), codes.end(), "singular-inertia");
+    const bool base = std::count(codes.begin(), codes.end(), "singular-base-inertia") != 0;
+    EXPECT_EQ(joints + base > 0, expected > 0) << diagnostics.render();
+    if (!base) {
+      EXPECT_EQ(joints, expected) << diagnostics.render();
+    }
+    singular += expected > 0;
+  }
+  // Both answers must occur often for the comparison to mean anything.
+  EXPECT_GT(singular, kRounds / 10);
+  EXPECT_LT(singular, kRounds * 9 / 10);
+}
+
+}  // namespace
+}  // namespace robcogen::model

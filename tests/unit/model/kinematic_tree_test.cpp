@@ -1,0 +1,91 @@
+#include "model/kinematic_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "descriptions.h"
+
+namespace robcogen::model {
+namespace {
+
+// base -a-> trunk -> (b-> arm, c-> leg -d-> foot), declared in another order than that of the tree.
+KinematicTree branched() {
+  Description d;
+  d.name = "branched";
+  d.base = test::link("base", {{"trunk", "a", {}, {}}});
+  d.links = {
+      test::link("foot"), test::link("leg", {{"foot", "d", {}, {}}}), test::link("arm"),
+      test::link("trunk", {{"arm", "b", {}, {}}, {"leg", "c", {}, {}}})};
+  d.joints = {test::joint("d"), test::joint("c"), test::joint("b"), test::joint("a")};
+  d.links[0].frames = {{"sole", {}, {}}, {"fr_leg", {}, {}}};
+  Diagnostics diagnostics;
+  const auto tree = build(d, diagnostics);
+  EXPECT_TRUE(tree.has_value());
+  return *tree;
+}
+
+std::vector<std::string> names(const std::vector<Frame>& frames) {
+  std::vector<std::string> result;
+  for (const Frame& frame : frames) result.push_back(frame.name);
+  return result;
+}
+
+TEST(KinematicTree, KeepsTheOrderOfDeclaration) {
+  const KinematicTree tree = branched();
+  EXPECT_EQ(tree.dof(), 4);
+  EXPECT_EQ(tree.links[1].name, "foot");
+  EXPECT_EQ(tree.joints[3].name, "a");
+  EXPECT_EQ(tree.find_link("trunk"), 4);
+  EXPECT_EQ(tree.find_joint("c"), 1);
+  EXPECT_EQ(tree.find_link("a"), std::nullopt);
+}
+
+TEST(KinematicTree, OrdersJointsFromTheBase) {
+  const KinematicTree tree = branched();
+  EXPECT_EQ(tree.topological(), (std::vector<int>{3, 2, 1, 0}));  // a b c d
+  EXPECT_EQ(tree.parent_joint_of(0), 1);
+  EXPECT_EQ(tree.parent_joint_of(3), -1);
+}
+
+TEST(KinematicTree, NamesItsFrames) {
+  const KinematicTree tree = branched();
+  EXPECT_EQ(
+      names(tree.frames()),
+      (std::vector<std::string>{
+          "fr_base", "fr_foot", "fr_leg", "fr_arm", "fr_trunk", "fr_d", "fr_c", "fr_b", "fr_a", "sole"}));
+  for (const Frame& frame : tree.frames()) {
+    const auto found = tree.find_frame(frame.name);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->kind, frame.kind);
+    EXPECT_EQ(found->index, frame.index);
+  }
+  EXPECT_FALSE(tree.find_frame("leg").has_value());
+}
+
+TEST(KinematicTree, PrefersAnImplicitFrameToAUsersFrameOfItsName) {
+  const KinematicTree tree = branched();
+  EXPECT_TRUE(tree.user_frames[1].hidden);
+  EXPECT_EQ(tree.find_frame("fr_leg")->kind, Frame::Kind::link);
+}
+
+TEST(KinematicTree, KnowsWhichLinkAFrameMovesWith) {
+  const KinematicTree tree = branched();
+  EXPECT_EQ(tree.link_of(*tree.find_frame("fr_d")), *tree.find_link("leg"));
+  EXPECT_EQ(tree.link_of(*tree.find_frame("sole")), *tree.find_link("foot"));
+  EXPECT_EQ(tree.link_of(*tree.find_frame("fr_arm")), *tree.find_link("arm"));
+}
+
+TEST(DefaultDesired, IsLinksAndUserFramesToAndFromTheBase) {
+  const DesiredTransforms desired = default_desired(branched());
+  ASSERT_EQ(desired.transforms.size(), 10u);  // four links and a user frame, both ways
+  EXPECT_EQ(desired.transforms[0].left.name, "fr_base");
+  EXPECT_EQ(desired.transforms[0].right.name, "fr_foot");
+  EXPECT_EQ(desired.transforms[1].left.name, "fr_foot");
+  ASSERT_EQ(desired.jacobians.size(), 3u);  // leaves foot and arm, then the user frame
+  EXPECT_EQ(desired.jacobians[0].right.name, "fr_foot");
+  EXPECT_EQ(desired.jacobians[1].right.name, "fr_arm");
+  EXPECT_EQ(desired.jacobians[2].right.name, "sole");
+  for (const FramePair& pair : desired.jacobians) EXPECT_EQ(pair.left.name, "fr_base");
+}
+
+}  // namespace
+}  // namespace robcogen::model
