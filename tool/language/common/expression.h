@@ -32,12 +32,13 @@ struct Expression {
   };
   Kind kind = Kind::number;
   Span span;
-  Number number;                         // kind number
-  std::string name;                      // kinds pi (its spelling), name, constant
-  std::string group;                     // kind name: `Group.` prefix, or empty
-  std::optional<Number> default_value;   // kind name: `m1[1]`
-  ExpressionPtr left;                    // operand, or first operand
-  ExpressionPtr right;                   // second operand
+  Number number;                        // kind number
+  std::string name;                     // kinds pi (its spelling), name, constant
+  bool escaped = false;                 // kind name: written with '^', because the name is a keyword
+  std::string group;                    // kind name: `Group.` prefix, or empty
+  std::optional<Number> default_value;  // kind name: `m1[1]`
+  ExpressionPtr left;                   // operand, or first operand
+  ExpressionPtr right;                  // second operand
 };
 
 // Text that parses back to an equal tree (spans apart). Prefers the original's spelling: `PI/2.0`, `-PI/2.0`, `0.5 len`

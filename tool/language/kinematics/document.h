@@ -74,7 +74,7 @@ struct Document {
   Name robot;
   std::vector<std::string> comments;           // before `Robot`
   std::vector<std::string> trailing_comments;  // before the closing brace and after it
-  std::vector<Link> links;                     // in declaration order; exactly one has is_base when valid
+  std::vector<Link> links;                     // the base first, then in declaration order
   std::vector<Joint> joints;                   // in declaration order
 };
 
@@ -86,5 +86,7 @@ std::string print(const Document& document);
 
 // Same content, places apart.
 bool equal(const Document& a, const Document& b);
+
+Document without_comments(Document document);
 
 }  // namespace robcogen::language::kinematics

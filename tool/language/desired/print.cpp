@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include "language/desired/document.h"
+#include "language/desired/keywords.h"
+
+namespace robcogen::language::desired {
+namespace {
+
+std::string name(const Name& n) {
+  return is_keyword(n.text) ? "^" + n.text : n.text;
+}
+
+std::string pairs(const char* section, const std::vector<Pair>& list) {
+  std::string out = std::string(section) + " {\n";
+  for (const Pair& pair : list) out += "    base = " + name(pair.left) + ", target = " + name(pair.right) + "\n";
+  return out + "}\n";
+}
+
+bool same(const Name& a, const Name& b) {
+  return a.text == b.text;
+}
+bool same(const Pair& a, const Pair& b) {
+  return same(a.left, b.left) && same(a.right, b.right);
+}
+
+template <class T>
+bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
+}
+
+}  // namespace
+
+const std::vector<std::string>& keywords() {
+  static const std::vector<std::string> words = {"Robot", "Model",      "Frames", "Transforms", "Jacobians",  "base",
+                                                 "left",  "left_frame", "target", "right",      "right_frame"};
+  return words;
+}
+
+bool is_keyword(const std::string& word) {
+  return std::find(keywords().begin(), keywords().end(), word) != keywords().end();
+}
+
+std::string print(const Document& d) {
+  std::string out;
+  for (const std::string& comment : d.comments) out += comment + "\n";
+  out += "Robot " + name(d.robot) + "\n\nFrames {\n";
+  for (std::size_t i = 0; i < d.frames.size(); ++i)
+    out += "    " + name(d.frames[i]) + (i + 1 < d.frames.size() ? ",\n" : "\n");
+  out += "}\n\n" + pairs("Transforms", d.transforms);
+  if (!d.jacobians.empty()) out += "\n" + pairs("Jacobians", d.jacobians);
+  return out;
+}
+
+bool equal(const Document& a, const Document& b) {
+  return same(a.robot, b.robot) && all_same(a.frames, b.frames) && all_same(a.transforms, b.transforms) &&
+         all_same(a.jacobians, b.jacobians) && a.comments == b.comments;
+}
+
+}  // namespace robcogen::language::desired

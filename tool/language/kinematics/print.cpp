@@ -1,0 +1,134 @@
+#include <algorithm>
+
+#include "language/kinematics/document.h"
+#include "language/kinematics/keywords.h"
+
+namespace robcogen::language::kinematics {
+namespace {
+
+std::string name(const Name& n) {
+  return is_keyword(n.text) ? "^" + n.text : n.text;
+}
+
+std::string vector(const Vector& v) {
+  return "(" + language::print(*v[0]) + ", " + language::print(*v[1]) + ", " + language::print(*v[2]) + ")";
+}
+
+std::string comments(const std::vector<std::string>& list, const std::string& indent) {
+  std::string out;
+  for (const std::string& comment : list) out += indent + comment + "\n";
+  return out;
+}
+
+std::string placement(const Placement& p, const std::string& indent) {
+  return indent + "translation = " + vector(p.translation) + "\n" + indent + "rotation = " + vector(p.rotation) + "\n";
+}
+
+std::string inertia(const Inertia& i) {
+  const std::string in = "            ";
+  std::string out = "        inertia_params {\n";
+  out += in + "mass = " + language::print(*i.mass) + "\n";
+  out += in + "CoM = " + vector(i.com) + "\n";
+  out += in + "Ix = " + language::print(*i.ix) + "  Iy = " + language::print(*i.iy) +
+         "  Iz = " + language::print(*i.iz) + "\n";
+  out += in + "Ixy = " + language::print(*i.ixy) + "  Ixz = " + language::print(*i.ixz) +
+         "  Iyz = " + language::print(*i.iyz) + "\n";
+  if (i.reference) out += in + "ref_frame = " + name(*i.reference) + "\n";
+  return out + "        }\n";
+}
+
+std::string link(const Link& l) {
+  std::string out = "\n" + comments(l.comments, "    ");
+  out += (l.is_base ? "    RobotBase " : "    link ") + name(l.name) + (l.floating ? " floating" : "") + " {\n";
+  if (l.id) out += "        id = " + std::to_string(*l.id) + "\n";
+  if (l.inertia) out += inertia(*l.inertia);
+  if (l.children.empty()) {
+    out += "        children {}\n";
+  } else {
+    out += "        children {\n";
+    for (const Child& child : l.children) out += "            " + name(child.link) + " via " + name(child.joint) + "\n";
+    out += "        }\n";
+  }
+  if (!l.frames.empty()) {
+    out += "        frames {\n";
+    for (const Frame& frame : l.frames)
+      out += "            " + name(frame.name) + " {\n" + placement(frame.placement, "                ") +
+             "            }\n";
+    out += "        }\n";
+  }
+  return out + "    }\n";
+}
+
+std::string joint(const Joint& j) {
+  std::string out = "\n" + comments(j.comments, "    ");
+  out += (j.type == Joint::Type::revolute ? "    r_joint " : "    p_joint ") + name(j.name) + " {\n";
+  if (j.id) out += "        id = " + std::to_string(*j.id) + "\n";
+  return out + "        ref_frame {\n" + placement(j.placement, "            ") + "        }\n    }\n";
+}
+
+bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
+  return a && b ? language::equal(*a, *b) : a == b;
+}
+
+bool same(const Vector& a, const Vector& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) { return same(x, y); });
+}
+
+bool same(const Placement& a, const Placement& b) {
+  return same(a.translation, b.translation) && same(a.rotation, b.rotation);
+}
+
+bool same(const Inertia& a, const Inertia& b) {
+  return same(a.mass, b.mass) && same(a.com, b.com) && same(a.ix, b.ix) && same(a.iy, b.iy) && same(a.iz, b.iz) &&
+         same(a.ixy, b.ixy) && same(a.ixz, b.ixz) && same(a.iyz, b.iyz) &&
+         a.reference.has_value() == b.reference.has_value() && (!a.reference || a.reference->text == b.reference->text);
+}
+
+bool same(const Child& a, const Child& b) {
+  return a.link.text == b.link.text && a.joint.text == b.joint.text;
+}
+
+bool same(const Frame& a, const Frame& b) {
+  return a.name.text == b.name.text && same(a.placement, b.placement);
+}
+
+template <class T>
+bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
+}
+
+bool same(const Link& a, const Link& b) {
+  return a.name.text == b.name.text && a.is_base == b.is_base && a.floating == b.floating && a.id == b.id &&
+         a.inertia.has_value() == b.inertia.has_value() && (!a.inertia || same(*a.inertia, *b.inertia)) &&
+         all_same(a.children, b.children) && all_same(a.frames, b.frames) && a.comments == b.comments;
+}
+
+bool same(const Joint& a, const Joint& b) {
+  return a.name.text == b.name.text && a.type == b.type && a.id == b.id && same(a.placement, b.placement) &&
+         a.comments == b.comments;
+}
+
+}  // namespace
+
+std::string print(const Document& d) {
+  std::string out = comments(d.comments, "") + "Robot " + name(d.robot) + " {\n";
+  for (const Link& l : d.links) out += link(l);
+  for (const Joint& j : d.joints) out += joint(j);
+  if (!d.trailing_comments.empty()) out += "\n" + comments(d.trailing_comments, "    ");
+  return out + "}\n";
+}
+
+bool equal(const Document& a, const Document& b) {
+  return a.robot.text == b.robot.text && a.comments == b.comments && a.trailing_comments == b.trailing_comments &&
+         all_same(a.links, b.links) && all_same(a.joints, b.joints);
+}
+
+Document without_comments(Document document) {
+  document.comments.clear();
+  document.trailing_comments.clear();
+  for (Link& link : document.links) link.comments.clear();
+  for (Joint& joint : document.joints) joint.comments.clear();
+  return document;
+}
+
+}  // namespace robcogen::language::kinematics
