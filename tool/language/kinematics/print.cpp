@@ -92,6 +92,9 @@ bool same(const Frame& a, const Frame& b) {
   return a.name.text == b.name.text && same(a.placement, b.placement);
 }
 
+bool same(const Link& a, const Link& b);
+bool same(const Joint& a, const Joint& b);
+
 template <class T>
 bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });

@@ -1,0 +1,38 @@
+// The subcommands: each declares its options on the application and returns what runs when it is chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "command/pipeline.h"
+
+namespace robcogen::command {
+
+inline constexpr const char* kVersion = ROBCOGEN_VERSION;
+
+using Action = std::function<Status()>;
+
+Action declare_generate(CLI::App& application);
+Action declare_check(CLI::App& application);
+Action declare_print(CLI::App& application);
+Action declare_ops(CLI::App& application);
+Action declare_eval(CLI::App& application);
+
+// Options that several subcommands share.
+struct ModelOptions {
+  std::string model;
+  std::string desired;
+  bool strict = false;
+  std::string error_format = "gnu";
+  std::vector<std::string> passes;
+
+  void declare(CLI::App& subcommand);
+  std::optional<std::filesystem::path> desired_path() const;
+  // Loads the robot and prints diagnostics to standard error; nullopt when there was an error.
+  std::optional<Robot> load() const;
+};
+
+ErrorFormat format_of(const std::string& name);
+void declare_error_format(CLI::App& subcommand, std::string& format);
+
+}  // namespace robcogen::command

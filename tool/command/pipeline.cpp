@@ -1,0 +1,150 @@
+#include "command/pipeline.h"
+
+#include <algorithm>
+
+#include "import/kinematics.h"
+#include "pass/passes.h"
+#include "support/files.h"
+
+namespace robcogen::command {
+namespace {
+
+// Warnings that `--strict` turns into errors: what the original tool refused in desired-transforms documents.
+const std::vector<std::string> kStrictCodes = {
+    "desired-unknown-frame", "desired-unlisted-frame", "desired-robot-name", "desired-duplicate-frame",
+    "desired-duplicate-pair"};
+
+std::array<double, 3> values(const std::array<model::Quantity, 3>& q) {
+  return {model::evaluate(q[0]), model::evaluate(q[1]), model::evaluate(q[2])};
+}
+
+backend::LinkData link_data(const model::Link& link) {
+  backend::LinkData data;
+  data.name = link.name;
+  data.parent_joint = link.parent_joint;
+  if (!link.inertia) return data;
+  const model::RigidBodyInertia body = model::in_link_frame(*link.inertia);
+  data.mass = model::evaluate(body.mass);
+  const std::array<double, 3> moment = values(body.first_moment);
+  for (std::size_t i = 0; i < 3; ++i) data.com[i] = data.mass != 0.0 ? moment[i] / data.mass : 0.0;
+  data.inertia = {model::evaluate(body.ixx), model::evaluate(body.iyy), model::evaluate(body.izz),
+                  model::evaluate(body.ixy), model::evaluate(body.ixz), model::evaluate(body.iyz)};
+  return data;
+}
+
+backend::JointData joint_data(const model::Joint& joint) {
+  return {joint.name,  joint.type == model::JointType::revolute, joint.parent,
+          joint.child, values(joint.placement.translation),      values(joint.placement.rotation)};
+}
+
+backend::FrameData frame_data(const model::KinematicTree& tree, const model::Frame& frame) {
+  backend::FrameData data;
+  data.name = frame.name;
+  data.link = tree.link_of(frame);
+  const auto index = static_cast<std::size_t>(frame.index);
+  if (frame.kind == model::Frame::Kind::link) return data;
+  const model::Placement& placement =
+      frame.kind == model::Frame::Kind::joint ? tree.joints[index].placement : tree.user_frames[index].placement;
+  data.translation = values(placement.translation);
+  data.rotation = values(placement.rotation);
+  return data;
+}
+
+int frame_index(const std::vector<model::Frame>& frames, const model::Frame& wanted) {
+  const auto place =
+      std::find_if(frames.begin(), frames.end(), [&](const model::Frame& frame) { return frame.name == wanted.name; });
+  return place == frames.end() ? -1 : static_cast<int>(place - frames.begin());
+}
+
+}  // namespace
+
+std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
+  std::string error;
+  std::optional<std::string> text = read_file(path, error);
+  if (!text) throw Failure{wrong_usage, error};
+  return std::make_shared<Source>(path == "-" ? "<standard input>" : path.string(), std::move(*text));
+}
+
+std::optional<Robot> load_robot(
+    const std::filesystem::path& model,
+    const std::optional<std::filesystem::path>& desired,
+    bool strict,
+    Diagnostics& diagnostics) {
+  if (model.extension() == ".urdf")
+    throw Failure{wrong_input, model.string() + ": error: URDF models cannot be read; give a .kindsl document"};
+  const std::shared_ptr<const Source> source = read_source(model);
+  language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
+  if (!tree) return std::nullopt;
+
+  Robot robot;
+  robot.model = model;
+  robot.read.push_back(model);
+  robot.canonical = language::kinematics::print(language::kinematics::without_comments(std::move(document)));
+  robot.tree = std::move(*tree);
+  if (!desired) {
+    robot.desired = model::default_desired(robot.tree);
+    return robot;
+  }
+  const language::desired::Document list = language::desired::parse(read_source(*desired), diagnostics);
+  robot.read.push_back(*desired);
+  if (diagnostics.has_errors()) return std::nullopt;
+  robot.desired = import::desired_transforms(list, robot.tree, diagnostics);
+  if (strict) promote_desired_warnings(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return robot;
+}
+
+void promote_desired_warnings(Diagnostics& diagnostics) {
+  diagnostics.promote_warnings(kStrictCodes);
+}
+
+std::vector<algorithm::RobotFunction> trace(
+    const Robot& robot,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& passes) {
+  std::vector<algorithm::RobotFunction> all;
+  for (const std::string& group : groups) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group)) {
+      f.program = pass::run(std::move(f.program), passes);
+      all.push_back(std::move(f));
+    }
+  }
+  return all;
+}
+
+backend::Library library(
+    const Robot& robot,
+    const LibraryNames& names,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& passes) {
+  backend::Library result;
+  result.name = names.name;
+  result.enclosing = names.enclosing;
+  result.robot = robot.tree.name;
+  result.model_file = robot.model.filename().string();
+  result.model_hash = hash_text(robot.canonical);
+  result.floating_base = robot.tree.floating_base;
+  result.groups = groups;
+  for (const model::Link& link : robot.tree.links) result.links.push_back(link_data(link));
+  for (const model::Joint& joint : robot.tree.joints) result.joints.push_back(joint_data(joint));
+  const std::vector<model::Frame> frames = robot.tree.frames();
+  for (const model::Frame& frame : frames) result.frames.push_back(frame_data(robot.tree, frame));
+  for (algorithm::RobotFunction& f : trace(robot, groups, passes)) {
+    backend::Function function;
+    function.group = std::move(f.group);
+    function.scope = std::move(f.scope);
+    function.name = std::move(f.name);
+    function.kernel = f.program.name;
+    function.summary = std::move(f.summary);
+    function.columns = std::move(f.columns);
+    function.left_frame = frame_index(frames, f.frames.left);
+    function.right_frame = frame_index(frames, f.frames.right);
+    function.program = std::move(f.program);
+    result.functions.push_back(std::move(function));
+  }
+  return result;
+}
+
+}  // namespace robcogen::command

@@ -1,0 +1,66 @@
+// From files to models to libraries: the phases of the generator in their order. Every subcommand is a prefix of this.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithm/robot_programs.h"
+#include "backend/library.h"
+#include "model/kinematic_tree.h"
+#include "support/diagnostics.h"
+
+namespace robcogen::command {
+
+// A robot as loaded from its documents.
+struct Robot {
+  model::KinematicTree tree;
+  model::DesiredTransforms desired;
+  std::string canonical;                    // the robot document without comments, in canonical form
+  std::filesystem::path model;              // as given
+  std::vector<std::filesystem::path> read;  // every file that was read
+};
+
+// Exit statuses of the program.
+enum Status { ok = 0, wrong_input = 1, wrong_usage = 2, internal_fault = 3 };
+
+// Thrown by subcommands for usage and input/output faults that no diagnostic covers; main prints and exits with it.
+struct Failure {
+  Status status;
+  std::string message;
+};
+
+// The file's text as a source; a Failure when it cannot be read.
+std::shared_ptr<const Source> read_source(const std::filesystem::path& path);
+
+// Reads the robot, and the desired transforms when given (otherwise the default list). With `strict`, warnings of the
+// desired-transforms language are errors. nullopt when an error was reported.
+std::optional<Robot> load_robot(
+    const std::filesystem::path& model,
+    const std::optional<std::filesystem::path>& desired,
+    bool strict,
+    Diagnostics& diagnostics);
+
+// Makes errors of the warnings that the original tool refused in desired-transforms documents.
+void promote_desired_warnings(Diagnostics& diagnostics);
+
+// All functions of these groups, run through these passes.
+std::vector<algorithm::RobotFunction> trace(
+    const Robot& robot,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& passes);
+
+struct LibraryNames {
+  std::string name;       // folder and namespace
+  std::string enclosing;  // namespace around it, or empty
+};
+
+// What the back ends print. The robot must have no parameters.
+backend::Library library(
+    const Robot& robot,
+    const LibraryNames& names,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& passes);
+
+}  // namespace robcogen::command

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "command/command.h"
+#include "language/desired/document.h"
+#include "language/kinematics/document.h"
+#include "symbolic/text.h"
+
+namespace robcogen::command {
+namespace {
+
+struct Options {
+  ModelOptions model;
+  std::string program;
+};
+
+Status print_document(const Options& options) {
+  const std::filesystem::path file = options.model.model;
+  const std::shared_ptr<const Source> source = read_source(file);
+  Diagnostics diagnostics;
+  const std::string text = file.extension() == ".dtdsl"
+                               ? language::desired::print(language::desired::parse(source, diagnostics))
+                               : language::kinematics::print(language::kinematics::parse(source, diagnostics));
+  fmt::print(stderr, "{}", diagnostics.render(format_of(options.model.error_format)));
+  if (diagnostics.has_errors()) return wrong_input;
+  fmt::print("{}", text);
+  return ok;
+}
+
+Status print_program(const Options& options) {
+  const std::optional<Robot> robot = options.model.load();
+  if (!robot) return wrong_input;
+  std::vector<std::string> kernels;
+  for (const algorithm::RobotFunction& f : trace(*robot, algorithm::groups(), options.model.passes)) {
+    if (f.program.name == options.program) {
+      fmt::print("{}", symbolic::print(f.program));
+      return ok;
+    }
+    kernels.push_back(f.program.name);
+  }
+  throw Failure{
+      wrong_usage,
+      fmt::format("robcogen: error: no program '{}'\n{}", options.program, did_you_mean(options.program, kernels))};
+}
+
+}  // namespace
+
+Action declare_print(CLI::App& application) {
+  CLI::App* subcommand =
+      application.add_subcommand("print", "Prints a document in canonical form, or a robot's program as text");
+  auto options = std::make_shared<Options>();
+  options->model.declare(*subcommand);
+  subcommand->add_option("--program", options->program, "Print this program of the robot (e.g. inverse_dynamics)");
+  return [options] { return options->program.empty() ? print_document(*options) : print_program(*options); };
+}
+
+}  // namespace robcogen::command
