@@ -3,9 +3,9 @@
 # The functions here read the variables robot_<KEYWORD> of the call in whose scope they run.
 
 # Ends the configuration with a message that names the call.
-function(_robcogen_refuse)
-  string(CONCAT text ${ARGN})
-  message(FATAL_ERROR "robcogen_add_robot(TARGET ${robot_TARGET}): ${text}")
+function(_robcogen_refuse text)
+  list(TRANSFORM robot_TARGET PREPEND "TARGET ")
+  message(FATAL_ERROR "robcogen_add_robot(${robot_TARGET}): ${text}")
 endfunction()
 
 function(_robcogen_check_keywords)

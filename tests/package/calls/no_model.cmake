@@ -1,0 +1,2 @@
+# robcogen_add_robot(TARGET hyl): MODEL is missing
+robcogen_add_robot(TARGET hyl)

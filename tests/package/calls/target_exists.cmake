@@ -1,0 +1,3 @@
+# robcogen_add_robot(TARGET hyl): a target of this name stands already
+add_custom_target(hyl)
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl)

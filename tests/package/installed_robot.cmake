@@ -1,0 +1,15 @@
+# What only a user of the installed package shows: the robot's self-check passes, its headers compile one by one, and
+# the robot can be installed in turn.
+#
+# cmake -D BUILD_DIR=dir -D WORK_DIR=dir -P installed_robot.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+run(output ${CMAKE_CTEST_COMMAND} --test-dir ${BUILD_DIR} --output-on-failure --no-tests=error --label-regex robot)
+expect_words("tests of label robot" "${output}" "hyl.selfcheck")
+run(output ${CMAKE_COMMAND} --build ${BUILD_DIR} --target all_verify_interface_header_sets --parallel 2)
+run(output ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/robots)
+foreach(file hyl.h kernel/inverse_dynamics.h)
+  if(NOT EXISTS ${WORK_DIR}/robots/include/hyl/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()

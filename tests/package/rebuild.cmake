@@ -1,0 +1,109 @@
+# What a build does again, and what it leaves alone, after each kind of change.
+#
+# cmake -D GENERATOR=name -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P rebuild.cmake
+#
+# The generator and the compiler are called through scripts that log each call, so that the log of a build says what
+# it did. The names of the folders have blanks in them, which dependency files must escape.
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+set(work_dir "${WORK_DIR}/rebuild ${GENERATOR}")
+set(robot_dir "${work_dir}/my robot")
+set(build_dir "${work_dir}/build")
+set(generated_dir "${build_dir}/generated")
+set(log "${work_dir}/log")
+set(tool "${work_dir}/robcogen")
+
+function(write_script path text)
+  file(WRITE "${path}" "#!/bin/sh\n${text}\n")
+  file(CHMOD "${path}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+endfunction()
+
+function(set_up)
+  file(REMOVE_RECURSE "${work_dir}")
+  file(COPY ${SOURCE_DIR}/robots/hyl/hyl.kindsl ${SOURCE_DIR}/robots/hyl/hyl.dtdsl DESTINATION "${robot_dir}")
+  write_script("${tool}" "echo generate >> '${log}'; exec '${TOOL}' \"$@\"")
+  # A compiler's last argument is the source.
+  write_script("${work_dir}/compile"
+               "for source; do :; done; echo \"\${source##*/}\" >> '${log}'; exec ${COMPILER_LAUNCHER} \"$@\"")
+  run(output ${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/rebuild -B "${build_dir}"
+      -DCMAKE_CXX_COMPILER=${CXX_COMPILER} "-DCMAKE_CXX_COMPILER_LAUNCHER=${work_dir}/compile"
+      "-DROBCOGEN_HOST_TOOL=${tool}" -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} "-DROBOT_DIR=${robot_dir}")
+endfunction()
+
+# Builds and compares what that did with the words that follow: `generate`, and the names of the compiled units.
+function(expect_build event)
+  file(WRITE "${log}" "")
+  run(output ${CMAKE_COMMAND} --build "${build_dir}" --parallel 2)
+  expect_done("${event}" ${ARGN})
+endfunction()
+
+function(expect_done event)
+  file(STRINGS "${log}" done)
+  set(expected ${ARGN})
+  list(SORT done)
+  list(SORT expected)
+  expect_equal("${GENERATOR}, ${event}: the build's work" "${done}" "${expected}")
+endfunction()
+
+function(edit file from to)
+  file(READ "${robot_dir}/${file}" text)
+  string(FIND "${text}" "${from}" position)
+  if(position EQUAL -1)
+    message(FATAL_ERROR "${file} has no '${from}' to edit")
+  endif()
+  string(REPLACE "${from}" "${to}" text "${text}")
+  file(WRITE "${robot_dir}/${file}" "${text}")
+endfunction()
+
+# Sets `result` to the paths and hashes of all generated files.
+function(snapshot result)
+  file(GLOB_RECURSE files RELATIVE "${generated_dir}" "${generated_dir}/hyl/*")
+  set(entries "")
+  foreach(file IN LISTS files)
+    file(SHA256 "${generated_dir}/${file}" hash)
+    file(TIMESTAMP "${generated_dir}/${file}" time "%s.%f")
+    list(APPEND entries "${file} ${hash} ${time}")
+  endforeach()
+  set(${result} "${entries}" PARENT_SCOPE)
+endfunction()
+
+set_up()
+expect_build("first build" generate inverse_dynamics.cpp jacobians.cpp)
+expect_build("nothing changed")
+expect_build("nothing changed, third build")
+
+edit(hyl.kindsl "mass = 3.982" "mass = 4.982")
+expect_build("edited model" generate inverse_dynamics.cpp jacobians.cpp)
+expect_build("nothing changed after an edit")
+
+edit(hyl.dtdsl "base = fr_base, target = fr_foot" "base = fr_base, target = fr_foot base = fr_base, target = fr_lowerleg")
+expect_build("edited desired transforms" generate jacobians.cpp)
+
+snapshot(before)
+edit(hyl.kindsl "// HyL:" "//   The robot HyL:")
+edit(hyl.kindsl "    id = 1" "  id =\n 1")
+expect_build("edited comment and layout" generate)
+file(TOUCH "${tool}")
+expect_build("rebuilt tool with the same output" generate)
+expect_build("nothing changed after a rebuilt tool")
+
+edit(hyl.kindsl "upperleg via HFE" "upperleg via HFF")
+file(WRITE "${log}" "")
+run_failing(output ${CMAKE_COMMAND} --build "${build_dir}")
+expect_done("error in the model" generate)
+if(NOT output MATCHES "/my robot/hyl.kindsl:[0-9]+:[0-9]+: error: ")
+  message(FATAL_ERROR "no message with file, line and column in\n${output}")
+endif()
+snapshot(after)
+expect_equal("generated files after an error in the model" "${after}" "${before}")
+edit(hyl.kindsl "upperleg via HFF" "upperleg via HFE")
+expect_build("mended model" generate)
+snapshot(after)
+expect_equal("generated files of the mended model" "${after}" "${before}")
+
+# Make knows no rule for a by-product: there the stamp has to go too.
+file(REMOVE "${generated_dir}/hyl/jacobians.h")
+if(GENERATOR STREQUAL "Unix Makefiles")
+  file(REMOVE "${generated_dir}/hyl.stamp")
+endif()
+expect_build("removed header" generate jacobians.cpp)

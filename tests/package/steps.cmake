@@ -1,0 +1,49 @@
+# The steps that the scripts of this folder are made of.
+
+# Runs a command; on failure ends the script with all that it printed. `output` receives what it printed.
+function(run output)
+  execute_process(
+    COMMAND ${ARGN}
+    OUTPUT_VARIABLE text
+    ERROR_VARIABLE text
+    RESULT_VARIABLE status)
+  if(NOT status STREQUAL "0")
+    list(JOIN ARGN " " command)
+    message("${text}")
+    message(FATAL_ERROR "exit status ${status} of ${command}")
+  endif()
+  set(${output} "${text}" PARENT_SCOPE)
+endfunction()
+
+# Runs a command that must fail.
+function(run_failing output)
+  execute_process(
+    COMMAND ${ARGN}
+    OUTPUT_VARIABLE text
+    ERROR_VARIABLE text
+    RESULT_VARIABLE status)
+  if(status STREQUAL "0")
+    list(JOIN ARGN " " command)
+    message("${text}")
+    message(FATAL_ERROR "must fail and does not: ${command}")
+  endif()
+  set(${output} "${text}" PARENT_SCOPE)
+endfunction()
+
+function(expect_equal what actual expected)
+  if(NOT actual STREQUAL expected)
+    message(FATAL_ERROR "${what}: is\n  ${actual}\nmust be\n  ${expected}")
+  endif()
+endfunction()
+
+# Messages are compared as sequences of words, because CMake wraps lines.
+function(expect_words what text expected)
+  string(REGEX REPLACE "[ \n]+" " " text "${text}")
+  string(REGEX REPLACE "[ \n]+" " " expected "${expected}")
+  string(STRIP "${expected}" expected)
+  string(FIND "${text}" "${expected}" position)
+  if(position EQUAL -1)
+    message("${text}")
+    message(FATAL_ERROR "${what}: must contain\n  ${expected}")
+  endif()
+endfunction()
