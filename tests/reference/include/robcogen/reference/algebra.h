@@ -87,10 +87,10 @@ Matrix4<Scalar> placement(const double (&t)[3], const double (&r)[3]) {
 // Inverse of a pose.
 template <class Scalar>
 Matrix4<Scalar> inverse_of(const Matrix4<Scalar>& pose) {
-  const Matrix3<Scalar> transposed = rotation_of(pose).transpose();
+  const Matrix3<Scalar> R = rotation_of(pose);
   Matrix4<Scalar> m = Matrix4<Scalar>::Identity();
-  m.template topLeftCorner<3, 3>() = transposed;
-  m.template topRightCorner<3, 1>() = -(transposed * origin_of(pose));
+  m.template topLeftCorner<3, 3>() = R.transpose();
+  m.template topRightCorner<3, 1>() = -(R.transpose() * origin_of(pose));
   return m;
 }
 

@@ -1,0 +1,87 @@
+// A list of named numerical checks: the largest error of each over many samples, against a tolerance with a reason.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "robcogen/reference/algebra.h"
+
+namespace robcogen::reference {
+
+// The reference computes with more digits than the library, where the platform has them.
+using Real = long double;
+
+struct Tolerance {
+  const char* name;
+  double value;
+  const char* reason;
+};
+
+class Checks {
+ public:
+  // Keeps the largest error of the check `name`; one that is not a number is the largest of all.
+  void record(const std::string& name, const Tolerance& tolerance, Real error, int sample) {
+    Entry& entry = entry_of(name, tolerance);
+    if (entry.sample < 0 || (!std::isnan(entry.error) && !(error <= entry.error))) {
+      entry.error = error;
+      entry.sample = sample;
+    }
+  }
+
+  // One line a check. Returns how many failed.
+  int print() const {
+    int failures = 0;
+    for (const Entry& e : entries_) {
+      const bool passed = e.error <= static_cast<Real>(e.tolerance.value);
+      failures += passed ? 0 : 1;
+      std::printf(
+          "%-4s  %-52s  error %9.2Le  tolerance %.0e (%s)", passed ? "ok" : "FAIL", e.name.c_str(), e.error,
+          e.tolerance.value, e.tolerance.name);
+      if (!passed) std::printf("  worst in sample %d; %s", e.sample, e.tolerance.reason);
+      std::printf("\n");
+    }
+    return failures;
+  }
+
+  int size() const { return static_cast<int>(entries_.size()); }
+
+ private:
+  struct Entry {
+    std::string name;
+    Tolerance tolerance;
+    Real error;
+    int sample;
+  };
+
+  Entry& entry_of(const std::string& name, const Tolerance& tolerance) {
+    for (Entry& e : entries_) {
+      if (e.name == name) return e;
+    }
+    entries_.push_back({name, tolerance, 0, -1});
+    return entries_.back();
+  }
+
+  std::vector<Entry> entries_;  // in the order of their first record
+};
+
+// The largest difference between elements, each relative to the sum of magnitudes that the element results from.
+// Elements far smaller than the largest are judged by that one: their terms carry its rounding errors.
+template <class Actual, class Expected, class Magnitude>
+Real relative_error(
+    const Eigen::MatrixBase<Actual>& actual,
+    const Eigen::MatrixBase<Expected>& expected,
+    const Eigen::MatrixBase<Magnitude>& magnitude) {
+  constexpr Real kFar = 1e-4L;
+  if (actual.size() == 0) return 0;
+  const auto difference = (actual.template cast<Real>() - expected.template cast<Real>()).cwiseAbs().eval();
+  // maxCoeff may drop a NaN, a sum may not.
+  if (!std::isfinite(difference.sum())) return std::numeric_limits<Real>::infinity();
+  if (difference.maxCoeff() == 0) return 0;
+  const auto scale = magnitude.template cast<Real>().cwiseAbs().eval();
+  return (difference.array() / (scale.array() + kFar * scale.maxCoeff())).maxCoeff();
+}
+
+}  // namespace robcogen::reference

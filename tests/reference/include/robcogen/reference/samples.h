@@ -1,0 +1,60 @@
+// Random states of a robot for checks: a fixed seed gives the same states everywhere.
+#pragma once
+
+#include <random>
+
+#include "robcogen/reference/dynamics.h"
+
+namespace robcogen::reference {
+
+// Moderate values: revolute joints anywhere, prismatic ones within a metre, a few rad/s, tens of newtons.
+struct Sample {
+  Motion<double> motion;  // base velocity and acceleration zero for a fixed base
+  Vector3<double> gravity;
+  std::vector<Vector6<double>> external;
+};
+
+// The bits of a 64-bit engine, not std::uniform_real_distribution: that one differs between standard libraries.
+inline double uniform(std::mt19937_64& engine, double limit) {
+  const double unit = static_cast<double>(engine() >> 11) * 0x1p-53;
+  return limit * (2 * unit - 1);
+}
+
+inline VectorX<double> uniform_vector(std::mt19937_64& engine, Eigen::Index size, double limit) {
+  VectorX<double> v(size);
+  for (Eigen::Index i = 0; i < size; ++i) v(i) = uniform(engine, limit);
+  return v;
+}
+
+inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
+  constexpr double kAngle = 3.14159265358979323846, kStroke = 1, kRate = 3, kAcceleration = 10, kLoad = 20;
+  Sample s;
+  s.motion.q.resize(robot.joints.size);
+  for (int j = 0; j < robot.joints.size; ++j)
+    s.motion.q(j) = uniform(engine, robot.joints[j].revolute ? kAngle : kStroke);
+  s.motion.qd = uniform_vector(engine, robot.joints.size, kRate);
+  s.motion.qdd = uniform_vector(engine, robot.joints.size, kAcceleration);
+  if (robot.floating_base) {
+    s.motion.base_velocity = uniform_vector(engine, 6, kRate);
+    s.motion.base_acceleration = uniform_vector(engine, 6, kAcceleration);
+  }
+  s.gravity = uniform_vector(engine, 3, kAcceleration);
+  for (int i = 0; i < robot.links.size; ++i) s.external.push_back(uniform_vector(engine, 6, kLoad));
+  return s;
+}
+
+template <class Scalar>
+Motion<Scalar> cast(const Motion<double>& m) {
+  return {
+      m.q.cast<Scalar>(), m.qd.cast<Scalar>(), m.qdd.cast<Scalar>(), m.base_velocity.cast<Scalar>(),
+      m.base_acceleration.cast<Scalar>()};
+}
+
+template <class Scalar>
+Loads<Scalar> loads(const Vector3<double>& gravity, const std::vector<Vector6<double>>& external = {}) {
+  Loads<Scalar> result{gravity.cast<Scalar>(), {}};
+  for (const Vector6<double>& wrench : external) result.external.push_back(wrench.cast<Scalar>());
+  return result;
+}
+
+}  // namespace robcogen::reference
