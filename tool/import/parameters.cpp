@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace robcogen::import {
 
@@ -46,13 +47,18 @@ void QuantityReader::declare_constants(const Expression& expression) {
 }
 
 Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) {
+  const int faults_before = faults_;
   const Quantity result = operate(expression, kind);
-  const bool divides_by_zero = result.op() == Quantity::Op::divide && result.right().is_zero();
   const bool is_finite = !result.is_constant() || std::isfinite(result.number().value());
-  if (is_finite && !divides_by_zero) return result;
-  diagnostics_.error(
-      "not-finite", place(expression), divides_by_zero ? "division by zero" : "this expression has no finite value");
-  return Quantity();
+  // Only the innermost expression that fails is to blame.
+  if (is_finite || faults_ > faults_before) return result;
+  return fault(diagnostics_.error("not-finite", place(expression), "this expression has no finite value"));
+}
+
+Quantity QuantityReader::fault(const Diagnostic&) {
+  ++faults_;
+  // What comes of it is not a number either, and no check of the model finds fault with that.
+  return Quantity(std::numeric_limits<double>::quiet_NaN());
 }
 
 Quantity QuantityReader::operate(const Expression& expression, ParameterKind kind) {
@@ -69,22 +75,23 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
       return constant(expression);
     case Expression::Kind::negate:
       return -left();
-    // Named, so that the left operand is read first and parameters keep the order of the document.
+    // Operands in this order, which decides that of the parameters.
     case Expression::Kind::add: {
-      const Quantity a = left();
-      return a + right();
+      const Quantity a = left(), b = right();
+      return a + b;
     }
     case Expression::Kind::subtract: {
-      const Quantity a = left();
-      return a - right();
+      const Quantity a = left(), b = right();
+      return a - b;
     }
     case Expression::Kind::multiply: {
-      const Quantity a = left();
-      return a * right();
+      const Quantity a = left(), b = right();
+      return a * b;
     }
     case Expression::Kind::divide: {
-      const Quantity a = left();
-      return a / right();
+      const Quantity a = left(), b = right();
+      if (!b.is_zero()) return a / b;
+      return fault(diagnostics_.error("not-finite", place(expression), "division by zero"));
     }
     case Expression::Kind::sine:
       return sin(left());
@@ -148,10 +155,10 @@ Quantity QuantityReader::constant(const Expression& expression) {
   if (found != constants_.end()) return found->second.value;
   std::vector<std::string> names;
   for (const auto& [name, value] : constants_) names.push_back(name);
-  diagnostics_
-      .error("unknown-constant", place(expression), fmt::format("constant '{}' is not declared", expression.name))
-      .hint = did_you_mean(expression.name, names);
-  return Quantity();
+  Diagnostic& error = diagnostics_.error(
+      "unknown-constant", place(expression), fmt::format("constant '{}' is not declared", expression.name));
+  error.hint = did_you_mean(expression.name, names);
+  return fault(error);
 }
 
 }  // namespace robcogen::import

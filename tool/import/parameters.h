@@ -33,6 +33,8 @@ class QuantityReader {
   model::Quantity operate(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity parameter(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity constant(const language::Expression& expression);
+  // What an expression is taken to be once its fault was reported.
+  model::Quantity fault(const Diagnostic& reported);
   Place place(const language::Expression& expression) const { return {source_, expression.span}; }
 
   struct Constant {
@@ -43,6 +45,7 @@ class QuantityReader {
   std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
   std::vector<model::Parameter> parameters_;
+  int faults_ = 0;
   std::map<std::string, int> kinematics_parameters_;
   std::map<std::string, int> dynamics_parameters_;
   std::map<std::string, Constant> constants_;

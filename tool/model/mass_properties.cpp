@@ -23,18 +23,25 @@ bool is_constant(const Inertia& i) {
   return std::all_of(all.begin(), all.end(), [](const Quantity* q) { return q->is_constant(); });
 }
 
-// The inertia tensor about the centre of mass; principal moments do not depend on the axes, so those of the reference
-// frame will do.
+// As given: about the origin of the reference frame. Principal moments do not depend on the axes, so those of the
+// reference frame will do.
+Matrix given_tensor(const Inertia& i) {
+  const double xy = -evaluate(i.ixy), xz = -evaluate(i.ixz), yz = -evaluate(i.iyz);
+  return {{{evaluate(i.ixx), xy, xz}, {xy, evaluate(i.iyy), yz}, {xz, yz, evaluate(i.izz)}}};
+}
+
+// About the centre of mass.
 Matrix central_tensor(const Inertia& i) {
+  Matrix tensor = given_tensor(i);
   const double m = evaluate(i.mass);
-  const double x = evaluate(i.com[0]), y = evaluate(i.com[1]), z = evaluate(i.com[2]);
-  const double xy = -(evaluate(i.ixy) - m * x * y);
-  const double xz = -(evaluate(i.ixz) - m * x * z);
-  const double yz = -(evaluate(i.iyz) - m * y * z);
-  const double xx = evaluate(i.ixx) - m * (y * y + z * z);
-  const double yy = evaluate(i.iyy) - m * (x * x + z * z);
-  const double zz = evaluate(i.izz) - m * (x * x + y * y);
-  return {{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}};
+  const std::array<double, 3> c = {evaluate(i.com[0]), evaluate(i.com[1]), evaluate(i.com[2])};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
+    tensor[j][j] -= m * (c[k] * c[k] + c[l] * c[l]);
+    tensor[j][k] += m * c[j] * c[k];
+    tensor[k][j] += m * c[j] * c[k];
+  }
+  return tensor;
 }
 
 // Eigenvalues of a symmetric matrix in ascending order, by cyclic Jacobi rotations (Golub and Van Loan, 8.5).
@@ -74,27 +81,41 @@ void check_mass(const DescribedLink& link, Diagnostics& diagnostics) {
   }
 }
 
+enum class Verdict { plausible, not_positive, unequal };
+
+// `moments` in ascending order.
+Verdict judge(const std::array<double, 3>& moments, double largest_given) {
+  const auto& [low, middle, high] = moments;
+  const double tolerance =
+      kMomentTolerance * std::max(std::abs(low), std::abs(high)) + kShiftTolerance * std::abs(largest_given);
+  if (low < -tolerance) return Verdict::not_positive;
+  return high > low + middle + tolerance ? Verdict::unequal : Verdict::plausible;
+}
+
 void check_moments(const DescribedLink& link, Diagnostics& diagnostics) {
   const Inertia& inertia = *link.inertia;
   if (!is_constant(inertia) || evaluate(inertia.mass) < 0.0) return;
-  const auto [low, middle, high] = eigenvalues(central_tensor(inertia));
-  const double largest_given =
-      std::max({std::abs(evaluate(inertia.ixx)), std::abs(evaluate(inertia.iyy)), std::abs(evaluate(inertia.izz))});
-  const double tolerance = kMomentTolerance * std::max(std::abs(low), std::abs(high)) + kShiftTolerance * largest_given;
-  const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g} kg m^2", low, middle, high);
-  if (low < -tolerance) {
-    diagnostics.warning(
-        "inertia-not-positive", link.inertia_place,
-        fmt::format(
-            "inertia of link '{}' about its centre of mass is not positive semi-definite: principal moments {}",
-            link.name, moments));
-  } else if (high > low + middle + tolerance) {
-    diagnostics.warning(
-        "triangle-inequality", link.inertia_place,
-        fmt::format(
-            "no body has the inertia of link '{}': of its principal moments about the centre of mass, {}, the largest "
-            "exceeds the sum of the others",
-            link.name, moments));
+  const std::array<double, 3> given = eigenvalues(given_tensor(inertia));
+  const std::array<double, 3> central = eigenvalues(central_tensor(inertia));
+  const Verdict verdict = judge(central, given[2]);
+  if (verdict == Verdict::plausible) return;
+
+  const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g} kg m^2", central[0], central[1], central[2]);
+  Diagnostic& warning =
+      verdict == Verdict::not_positive
+          ? diagnostics.warning(
+                "inertia-not-positive", link.inertia_place,
+                fmt::format(
+                    "inertia of link '{}' about its centre of mass is not positive semi-definite: principal moments {}",
+                    link.name, moments))
+          : diagnostics.warning(
+                "triangle-inequality", link.inertia_place,
+                fmt::format(
+                    "no body has the inertia of link '{}': of its principal moments about the centre of mass, {}, the "
+                    "largest exceeds the sum of the others",
+                    link.name, moments));
+  if (judge(given, given[2]) == Verdict::plausible) {
+    warning.hint = "moments are those about the origin of the frame; were these meant about the centre of mass?";
   }
 }
 

@@ -1,0 +1,171 @@
+// What documents mean: parameters, constants, arithmetic, poses, desired transforms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "reading.h"
+
+namespace robcogen {
+namespace {
+
+using model::KinematicTree;
+using model::Parameter;
+using model::ParameterKind;
+using model::Quantity;
+
+// A robot of one joint, with these places to fill.
+std::string arm(const std::string& mass, const std::string& translation, const std::string& rotation) {
+  return "Robot Arm { RobotBase base { children { upper via shoulder } }\n"
+         "link upper { id = 1 inertia_params { mass = " +
+         mass +
+         " CoM = (0.0, 0.0, 0.0)\n"
+         "Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 } children { } }\n"
+         "r_joint shoulder { ref_frame { translation = " +
+         translation + " rotation = " + rotation + " } } }\n";
+}
+
+KinematicTree read(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto tree = test::tree_of(text, diagnostics);
+  EXPECT_TRUE(tree.has_value()) << diagnostics.render();
+  return tree.value_or(KinematicTree());
+}
+
+TEST(Documents, MakeParametersByWhereTheyStand) {
+  const KinematicTree tree = read(arm("m[2.5]", "(len, 0.5 len, c)", "(tilt, 0.0, -tilt)"));
+  ASSERT_EQ(tree.parameters.size(), 4u);
+  const auto expect = [&](std::size_t i, const std::string& name, ParameterKind kind) {
+    EXPECT_EQ(tree.parameters[i].name, name);
+    EXPECT_EQ(tree.parameters[i].kind, kind);
+  };
+  expect(0, "m", ParameterKind::inertial);
+  expect(1, "len", ParameterKind::length);
+  expect(2, "c", ParameterKind::length);
+  expect(3, "tilt", ParameterKind::angle);
+  EXPECT_EQ(tree.parameters[0].default_value, 2.5);
+  EXPECT_EQ(tree.parameters[1].default_value, std::nullopt);
+  const std::vector<double> values = {1.0, 2.0, 3.0, 4.0};
+  EXPECT_EQ(evaluate(tree.joints[0].placement.translation[1], values), 1.0);
+  EXPECT_EQ(evaluate(tree.joints[0].placement.rotation[2], values), -4.0);
+}
+
+TEST(Documents, KeepMultiplesOfPiExact) {
+  const KinematicTree tree = read(arm("1.0", "(0.0, 0.0, 0.0)", "(PI/2.0, -pi, 3.0*Pi/2.0 - PI/2.0)"));
+  const auto& rotation = tree.joints[0].placement.rotation;
+  EXPECT_EQ(rotation[0].number(), Number::pi_multiple(1, 2));
+  EXPECT_EQ(rotation[1].number(), Number::pi_multiple(-1));
+  EXPECT_EQ(rotation[2].number(), Number::pi_multiple(1));
+  EXPECT_TRUE(tree.parameters.empty());
+}
+
+TEST(Documents, KnowNamedConstants) {
+  const KinematicTree tree = read(arm("<m=3.2>", "(0.5*<m>, 0.0, <m>)", "(0.0, 0.0, 0.0)"));
+  EXPECT_TRUE(tree.parameters.empty());
+  EXPECT_EQ(tree.links[1].inertia->mass.number().value(), 3.2);
+  EXPECT_EQ(tree.joints[0].placement.translation[0].number().value(), 1.6);
+}
+
+TEST(Documents, TellsAboutTwoParametersOfOneName) {
+  Diagnostics diagnostics;
+  const auto tree = test::tree_of(arm("x", "(x, 0.0, 0.0)", "(x, 0.0, 0.0)"), diagnostics);
+  ASSERT_TRUE(tree.has_value());
+  EXPECT_EQ(diagnostics.all().size(), 2u);  // mass and length; length and angle
+  ASSERT_EQ(tree->parameters.size(), 2u);
+  const std::vector<double> values = {10.0, 20.0};
+  EXPECT_EQ(evaluate(tree->links[1].inertia->mass, values), 10.0);
+  EXPECT_EQ(evaluate(tree->joints[0].placement.translation[0], values), 20.0);
+  EXPECT_EQ(evaluate(tree->joints[0].placement.rotation[0], values), 20.0);
+}
+
+TEST(Documents, GiveAReferenceFrameThatDependsOnAParameter) {
+  const std::string text =
+      "Robot Arm { RobotBase base { children { upper via shoulder } }\n"
+      "link upper { id = 1 inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.0)\n"
+      "Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 ref_frame = com } children { }\n"
+      "frames { com { translation = (0.5 len, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }\n"
+      "r_joint shoulder { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }\n";
+  const KinematicTree tree = read(text);
+  ASSERT_EQ(tree.parameters.size(), 1u);
+  EXPECT_EQ(tree.parameters[0].kind, ParameterKind::length);
+  const auto body = model::in_link_frame(*tree.links[1].inertia);
+  const std::vector<double> values = {3.0};
+  EXPECT_DOUBLE_EQ(evaluate(body.first_moment[0], values), 3.0);
+  EXPECT_DOUBLE_EQ(evaluate(body.iyy, values), 0.1 + 2.0 * 1.5 * 1.5);
+  EXPECT_DOUBLE_EQ(evaluate(body.ixx, values), 0.1);
+}
+
+// A printed quantity is an expression of the language again, of the same value.
+TEST(Documents, ReadPrintedQuantities) {
+  constexpr std::uint64_t kSeed = 1999;
+  std::mt19937_64 engine(kSeed);
+  const auto pick = [&](int below) { return static_cast<int>(engine() % static_cast<unsigned>(below)); };
+  const std::vector<Parameter> parameters = {{"a", {}, {}, {}}, {"b", {}, {}, {}}, {"len", {}, {}, {}}};
+  const std::vector<double> values = {0.7, 1.9, 0.35};
+  const auto random_quantity = [&](const auto& self, int depth) -> Quantity {
+    if (depth == 0 || pick(6) == 0) {
+      if (pick(2) == 0) return Quantity::parameter(pick(3));
+      return pick(3) == 0 ? Quantity(Number::pi_multiple(pick(9) - 4, 1 + pick(3)))
+                          : Quantity(Number::rational(pick(19) - 9, 1 + pick(4)));
+    }
+    const Quantity x = self(self, depth - 1);
+    switch (pick(8)) {
+      case 0:
+        return -x;
+      case 1:
+        return sin(x);
+      case 2:
+        return x - self(self, depth - 1);
+      case 3:
+      case 4:
+        return x * self(self, depth - 1);
+      case 5:
+        return x / Quantity::parameter(pick(3));
+      default:
+        return x + self(self, depth - 1);
+    }
+  };
+  int compared = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Quantity quantity = random_quantity(random_quantity, 4);
+    const double value = evaluate(quantity, values);
+    if (!std::isfinite(value)) continue;
+    const std::string text = print(quantity, parameters);
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", round " + std::to_string(round) + ": " + text);
+    Diagnostics diagnostics;
+    const auto tree =
+        test::tree_of(arm("1.0", "(a*0.0 + b*0.0 + len*0.0, " + text + ", 0.0)", "(0.0, 0.0, 0.0)"), diagnostics);
+    ASSERT_TRUE(tree.has_value()) << diagnostics.render();
+    ASSERT_EQ(tree->parameters.size(), 3u);
+    EXPECT_NEAR(evaluate(tree->joints[0].placement.translation[1], values), value, 1e-12 * (1.0 + std::abs(value)));
+    ++compared;
+  }
+  EXPECT_GT(compared, 300);
+}
+
+TEST(Documents, ResolveDesiredTransforms) {
+  const KinematicTree tree = read(arm("1.0", "(0.0, 0.0, 0.0)", "(0.0, 0.0, 0.0)"));
+  Diagnostics diagnostics;
+  const auto document = language::desired::parse(
+      std::make_shared<Source>(
+          "test.dtdsl",
+          "Robot Arm Frames { fr_base, fr_upper, fr_shoulder }\n"
+          "Transforms { base=fr_base target=fr_upper  fr_base -> fr_shoulder  fr_upper <- fr_upper }\n"
+          "Jacobians { base=fr_base target=fr_upper }\n"),
+      diagnostics);
+  const auto desired = import::desired_transforms(document, tree, diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render();
+  ASSERT_EQ(desired.transforms.size(), 3u);
+  EXPECT_EQ(desired.transforms[0].left.kind, model::Frame::Kind::link);
+  EXPECT_EQ(desired.transforms[0].left.index, 0);
+  EXPECT_EQ(desired.transforms[0].right.name, "fr_upper");
+  EXPECT_EQ(desired.transforms[1].left.kind, model::Frame::Kind::joint);
+  EXPECT_EQ(desired.transforms[1].right.name, "fr_base");
+  EXPECT_EQ(desired.transforms[2].left.name, "fr_upper");
+  EXPECT_EQ(desired.transforms[2].right.name, "fr_upper");
+  ASSERT_EQ(desired.jacobians.size(), 1u);
+  EXPECT_EQ(desired.jacobians[0].right.name, "fr_upper");
+}
+
+}  // namespace
+}  // namespace robcogen
