@@ -1,0 +1,63 @@
+// Dynamics of a floating base: the quadruped trots downhill, and the ground pushes against two of its feet.
+#include <quadruped/quadruped.h>
+
+#include <Eigen/Geometry>
+#include <iostream>
+
+namespace {
+
+// A force (trunk axes) on a foot, as a wrench on the lower leg in its own coordinates.
+robcogen::Wrench wrench_of(
+    const Eigen::Matrix4d& trunk_X_foot,
+    const Eigen::Matrix<double, 6, 6>& lowerleg_XF_trunk,
+    const Eigen::Vector3d& force) {
+  const Eigen::Vector3d foot = trunk_X_foot.topRightCorner<3, 1>();
+  const robcogen::Wrench about_trunk(foot.cross(force), force);
+  return robcogen::Wrench(lowerleg_XF_trunk * about_trunk.vector());
+}
+
+}  // namespace
+
+int main() {
+  // Hip abduction, hip flexion and knee of each leg (rad): LF, RF, LH, RH. Front knees forward, hind knees backward.
+  quadruped::JointState q;
+  q << 0.1, -0.6, 1.2, -0.1, -0.6, 1.2, 0.1, 0.6, -1.2, -0.1, 0.6, -1.2;
+  const quadruped::JointState rest = quadruped::JointState::Zero();
+
+  // All that concerns the base is in its own coordinates: its velocity (angular, then linear), and gravity, which tells
+  // how the trunk is tilted. Here its nose is 0.17 rad down, and it rolls and sways a little.
+  const robcogen::Twist base_velocity(Eigen::Vector3d(0.2, 0, 0), Eigen::Vector3d(0, 0.1, 0));
+  const Eigen::AngleAxisd pitch(0.17, Eigen::Vector3d::UnitY());
+  const robcogen::Gravity gravity(pitch.inverse() * Eigen::Vector3d(0, 0, -9.81));
+
+  // The inertia matrix: 18 x 18, the base first; its fourth diagonal element is the total mass.
+  const quadruped::InertiaMatrix H = quadruped::joint_space_inertia(q);
+
+  // Two feet bear half of the weight each.
+  namespace homogeneous = quadruped::transforms::homogeneous;
+  namespace on_force = quadruped::transforms::force;
+  const Eigen::Vector3d force = -H(3, 3) / 2 * gravity.vector();
+  quadruped::LinkWrenches external;
+  external[quadruped::Link::LF_lowerleg] =
+      wrench_of(homogeneous::fr_trunk_X_fr_LF_foot(q), on_force::fr_LF_lowerleg_X_fr_trunk(q), force);
+  external[quadruped::Link::RH_lowerleg] =
+      wrench_of(homogeneous::fr_trunk_X_fr_RH_foot(q), on_force::fr_RH_lowerleg_X_fr_trunk(q), force);
+
+  // Joint forces that keep the joints still, and how the base moves then.
+  const auto held = quadruped::inverse_dynamics(q, rest, rest, base_velocity, gravity, external);
+  // The same forces, forwards: the joints do not accelerate.
+  const auto motion = quadruped::forward_dynamics(q, rest, held.tau, base_velocity, gravity, external);
+  // The wrench on the trunk that would keep it still as well.
+  const auto missing = quadruped::inverse_dynamics_fully_actuated(
+      q, rest, rest, base_velocity, robcogen::SpatialAcceleration(), gravity, external);
+
+  const Eigen::IOFormat table(3, 0, " ", "\n", "  ");
+  const Eigen::IOFormat row(4, Eigen::DontAlignCols, " ", " ");
+  std::cout << "Quadruped, floating base\n"
+            << "H(q) =\n"
+            << H.format(table) << '\n'
+            << "tau that keeps the joints still [N m]      = " << held.tau.format(row) << '\n'
+            << "qdd under tau [rad/s^2]: largest             " << motion.qdd.cwiseAbs().maxCoeff() << '\n'
+            << "base acceleration [rad/s^2, m/s^2]         = " << motion.base_acceleration.vector().format(row) << '\n'
+            << "wrench that keeps the base still [N m, N]  = " << missing.base_wrench.vector().format(row) << "\n\n";
+}
