@@ -102,7 +102,7 @@ snapshot(after)
 expect_equal("generated files of the mended model" "${after}" "${before}")
 
 # Make knows no rule for a by-product: there the stamp has to go too.
-file(REMOVE "${generated_dir}/hyl/jacobians.h")
+file(REMOVE "${generated_dir}/hyl/kernel/jacobians.h")
 if(GENERATOR STREQUAL "Unix Makefiles")
   file(REMOVE "${generated_dir}/hyl.stamp")
 endif()
