@@ -85,11 +85,20 @@ std::string numbered_list(const std::string& head, const std::vector<std::string
   return remarked_list(head, items, numbers);
 }
 
-std::string entry(const std::vector<std::string>& fields, std::size_t indent) {
-  const std::string line = blanks(indent) + "{" + joined(fields, ", ") + "},";
-  if (line.size() <= kColumns) return line + "\n";
-  const std::string separator = ",\n" + blanks(indent + 4);
-  return blanks(indent) + "{\n" + blanks(indent + 4) + joined(fields, separator) + ",\n" + blanks(indent) + "},\n";
+std::string table(const std::string& head, const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::string> items, numbers;
+  std::size_t width = 0;
+  for (const std::vector<std::string>& row : rows) {
+    items.push_back(braced(row));
+    numbers.push_back(std::to_string(items.size() - 1));
+    width = std::max(width, items.back().size());
+  }
+  const std::size_t around = std::string("    ,  // ").size();
+  if (rows.empty() || width + around + numbers.back().size() <= kColumns) return remarked_list(head, items, numbers);
+  std::string result = head + " = {\n";
+  for (const std::vector<std::string>& row : rows)
+    result += "    {\n        " + joined(row, ",\n        ") + ",\n    },\n";
+  return result + "};\n";
 }
 
 std::string braced(const std::vector<std::string>& items) {

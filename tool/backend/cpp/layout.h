@@ -32,8 +32,8 @@ std::string remarked_list(
 // `head = {items};` in one line if they fit, else one a line, each with its number.
 std::string numbered_list(const std::string& head, const std::vector<std::string>& items);
 
-// One entry of a table, `{fields},` at this indentation; fields that do not fit stand one a line.
-std::string entry(const std::vector<std::string>& fields, std::size_t indent);
+// `head = {…};` with one row of fields a line, each with its number; one field a line where rows are too long for that.
+std::string table(const std::string& head, const std::vector<std::vector<std::string>>& rows);
 
 // `{0.0, 1.0}`
 std::string braced(const std::vector<std::string>& items);

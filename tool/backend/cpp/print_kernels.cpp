@@ -16,8 +16,10 @@ std::string counts(const symbolic::Program& program) {
   append(c.div, "div");
   append(c.sqrt, "sqrt");
   append(c.sincos, "sincos");
-  return result + "; " + std::to_string(c.instructions) +
-         " instructions with products fused into sums; critical path " + std::to_string(c.critical_path) + " cycles.";
+  if (c.instructions == 0) return result + ".";
+  return result + ": " + std::to_string(c.instructions) +
+         " instructions when products are fused into sums; critical path " + std::to_string(c.critical_path) +
+         " cycles.";
 }
 
 std::string signature(const Kernel& kernel) {
@@ -51,11 +53,11 @@ std::string print_kernel(const Callable& callable) {
   return result + signature(kernel) + body(kernel);
 }
 
-// `0 HAA, 1 HFE`
+// `0:HAA, 1:HFE`
 std::string numbered_joints(const Library& library) {
   std::string result;
   for (std::size_t i = 0; i < library.joints.size(); ++i)
-    result += (i ? ", " : "") + std::to_string(i) + " " + library.joints[i].name;
+    result += (i ? ", " : "") + std::to_string(i) + ":" + library.joints[i].name;
   return result.empty() ? "none" : result;
 }
 
@@ -65,7 +67,7 @@ std::string explicit_instantiations(const Callable& callable) {
     std::vector<std::string> types;
     for (const Parameter& p : parameters(callable.function->program))
       types.push_back(p.output ? scalar + "*" : "const " + scalar + "*");
-    result += declaration("template void " + callable.kernel + "<" + scalar + ">", types, " noexcept;");
+    result += declaration("template void " + callable.kernel, types, " noexcept;");
   }
   return result;
 }

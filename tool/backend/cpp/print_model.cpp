@@ -36,14 +36,13 @@ std::string array(
 }
 
 template <class Item>
-std::string names(
-    const std::string& size,
-    const std::string& name,
-    const std::vector<Item>& items,
-    const std::vector<std::string>& enumerators) {
-  std::vector<std::string> list;
-  for (const Item& item : items) list.push_back(quoted(item.name));
-  return array("const char*", size, name, list, enumerators);
+std::string names(const std::string& size, const std::string& name, const std::vector<Item>& items) {
+  std::vector<std::string> list, numbers;
+  for (const Item& item : items) {
+    numbers.push_back(std::to_string(list.size()));
+    list.push_back(quoted(item.name));
+  }
+  return array("const char*", size, name, list, numbers);
 }
 
 std::string sizes(const Library& library) {
@@ -61,7 +60,7 @@ std::string joint_tables(const Api& api) {
     children.push_back("Link::" + api.links[at(joint.child)]);
   }
   return paragraphs(
-      {names("kDof", "kJointNames", api.library->joints, api.joints),
+      {names("kDof", "kJointNames", api.library->joints),
        array("robcogen::JointType", "kDof", "kJointTypes", types, api.joints),
        array("Link", "kDof", "kJointParents", parents, api.joints),
        array("Link", "kDof", "kJointChildren", children, api.joints)});
@@ -72,7 +71,7 @@ std::string link_tables(const Api& api) {
   for (const LinkData& link : api.library->links)
     parents.push_back(link.parent_joint < 0 ? "-1" : "index(Joint::" + api.joints[at(link.parent_joint)] + ")");
   return paragraphs(
-      {names("kLinkCount", "kLinkNames", api.library->links, api.links),
+      {names("kLinkCount", "kLinkNames", api.library->links),
        "// Index of the joint that carries the link; -1 for the base.\n" +
            array("int", "kLinkCount", "kLinkParentJoints", parents, api.links)});
 }
@@ -81,7 +80,7 @@ std::string frame_tables(const Api& api) {
   std::vector<std::string> links;
   for (const FrameData& frame : api.library->frames) links.push_back("Link::" + api.links[at(frame.link)]);
   return paragraphs(
-      {names("kFrameCount", "kFrameNames", api.library->frames, api.frames),
+      {names("kFrameCount", "kFrameNames", api.library->frames),
        "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
 }
 

@@ -19,17 +19,17 @@ std::string numbers(const std::array<double, n>& values) {
   return braced(texts);
 }
 
-// `inline constexpr <type> <name>[] = {entries};`, and how the robot's table refers to it.
+// The definition of a table, and how the robot's own table refers to it.
 struct Table {
   std::string definition;
   std::string reference;
 };
 
-Table table(const std::string& type, const std::string& name, const std::vector<std::vector<std::string>>& entries) {
-  if (entries.empty()) return {"", "{nullptr, 0}"};
-  std::string text = "inline constexpr robcogen::reflection::" + type + " " + name + "[] = {\n";
-  for (const std::vector<std::string>& fields : entries) text += entry(fields, 4);
-  return {text + "};\n", "{" + name + ", " + std::to_string(entries.size()) + "}"};
+Table table(const std::string& type, const std::string& name, const std::vector<std::vector<std::string>>& rows) {
+  if (rows.empty()) return {"", "{nullptr, 0}"};
+  return {
+      cpp::table("inline constexpr robcogen::reflection::" + type + " " + name + "[]", rows),
+      "{" + name + ", " + std::to_string(rows.size()) + "}"};
 }
 
 Table links(const Library& library) {
@@ -123,14 +123,14 @@ std::string print_reflection(const Api& api, const std::string& path) {
     if (c.function->left_frame >= 0) kernels.push_back(kernel_declaration(c));
   const std::vector<Table> tables = {links(library),  joints(library), frames(library),
                                      transforms(api), jacobians(api),  functions(api)};
-  std::string robot = "inline constexpr robcogen::reflection::Robot robot = {\n    " + quoted(library.robot) +
-                      ",\n    " + (library.floating_base ? "true" : "false") + ",\n";
-  std::vector<std::string> parts;
+  std::vector<std::string> parts, fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
   for (const Table& t : tables) {
     parts.push_back(t.definition);
-    robot += "    " + t.reference + ",\n";
+    fields.push_back(t.reference);
   }
-  parts.push_back(robot + "};\n");
+  parts.push_back(remarked_list(
+      "inline constexpr robcogen::reflection::Robot robot", fields,
+      {"name", "floating base", "links", "joints", "frames", "transforms", "Jacobians", "functions"}));
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
        includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}), runtime_check(api),

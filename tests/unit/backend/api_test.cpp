@@ -1,0 +1,132 @@
+#include "backend/cpp/api.h"
+
+#include <gtest/gtest.h>
+
+#include "programs.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// A function `name` with these inputs, `q qd gravity`, and one output of joint forces or two with `base`.
+Function dynamics(const std::string& name, const std::string& kernel, const Names& inputs, const Names& outputs) {
+  const std::map<std::string, std::string> roles = {
+      {"q", "joint_position"},
+      {"qd", "joint_velocity"},
+      {"qdd", "joint_acceleration"},
+      {"tau", "joint_force"},
+      {"gravity", "gravity"},
+      {"external", "link_wrenches"},
+      {"base_velocity", "base_velocity"},
+      {"base_acceleration", "base_acceleration"},
+      {"base_wrench", "base_wrench"}};
+  std::string text = "program " + kernel + "\n";
+  for (const std::string& input : inputs) text += "input " + input + " " + roles.at(input) + " HFE KFE\n";
+  for (const std::string& output : outputs) text += "output " + output + " " + roles.at(output) + " 2 1\n";
+  for (const std::string& output : outputs) text += "return " + output + " 0 0\n";
+  return test::function(name, kernel, test::program(text));
+}
+
+// `result name(types) [gravity added]`, one string an overload.
+Names signatures(const Library& library, const std::string& group) {
+  Names result;
+  const Api names = api(library);
+  for (const Overload& o : overloads(names, group, "")) {
+    std::string text = o.result + " " + o.callable->kernel + "(";
+    for (const Argument& a : o.arguments)
+      text += (text.back() == '(' ? "" : ", ") + a.type + " " + a.name + (a.default_value.empty() ? "" : " = default");
+    result.push_back(text + ")" + (o.adds_standard_gravity ? " + standard gravity" : ""));
+  }
+  return result;
+}
+
+TEST(Overloads, GravityIsOptionalBesideExternalWrenchesWhenNoFunctionDoesWithout) {
+  Library library = test::leg_library();
+  library.functions = {
+      dynamics("bias_forces", "bias", {"q", "qd"}, {"tau"}),
+      dynamics("bias_forces", "bias_gravity", {"q", "qd", "gravity"}, {"tau"}),
+      dynamics("bias_forces", "bias_external", {"q", "qd", "gravity", "external"}, {"tau"})};
+  EXPECT_EQ(
+      signatures(library, "bias_forces"),
+      (Names{
+          "JointState bias(JointState q, JointState qd)",
+          "JointState bias_gravity(JointState q, JointState qd, Gravity gravity)",
+          "JointState bias_external(JointState q, JointState qd, Gravity gravity, LinkWrenches external)",
+          "JointState bias_external(JointState q, JointState qd, LinkWrenches external) + standard gravity"}));
+}
+
+TEST(Overloads, GravityHasADefaultWhenNoFunctionDoesWithout) {
+  Library library = test::leg_library();
+  library.functions = {dynamics("gravity_forces", "gravity_forces", {"q", "gravity"}, {"tau", "base_wrench"})};
+  EXPECT_EQ(
+      signatures(library, "gravity_forces"),
+      (Names{"GeneralizedForce gravity_forces(JointState q, Gravity gravity = default)"}));
+}
+
+TEST(Overloads, FunctionsWithoutGravityStayAsTheyAre) {
+  Library library = test::leg_library();
+  library.functions = {
+      dynamics("forward_dynamics", "f", {"q", "tau", "base_velocity", "external"}, {"qdd", "base_acceleration"})};
+  EXPECT_EQ(
+      signatures(library, "forward_dynamics"),
+      (Names{"GeneralizedAcceleration f(JointState q, JointState tau, Twist base_velocity, LinkWrenches external)"}));
+}
+
+TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
+  EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"tau", "base_acceleration"}).program), "InverseDynamics");
+  EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"base_wrench"}).program), "Wrench");
+  EXPECT_EQ(
+      result_type(test::program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n")),
+      "Matrix<6, 0>");
+  EXPECT_EQ(result_type(test::program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n")), "InertiaMatrix");
+  EXPECT_THROW(result_type(dynamics("f", "f", {"q"}, {"qdd", "base_wrench"}).program), std::logic_error);
+}
+
+TEST(Api, NamespacesThatWouldHideOthersAreRenamed) {
+  Library library = test::leg_library();
+  library.name = "Eigen";
+  library.enclosing = "my::robcogen::class";
+  EXPECT_EQ(api(library).space, "my::robcogen_::class_::Eigen_");
+}
+
+TEST(Api, EnumeratorsAreLegalAndDistinct) {
+  Library library = test::leg_library();
+  library.joints[0].name = "class";
+  library.joints[1].name = "__x";
+  library.frames.push_back({"a-b", 0});
+  library.frames.push_back({"a_b", 0});
+  const Api names = api(library);
+  EXPECT_EQ(names.joints, (Names{"class_", "x"}));
+  EXPECT_EQ(names.frames, (Names{"fr_trunk", "fr_foot", "a_b_2", "a_b"}));
+}
+
+TEST(Api, DifferentFunctionsNeverShareAName) {
+  Library library = test::leg_library();
+  const auto transform = [](const std::string& name) {
+    Function f = dynamics(name, name, {"q"}, {"tau"});
+    f.scope = "transforms::motion";
+    return f;
+  };
+  library.functions = {transform("a__X_b"), transform("a_X_b"), transform("a_X_b_2")};
+  const Api names = api(library);
+  EXPECT_EQ(names.callables[0].name, "a_X_b_3");
+  EXPECT_EQ(names.callables[1].name, "a_X_b");
+  EXPECT_EQ(names.callables[2].name, "a_X_b_2");
+  EXPECT_EQ(names.callables[0].kernel, "a_X_b_3");
+}
+
+TEST(Api, TheColumnsOfAJacobianStandBesideIt) {
+  Library library = test::leg_library();
+  Function f = test::function(
+      "a_J_b", "a_J_b", test::program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"));
+  f.scope = "jacobians";
+  library.functions = {f, f};
+  library.functions[1].name = library.functions[1].kernel = "a_J_b_columns";
+  const Api names = api(library);
+  EXPECT_EQ(names.callables[1].name, "a_J_b_columns");
+  EXPECT_EQ(names.callables[0].columns, "a_J_b_columns_2");
+}
+
+}  // namespace
+}  // namespace robcogen::backend::cpp

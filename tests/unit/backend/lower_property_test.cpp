@@ -1,0 +1,184 @@
+// Random programs: the text of the kernel computes what the program computes, to the last bit.
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "backend/cpp/lower.h"
+#include "kernel_evaluator.h"
+#include "programs.h"
+#include "symbolic/count.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+
+// Everything that a program may hold: any operation on anything, signs anywhere, names that clash, sections that come
+// back, elements that are inputs, constants, equal or of opposite sign.
+class ProgramSource {
+ public:
+  explicit ProgramSource(unsigned seed) : random_(seed) {}
+
+  Program make() {
+    Program p;
+    p.name = "random";
+    p.inputs = {
+        {"q", symbolic::Role::joint_position, {"HFE", "hfe", "class"}}, {"qd", symbolic::Role::value, {"a", "b"}}};
+    for (int k = pick(4); k >= 0; --k) p.constants.push_back(Number(std::ldexp(1 + pick(1000), -pick(12))));
+    for (int k = pick(3); k >= 0; --k) p.sections.push_back({"part " + std::to_string(k), "t"});
+    for (int k = pick(60); k >= 0; --k) p.statements.push_back(statement(p));
+    for (const char* name : {"tau", "H"}) {
+      symbolic::OutputArray array{name, symbolic::Role::value, pick(8), 1, {}};
+      for (int k = 0; k < array.rows; ++k) array.values.push_back(operand(p));
+      p.outputs.push_back(std::move(array));
+    }
+    return p;
+  }
+
+  double value() { return std::uniform_real_distribution<double>(-2, 2)(random_); }
+
+ private:
+  std::mt19937 random_;
+
+  int pick(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+
+  Operand operand(const Program& p) {
+    Operand o;
+    o.negative = pick(4) == 0;
+    const int count = static_cast<int>(p.statements.size());
+    switch (count == 0 ? pick(2) : pick(8)) {
+      case 0:
+        o.kind = Operand::Kind::constant;
+        o.index = pick(static_cast<int>(p.constants.size()));
+        return o;
+      case 1:
+        o.kind = Operand::Kind::input;
+        o.index = pick(p.input_count());
+        return o;
+      default:  // recent statements first, so that expressions grow deep
+        o.kind = Operand::Kind::statement;
+        o.index = std::max(0, count - 1 - pick(pick(3) == 0 ? count : 3));
+        return o;
+    }
+  }
+
+  symbolic::Statement statement(const Program& p) {
+    const Op ops[] = {Op::add,      Op::subtract,    Op::multiply, Op::multiply, Op::add,
+                      Op::subtract, Op::square_root, Op::sine,     Op::cosine,   Op::divide};
+    symbolic::Statement s;
+    s.op = ops[pick(10)];
+    s.a = operand(p);
+    s.b = operand(p);
+    const std::string number = std::to_string(p.statements.size());
+    s.name = pick(10) == 0 ? "q_" + number : "left_front_upperleg_t" + number;
+    s.section = pick(static_cast<int>(p.sections.size()));
+    s.named = pick(5) == 0;
+    return s;
+  }
+};
+
+// Statements that outputs need: what the counts of the program would be without the others.
+Program without_dead_statements(Program p) {
+  std::vector<bool> needed(p.statements.size(), false);
+  const auto need = [&](const Operand& o) {
+    if (o.kind == Operand::Kind::statement) needed[static_cast<std::size_t>(o.index)] = true;
+  };
+  for (const symbolic::OutputArray& array : p.outputs)
+    for (const Operand& o : array.values) need(o);
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    need(p.statements[i].a);
+    if (is_binary(p.statements[i].op)) need(p.statements[i].b);
+  }
+  std::vector<int> place(needed.size(), -1);
+  std::vector<symbolic::Statement> kept;
+  const auto move = [&](Operand& o) {
+    if (o.kind == Operand::Kind::statement) o.index = place[static_cast<std::size_t>(o.index)];
+  };
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!needed[i]) continue;
+    place[i] = static_cast<int>(kept.size());
+    kept.push_back(p.statements[i]);
+    move(kept.back().a);
+    if (is_binary(kept.back().op)) move(kept.back().b);
+  }
+  p.statements = std::move(kept);
+  for (symbolic::OutputArray& array : p.outputs)
+    for (Operand& o : array.values) move(o);
+  return p;
+}
+
+bool same(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+TEST(LowerProperty, TheTextComputesWhatTheProgramComputes) {
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ProgramSource source(seed);
+    const Program program = source.make();
+    ASSERT_EQ(symbolic::verify(program), "");
+
+    symbolic::Arrays<double> inputs;
+    test::KernelEvaluator::Values elements;
+    for (const symbolic::InputArray& array : program.inputs) {
+      for (std::size_t k = 0; k < array.elements.size(); ++k) {
+        inputs[array.name].push_back(source.value());
+        elements[array.name + "[" + std::to_string(k) + "]"] = inputs[array.name].back();
+      }
+    }
+    const symbolic::Arrays<double> expected = symbolic::interpret(program, inputs);
+
+    test::KernelEvaluator evaluator(elements);
+    for (const Line& line : lower(program, "random").lines) {
+      ASSERT_LE(text(line).size(), 118u) << text(line);
+      ASSERT_NO_THROW(evaluator.run(text(line))) << text(line);
+    }
+    for (const auto& [name, values] : expected) {
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto found = evaluator.values().find(name + "[" + std::to_string(k) + "]");
+        ASSERT_NE(found, evaluator.values().end()) << name << k;
+        ASSERT_TRUE(same(found->second, values[k])) << name << k << ": " << found->second << " for " << values[k];
+      }
+    }
+
+    const symbolic::OperationCount count = symbolic::count(without_dead_statements(program));
+    EXPECT_EQ(evaluator.count().mul, count.mul);
+    EXPECT_EQ(evaluator.count().add, count.add);
+    EXPECT_EQ(evaluator.count().div, count.div);
+    EXPECT_EQ(evaluator.count().sqrt, count.sqrt);
+    EXPECT_EQ(evaluator.count().sincos, count.sincos);
+  }
+}
+
+// A chain of sums in which every statement could stand inside the next.
+Program chain(int length) {
+  Program p = test::leg_program("return tau q[0]\n");
+  for (int i = 0; i < length; ++i) {
+    symbolic::Statement s;
+    s.a = {Operand::Kind::input, i % 4, false};
+    s.b = i == 0 ? Operand{Operand::Kind::input, 1, false} : Operand{Operand::Kind::statement, i - 1, false};
+    s.name = "t" + std::to_string(i);
+    p.statements.push_back(s);
+  }
+  p.outputs[0].values[0] = {Operand::Kind::statement, length - 1, false};
+  return p;
+}
+
+TEST(LowerProperty, LoweringIsLinear) {
+  const auto seconds = [](int length) {
+    const Program p = chain(length);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_GT(lower(p, "chain").lines.size(), static_cast<std::size_t>(length) / 100);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const double one = seconds(2000);
+  // Quadratic work would take 400 times as long; a busy machine may well double the 20.
+  EXPECT_LT(seconds(40000), 150 * one);
+}
+
+}  // namespace
+}  // namespace robcogen::backend::cpp

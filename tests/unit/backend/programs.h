@@ -1,0 +1,60 @@
+// Programs and libraries for the tests of back ends.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "backend/library.h"
+#include "symbolic/text.h"
+
+namespace robcogen::test {
+
+// Reads a program in text form.
+inline symbolic::Program program(const std::string& text) {
+  std::string error;
+  std::optional<symbolic::Program> p = symbolic::parse(text, error);
+  EXPECT_TRUE(p) << error;
+  return p.value_or(symbolic::Program());
+}
+
+// A program over q and qd of joints HFE and KFE with one output array `tau`, in sections `hip` and `knee`.
+inline symbolic::Program leg_program(const std::string& statements, int outputs = 1) {
+  return program(
+      "program leg\n"
+      "input q joint_position HFE KFE\n"
+      "input qd joint_velocity HFE KFE\n"
+      "output tau value " +
+      std::to_string(outputs) +
+      " 1\n"
+      "section hip link hip: velocity\n"
+      "section knee link knee: velocity\n"
+      "in 0\n" +
+      statements);
+}
+
+inline backend::Function function(const std::string& name, const std::string& kernel, symbolic::Program program) {
+  backend::Function f;
+  f.group = name;
+  f.name = name;
+  f.kernel = kernel;
+  f.summary = {"Summary of " + kernel + "."};
+  f.program = std::move(program);
+  return f;
+}
+
+// A base and two links, without functions.
+inline backend::Library leg_library() {
+  backend::Library library;
+  library.name = "leg";
+  library.robot = "Leg";
+  library.model_file = "leg.kindsl";
+  library.model_hash = "0123456789abcdef";
+  library.generator_version = "1.2.3";
+  library.links = {{"trunk", -1}, {"thigh", 0, 2.5, {0.1, 0, 0}, {1, 2, 3, 0, 0, 0}}, {"shank", 1}};
+  library.joints = {{"HFE", true, 0, 1}, {"KFE", false, 1, 2, {0.35, 0, 0}, {0, 0, 0}}};
+  library.frames = {{"fr_trunk", 0}, {"fr_foot", 2, {0.33, 0, 0}}};
+  return library;
+}
+
+}  // namespace robcogen::test
