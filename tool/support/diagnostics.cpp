@@ -7,7 +7,12 @@
 namespace robcogen {
 namespace {
 
-constexpr std::size_t kWidest = 160;  // columns of source shown
+constexpr std::size_t kWidest = 160;      // columns of source shown
+constexpr std::size_t kMostKept = 10000;  // of each severity: garbage of many megabytes must not fill the memory
+
+std::size_t beyond(std::size_t count, std::size_t most) {
+  return count > most ? count - most : 0;
+}
 
 std::string label(Severity severity) {
   switch (severity) {
@@ -41,27 +46,58 @@ bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-// The source line and carets under the place. Control characters show as blanks, tabs stay so that columns line up.
+// Bytes of the UTF-8 character that the text begins with; 0 when it begins with none.
+std::size_t character_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if (!is_continuation(text[i])) return 0;
+  return length;
+}
+
+// How one character is shown: what moves the cursor of a terminal is a blank, what is no UTF-8 is '?'. Tabs stay, in
+// the line of carets too, so that columns line up.
+std::string shown(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character[0]);
+  if (lead >= 0x80 && character_length(character) == 0) return "?";
+  const bool is_control = lead < 0x20 || lead == 0x7F;
+  const bool is_wide_control = lead == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
+  return lead != '\t' && (is_control || is_wide_control) ? " " : std::string(character);
+}
+
+// The source line, or as much of it around the place as a screen holds, and carets under the place.
 std::string excerpt(const Place& place) {
   if (!place.source) return "";
   const std::string_view line = place.source->line_at(place.span.begin);
-  const std::size_t column = place.source->locate(place.span.begin).column - 1;
-  std::size_t begin = column > kWidest / 2 ? column - kWidest / 2 : 0;
-  if (line.size() <= kWidest) begin = 0;
-  std::size_t end = std::min(line.size(), begin + kWidest);
-  while (begin < end && begin > 0 && is_continuation(line[begin])) ++begin;
-  while (end > begin && end < line.size() && is_continuation(line[end])) --end;
+  const std::size_t mark = place.source->locate(place.span.begin).column - 1;
+  const std::size_t mark_end = mark + std::max(place.span.end, place.span.begin) - place.span.begin;
+  std::size_t begin = line.size() <= kWidest || mark <= kWidest / 2 ? 0 : mark - kWidest / 2;
+  for (int i = 0; i < 3 && begin > 0 && begin < mark && is_continuation(line[begin]); ++i) ++begin;
+  const std::size_t end = std::min(line.size(), begin + kWidest);
 
-  std::string text(line.substr(begin, end - begin)), carets;
-  for (char& c : text)
-    if (c != '\t' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)) c = ' ';
-  for (std::size_t i = begin; i < std::min(column, end); ++i)
-    if (!is_continuation(line[i])) carets += line[i] == '\t' ? '\t' : ' ';
-  carets += '^';
-  const std::size_t length = place.span.end > place.span.begin ? place.span.end - place.span.begin : 1;
-  for (std::size_t i = column + 1; i < std::min(column + length, end); ++i)
-    if (!is_continuation(line[i])) carets += '~';
+  std::string text = begin > 0 ? "…" : "", carets = begin > 0 ? " " : "";
+  for (std::size_t i = begin; i < end;) {
+    const std::size_t length = std::max<std::size_t>(1, character_length(line.substr(i)));
+    const std::string character = shown(line.substr(i, length));
+    text += character;
+    if (i + length <= mark) {
+      carets += character == "\t" ? "\t" : " ";
+    } else if (i <= mark) {
+      carets += "^";
+    } else if (i < mark_end) {
+      carets += "~";
+    }
+    i += length;
+  }
+  if (mark >= end) carets += "^";
+  if (end < line.size()) text += "…";
   return fmt::format("    {}\n    {}\n", text, carets);
+}
+
+bool is_error(const Diagnostic& d) {
+  return d.severity == Severity::error;
 }
 
 std::string render_one(const Diagnostic& d, ErrorFormat format) {
@@ -71,15 +107,44 @@ std::string render_one(const Diagnostic& d, ErrorFormat format) {
   return out;
 }
 
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+constexpr std::size_t kLongestCompared = 200;
+
+// Insertions, deletions, substitutions and exchanges of neighbours (optimal string alignment) that turn one word into
+// the other; upper and lower case are the same.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before_last(a.size() + 1), last(a.size() + 1), row(a.size() + 1);
+  for (std::size_t i = 0; i <= a.size(); ++i) row[i] = i;
+  for (std::size_t j = 1; j <= b.size(); ++j) {
+    before_last.swap(last);
+    last.swap(row);
+    row[0] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+      const char x = lower(a[i - 1]), y = lower(b[j - 1]);
+      row[i] = std::min({row[i - 1] + 1, last[i] + 1, last[i - 1] + (x == y ? 0 : 1)});
+      const bool exchanged = i > 1 && j > 1 && x == lower(b[j - 2]) && lower(a[i - 2]) == y;
+      if (exchanged) row[i] = std::min(row[i], before_last[i - 2] + 1);
+    }
+  }
+  return row[a.size()];
+}
+
 }  // namespace
 
 Diagnostic& Diagnostics::error(std::string code, Place place, std::string message) {
-  return list_.emplace_back(Diagnostic{Severity::error, std::move(code), std::move(message), std::move(place), {}, {}});
+  return add({Severity::error, std::move(code), std::move(message), std::move(place), {}, {}});
 }
 
 Diagnostic& Diagnostics::warning(std::string code, Place place, std::string message) {
-  return list_.emplace_back(
-      Diagnostic{Severity::warning, std::move(code), std::move(message), std::move(place), {}, {}});
+  return add({Severity::warning, std::move(code), std::move(message), std::move(place), {}, {}});
+}
+
+Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
+  std::size_t& count = diagnostic.severity == Severity::error ? errors_added_ : warnings_added_;
+  return ++count <= kMostKept ? list_.emplace_back(std::move(diagnostic)) : unkept_ = std::move(diagnostic);
 }
 
 bool Diagnostics::has_errors() const {
@@ -87,8 +152,8 @@ bool Diagnostics::has_errors() const {
 }
 
 std::size_t Diagnostics::error_count() const {
-  return static_cast<std::size_t>(
-      std::count_if(list_.begin(), list_.end(), [](const Diagnostic& d) { return d.severity == Severity::error; }));
+  return beyond(errors_added_, kMostKept) +
+         static_cast<std::size_t>(std::count_if(list_.begin(), list_.end(), is_error));
 }
 
 void Diagnostics::promote_warnings(const std::vector<std::string>& codes) {
@@ -111,8 +176,15 @@ std::string Diagnostics::render(ErrorFormat format, std::size_t max_errors) cons
   std::stable_sort(
       sorted.begin(), sorted.end(), [&](const Diagnostic* a, const Diagnostic* b) { return rank(a) < rank(b); });
   std::string out;
-  for (std::size_t i = 0; i < std::min(max_errors, sorted.size()); ++i) out += render_one(*sorted[i], format);
-  if (sorted.size() > max_errors) out += fmt::format("… and {} more\n", sorted.size() - max_errors);
+  std::size_t errors = 0, warnings = 0;
+  for (const Diagnostic* d : sorted) {
+    std::size_t& count = is_error(*d) ? errors : warnings;
+    if (++count <= max_errors) out += render_one(*d, format);
+  }
+  const std::size_t more_errors = beyond(errors + beyond(errors_added_, kMostKept), max_errors);
+  const std::size_t more_warnings = beyond(warnings + beyond(warnings_added_, kMostKept), max_errors);
+  if (more_errors > 0) out += fmt::format("… and {} more errors\n", more_errors);
+  if (more_warnings > 0) out += fmt::format("… and {} more warnings\n", more_warnings);
   return out;
 }
 
@@ -121,29 +193,17 @@ std::string render(const Diagnostic& d, ErrorFormat format) {
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
-  // Levenshtein distance, bounded: a third of the word may be wrong.
+  // A third of the word may be wrong, but never all of it.
   const std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
   std::size_t best = limit + 1;
   std::string found;
-  std::vector<std::size_t> row;
   for (const std::string& candidate : candidates) {
-    const std::size_t longer = std::max(candidate.size(), word.size());
-    if (longer - std::min(candidate.size(), word.size()) > limit || longer > 200) continue;
-    row.resize(word.size() + 1);
-    for (std::size_t i = 0; i <= word.size(); ++i) row[i] = i;
-    for (std::size_t j = 1; j <= candidate.size(); ++j) {
-      std::size_t diagonal = row[0];
-      row[0] = j;
-      for (std::size_t i = 1; i <= word.size(); ++i) {
-        const std::size_t substituted = diagonal + (word[i - 1] == candidate[j - 1] ? 0 : 1);
-        diagonal = row[i];
-        row[i] = std::min({row[i] + 1, row[i - 1] + 1, substituted});
-      }
-    }
-    if (row[word.size()] < best) {
-      best = row[word.size()];
-      found = candidate;
-    }
+    const auto [shorter, longer] = std::minmax(candidate.size(), word.size());
+    if (longer - shorter > limit || longer > kLongestCompared) continue;
+    const std::size_t edits = edit_distance(word, candidate);
+    if (edits >= best || edits >= shorter) continue;
+    best = edits;
+    found = candidate;
   }
   return found;
 }

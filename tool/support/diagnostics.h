@@ -42,7 +42,8 @@ struct Diagnostic {
 
 class Diagnostics {
  public:
-  // Returns the stored diagnostic, so that notes and a hint can be added to it at once.
+  // Return the stored diagnostic, so that notes and a hint can be added to it at once. After 10,000 errors (warnings)
+  // further ones are counted, but not kept.
   Diagnostic& error(std::string code, Place place, std::string message);
   Diagnostic& warning(std::string code, Place place, std::string message);
 
@@ -51,16 +52,22 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return list_; }
   // `--strict` of the desired-transforms language: the named warnings become errors.
   void promote_warnings(const std::vector<std::string>& codes);
-  // At most `max_errors` are shown in full, then one line that counts the rest. Sorted by source and place.
+  // At most `max_errors` errors and as many warnings are shown in full, then a line that counts the rest. Sorted by
+  // source and place.
   std::string render(ErrorFormat format = ErrorFormat::gnu, std::size_t max_errors = 100) const;
 
  private:
+  Diagnostic& add(Diagnostic diagnostic);
+
   std::vector<Diagnostic> list_;
+  Diagnostic unkept_;
+  std::size_t errors_added_ = 0;
+  std::size_t warnings_added_ = 0;
 };
 
 std::string render(const Diagnostic& d, ErrorFormat format = ErrorFormat::gnu);
 
-// The candidate nearest to `word` by edit distance, or empty when none is near enough to be meant.
+// The candidate nearest to `word` by edit distance, the first of equals, or empty when none is near enough to be meant.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 // `did you mean 'x'?`, or empty.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);

@@ -1,8 +1,10 @@
 #include "support/files.h"
 
+#include <array>
+#include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <system_error>
 
 namespace robcogen {
@@ -10,11 +12,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string read_all(std::istream& stream) {
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (stream.read(block.data(), block.size()), stream.gcount() > 0)
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
 bool same_content(const fs::path& path, const std::string& text) {
   std::error_code fault;
   if (fs::file_size(path, fault) != text.size() || fault) return false;
   std::ifstream file(path, std::ios::binary);
-  return file && std::string(std::istreambuf_iterator<char>(file), {}) == text;
+  return file && read_all(file) == text;
 }
 
 bool write(const fs::path& path, const std::string& text) {
@@ -22,6 +32,10 @@ bool write(const fs::path& path, const std::string& text) {
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();  // a full disk may show only here
   return static_cast<bool>(file);
+}
+
+std::string reason(int number) {
+  return number == 0 ? "" : ": " + std::generic_category().message(number);
 }
 
 std::string escaped(const fs::path& path) {
@@ -42,18 +56,18 @@ struct Change {
 }  // namespace
 
 std::optional<std::string> read_file(const fs::path& path, std::string& error) {
-  if (path == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  if (path == "-") return read_all(std::cin);
   std::error_code fault;
   if (fs::is_directory(path, fault)) {
     error = path.string() + ": error: this is a folder, not a file";
     return std::nullopt;
   }
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text;
-  if (file) text.assign(std::istreambuf_iterator<char>(file), {});
-  if (!file || file.bad()) {
-    error = path.string() + ": error: cannot read the file: " +
-            (fs::exists(path, fault) ? "permission denied, or a fault of the disk" : "it does not exist");
+  std::optional<std::string> text;
+  if (file) text = read_all(file);
+  if (!text || file.bad()) {
+    error = path.string() + ": error: cannot read the file" + reason(errno);
     return std::nullopt;
   }
   return text;
@@ -61,27 +75,29 @@ std::optional<std::string> read_file(const fs::path& path, std::string& error) {
 
 bool write_files_if_changed(const fs::path& directory, const std::vector<OutputFile>& files, std::string& error) {
   std::vector<Change> changes;
-  const auto give_up = [&](const std::string& what, const fs::path& path) {
+  const auto give_up = [&](const std::string& what, const fs::path& path, int number) {
+    error = what + " '" + path.string() + "'" + reason(number);
     std::error_code ignored;
     for (const Change& change : changes) fs::remove(change.temporary, ignored);
-    error = what + " '" + path.string() + "'";
     return false;
   };
   for (const OutputFile& file : files) {
     const fs::path final = directory / file.path;
     if (same_content(final, file.text)) continue;
     std::error_code fault;
+    if (fs::is_directory(final, fault)) return give_up("cannot replace the folder", final, EISDIR);
     fs::create_directories(final.parent_path(), fault);
-    if (fault) return give_up("cannot make the folder", final.parent_path());
+    if (fault) return give_up("cannot make the folder", final.parent_path(), fault.value());
     fs::path temporary = final;
-    temporary += ".new";
+    temporary += ".robcogen-new";
     changes.push_back({temporary, final});
-    if (!write(temporary, file.text)) return give_up("cannot write", temporary);
+    errno = 0;
+    if (!write(temporary, file.text)) return give_up("cannot write", final, errno);
   }
   for (const Change& change : changes) {
     std::error_code fault;
     fs::rename(change.temporary, change.final, fault);
-    if (fault) return give_up("cannot replace", change.final);
+    if (fault) return give_up("cannot replace", change.final, fault.value());
   }
   return true;
 }

@@ -16,10 +16,13 @@ struct OutputFile {
   std::string text;
 };
 
-// Writes every file whose content differs, each by a temporary file and a rename. When anything fails, temporary files
-// are removed, nothing is renamed, and `error` says what failed. Returns false then.
-bool write_files_if_changed(const std::filesystem::path& directory, const std::vector<OutputFile>& files,
-                            std::string& error);
+// Writes every file whose content differs: all of them to temporary files first, which are then renamed. When a folder
+// cannot be made or a file cannot be written, temporary files are removed, nothing is renamed, and `error` says what
+// failed. Returns false then.
+bool write_files_if_changed(
+    const std::filesystem::path& directory,
+    const std::vector<OutputFile>& files,
+    std::string& error);
 
 // One rule `target: inputs…` in the form of a compiler's dependency file; blanks, '#' and '$' are escaped.
 std::string dependency_file(const std::filesystem::path& target, const std::vector<std::filesystem::path>& inputs);

@@ -1,10 +1,12 @@
 #include "support/number.h"
 
+#include <algorithm>
+#include <bit>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace robcogen {
@@ -30,10 +32,23 @@ std::optional<Rational> reduced(Wide num, Wide den) {
   return Rational{static_cast<std::int64_t>(num), static_cast<std::int64_t>(den)};
 }
 
-// Correctly rounded when both parts fit a long double's 64-bit significand, which they do.
-double value_of(const Rational& r, bool times_pi) {
+// num / den to the nearest double, ties to even: a quotient of at least 64 bits, the last of which tells whether more
+// would follow, is rounded once.
+double nearest_double(const Rational& r) {
+  using Bits = unsigned __int128;
+  if (r.num == 0) return 0.0;
+  const auto magnitude = static_cast<std::uint64_t>(r.num < 0 ? -r.num : r.num);
+  const auto den = static_cast<Bits>(r.den);
+  const int shift = 127 - static_cast<int>(std::bit_width(magnitude));
+  const Bits shifted = static_cast<Bits>(magnitude) << shift;
+  const Bits quotient = shifted / den | (shifted % den == 0 ? 0U : 1U);
+  const double value = std::ldexp(static_cast<double>(quotient), -shift);
+  return r.num < 0 ? -value : value;
+}
+
+double nearest_double_times_pi(const Rational& r) {
   const long double quotient = static_cast<long double>(r.num) / static_cast<long double>(r.den);
-  return static_cast<double>(times_pi ? quotient * std::numbers::pi_v<long double> : quotient);
+  return static_cast<double>(quotient * std::numbers::pi_v<long double>);
 }
 
 // A double that is a fraction of a small power of two is taken at its word.
@@ -44,75 +59,106 @@ std::optional<Rational> dyadic(double value) {
   return reduced(static_cast<std::int64_t>(scaled), static_cast<std::int64_t>(kScale));
 }
 
-// sin(r PI), exact where it is rational; otherwise by the octant, so that equal magnitudes are equal doubles.
-double sin_of_pi(Rational r) {
-  std::int64_t num = r.num % (2 * r.den);  // 2 PI has no part in it
+// The integer that follows the 'e' of a literal, a sign before it or not; nullopt when it is too large.
+std::optional<long> exponent_of(std::string_view digits) {
+  if (digits.starts_with('+')) digits.remove_prefix(1);
+  long exponent = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  return read.ec == std::errc() ? std::optional(exponent) : std::nullopt;
+}
+
+// The shortest decimal fraction whose nearest double this is: what the author of a literal meant.
+std::optional<Rational> shortest_decimal(double value) {
+  char buffer[40];
+  const auto written = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
+  const std::string_view text(buffer, static_cast<std::size_t>(written.ptr - buffer));
+  const std::size_t mark = text.find('e');
+  long exponent = *exponent_of(text.substr(mark + 1));
+  Wide num = 0, den = 1;
+  bool is_fraction = false;
+  for (char c : text.substr(0, mark)) {
+    if (c == '.') is_fraction = true;
+    if (c < '0' || c > '9') continue;
+    num = num * 10 + (c - '0');
+    if (is_fraction) --exponent;
+  }
+  constexpr long kMostDigits = 18;  // of an integer of 64 bits; num has at most 17
+  if (exponent < -kMostDigits || exponent > kMostDigits) return std::nullopt;
+  for (; exponent < 0; ++exponent) den *= 10;
+  for (; exponent > 0; --exponent) num *= 10;
+  return reduced(value < 0.0 ? -num : num, den);
+}
+
+// Of an unsigned literal that no double holds: is it too small for one, and not too large?
+bool is_tiny(std::string_view text) {
+  const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t point = std::min(text.find('.'), mark);
+  const std::size_t first = text.find_first_of("123456789");
+  const std::string_view power = text.substr(std::min(mark + 1, text.size()));
+  const std::optional<long> exponent = power.empty() ? 0 : exponent_of(power);
+  if (!exponent) return power.front() == '-';
+  return static_cast<long>(point) - static_cast<long>(first) + *exponent < 0;
+}
+
+// sin(num / den * PI), exact where it is rational; otherwise by the octant, so that equal magnitudes are equal doubles.
+double sin_of_pi(Wide num, Wide den) {
+  num %= 2 * den;  // 2 PI has no part in it
   double sign = 1.0;
   if (num < 0) {
     num = -num;
     sign = -sign;
   }
-  if (num >= r.den) {
-    num -= r.den;
+  if (num >= den) {
+    num -= den;
     sign = -sign;
   }
-  if (2 * num > r.den) num = r.den - num;  // now 0 <= num / den <= 1/2
+  if (2 * num > den) num = den - num;  // now 0 <= num / den <= 1/2
   if (num == 0) return 0.0;
-  if (2 * num == r.den) return sign;
-  if (6 * num == r.den) return sign * 0.5;
-  const long double quarter = 0.25L, x = static_cast<long double>(num) / static_cast<long double>(r.den);
-  constexpr long double pi = std::numbers::pi_v<long double>;
-  const long double s = x <= quarter ? std::sin(x * pi) : std::cos((0.5L - x) * pi);
-  return sign * static_cast<double>(4 * num == r.den ? std::sqrt(0.5L) : s);
+  if (2 * num == den) return sign;
+  if (6 * num == den) return sign * 0.5;
+  if (4 * num == den) return sign * std::numbers::sqrt2 / 2.0;
+  const long double x = static_cast<long double>(num) / static_cast<long double>(den);
+  constexpr long double kPi = std::numbers::pi_v<long double>;
+  return sign * static_cast<double>(4 * num < den ? std::sin(x * kPi) : std::cos((0.5L - x) * kPi));
 }
 
 }  // namespace
 
 Number::Number(double value) : value_(value), ratio_(dyadic(value)) {
-  if (ratio_ && value == 0.0) value_ = 0.0;  // no negative zero
+  if (value == 0.0) value_ = 0.0;  // no negative zero
 }
 
 Number Number::rational(std::int64_t num, std::int64_t den) {
+  assert(den != 0);
+  const std::optional<Rational> ratio = reduced(num, den);
+  if (!ratio) return Number(static_cast<double>(num) / static_cast<double>(den));
   Number n;
-  n.ratio_ = reduced(num, den);
-  if (!n.ratio_) throw std::logic_error("a rational number with denominator zero");
-  n.value_ = value_of(*n.ratio_, false);
+  n.ratio_ = ratio;
+  n.value_ = nearest_double(*ratio);
   return n;
 }
 
 Number Number::pi_multiple(std::int64_t num, std::int64_t den) {
   Number n = rational(num, den);
-  if (num == 0) return n;
-  n.times_pi_ = true;
-  n.value_ = value_of(*n.ratio_, true);
+  if (n.is_zero()) return n;
+  n.times_pi_ = n.ratio_.has_value();
+  n.value_ = n.ratio_ ? nearest_double_times_pi(*n.ratio_) : n.value_ * std::numbers::pi;
   return n;
 }
 
 std::optional<Number> Number::parse(const std::string& literal) {
-  const std::string text = literal.starts_with('+') ? literal.substr(1) : literal;
-  for (char c : text)
-    if (c != '.' && c != '-' && c != '+' && c != 'e' && c != 'E' && (c < '0' || c > '9')) return std::nullopt;
+  const bool positive = literal.starts_with('+');
+  const std::string_view text = std::string_view(literal).substr(positive ? 1 : 0);
+  const std::size_t first = !positive && text.starts_with('-') ? 1 : 0;
+  // from_chars reads `inf` and `nan` too.
+  if (text.size() <= first || text.find_first_of(".0123456789", first) != first) return std::nullopt;
   double value = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool tiny = fault == std::errc::result_out_of_range && std::abs(value) < 1.0;
-  if ((fault != std::errc() && !tiny) || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (fault == std::errc::result_out_of_range && is_tiny(text.substr(first))) return Number();
+  if (fault != std::errc()) return std::nullopt;
   Number n(value);
-  if (n.ratio_) return n;
-
-  // Decimal digits and a power of ten, as long as they fit.
-  std::int64_t digits = 0, scale = 1;
-  bool point = false;
-  for (char c : text) {
-    if (c == '-') continue;
-    if (c == '.') {
-      point = true;
-      continue;
-    }
-    if (c < '0' || c > '9' || digits > INT64_MAX / 16 || scale > INT64_MAX / 16) return n;
-    digits = digits * 10 + (c - '0');
-    if (point) scale *= 10;
-  }
-  n.ratio_ = reduced(text.starts_with('-') ? -digits : digits, scale);
+  if (!n.ratio_) n.ratio_ = shortest_decimal(value);
   return n;
 }
 
@@ -159,14 +205,13 @@ Number operator/(const Number& a, const Number& b) {
 }
 
 Number sin(const Number& a) {
-  return a.is_pi_multiple() ? Number(sin_of_pi(*a.ratio_)) : Number(std::sin(a.value_));
+  return a.is_pi_multiple() ? Number(sin_of_pi(a.ratio_->num, a.ratio_->den)) : Number(std::sin(a.value_));
 }
 
 // cos(x) = sin(x + PI/2), and the shift is exact.
 Number cos(const Number& a) {
   if (!a.is_pi_multiple()) return Number(std::cos(a.value_));
-  const auto shifted = reduced(Wide(a.ratio_->num) * 2 + a.ratio_->den, Wide(a.ratio_->den) * 2);
-  return shifted ? Number(sin_of_pi(*shifted)) : Number(std::cos(a.value_));
+  return Number(sin_of_pi(2 * Wide(a.ratio_->num) + a.ratio_->den, 2 * Wide(a.ratio_->den)));
 }
 
 Number tan(const Number& a) {
@@ -190,13 +235,18 @@ bool operator==(const Number& a, const Number& b) {
 }
 
 std::string print(const Number& n) {
-  if (!n.is_pi_multiple()) return print_double(n.value());
-  const auto& [num, den] = *n.ratio();
-  const std::string sign = num < 0 ? "-" : "";
-  const std::int64_t magnitude = num < 0 ? -num : num;
+  constexpr std::int64_t kLargestLiteral = std::int64_t{1} << 53;  // above, a literal is not every integer
+  const auto [num, den] = n.ratio().value_or(Rational{INT64_MAX, 1});
+  if (num > kLargestLiteral || num < -kLargestLiteral || den > kLargestLiteral) return print_double(n.value());
+  if (!n.is_pi_multiple()) {
+    const std::string plain = print_double(n.value());
+    if (Number::parse(plain) == n) return plain;
+  }
   const std::string divisor = den == 1 ? "" : "/" + std::to_string(den) + ".0";
-  if (magnitude == 1) return sign + "PI" + divisor;
-  return sign + std::to_string(magnitude) + ".0 PI" + divisor;
+  const std::string factor = std::to_string(num) + ".0";
+  if (!n.is_pi_multiple()) return factor + divisor;
+  if (num == 1 || num == -1) return (num < 0 ? "-PI" : "PI") + divisor;
+  return factor + " PI" + divisor;
 }
 
 std::string print_double(double value) {

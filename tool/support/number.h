@@ -24,8 +24,9 @@ class Number {
   explicit Number(double value);
   static Number rational(std::int64_t num, std::int64_t den = 1);
   static Number pi_multiple(std::int64_t num, std::int64_t den = 1);
-  // The nearest double of a decimal literal (`1`, `.5`, `1.0E5`), exactly rational when it fits 64-bit num/den.
-  // nullopt when the text is no number, or overflows to infinity.
+  // The nearest double of a decimal literal (`1`, `.5`, `-1.0E5`). Exactly rational when the shortest decimal fraction
+  // of that double fits 64-bit num / den, so that two literals of one double are one Number. nullopt when the text is
+  // no number, or is beyond the largest double; a literal below the smallest is zero.
   static std::optional<Number> parse(const std::string& literal);
 
   double value() const { return value_; }
@@ -54,7 +55,8 @@ class Number {
   bool times_pi_ = false;
 };
 
-// How a document spells the number: `PI/2.0`, `2.0 PI/3.0` never appears in plain `0.25`; parse(print(n)) == n.
+// How a document spells the number: `0.25`, `1.0/3.0`, `PI/2.0`, `-2.0 PI/3.0`. Reads back as the same double and,
+// where the number is exact and its parts are integers that literals can hold, as the same exact form.
 std::string print(const Number& n);
 
 // Shortest text that reads back as exactly this double, always with a '.' or an exponent: `1.0`, `0.35`, `1e-09`.

@@ -8,6 +8,9 @@
 
 namespace robcogen {
 
+// What some editors put before a text in UTF-8. No part of the text, nor of its first line.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 // Half-open range of byte offsets into one source text.
 struct Span {
   std::size_t begin = 0;
@@ -19,7 +22,7 @@ struct LineColumn {
   std::size_t column = 1;  // from 1, in bytes
 };
 
-// A named text. The name is what messages show: a path, or `<standard input>`.
+// A named text; its lines end with LF, CR LF or CR. The name is what messages show: a path, or `<standard input>`.
 class Source {
  public:
   Source(std::string name, std::string text);
