@@ -86,8 +86,8 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   for (const Callable& c : api.callables)
     if (c.function->group == group) kernels.push_back(print_kernel(c));
   return paragraphs(
-      {banner(*api.library, path, "kernels for any scalar type, without Eigen; outputs must not overlap inputs") +
-           comment("Joints: " + numbered_joints(*api.library) + "."),
+      {banner(*api.library, path, "kernels for any scalar type, without Eigen") +
+           comment("Outputs must not overlap inputs. Joints: " + numbered_joints(*api.library) + "."),
        "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos.h\"", "\"robcogen/version.h\""}),
        runtime_check(api), in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }
