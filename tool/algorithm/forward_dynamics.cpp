@@ -144,37 +144,32 @@ class ArticulatedBodies {
     graph().name(state.inverse, name + "_Dinv");
     graph().name(state.surplus, name + "_u");
     if (!setup_.parent_matters(joint.child)) return;
-    release(joint.revolute, state, x);
-    absorb(joint.revolute, state, tau_[j], p);
+    const Spatial gain{state.inverse * state.column.angular, state.inverse * state.column.linear};
+    release(joint.revolute, state.column, gain, x);
+    // The joint passes the wrench on, the surplus taken off; what is left about its axis is exactly tau.
+    p.angular += state.surplus * gain.angular;
+    p.linear += state.surplus * gain.linear;
+    (joint.revolute ? p.angular[z] : p.linear[z]) = tau_[j];
     inertia = inertia + to_parent(setup_.pose(joint.index), x);
     bias += algorithm::to_parent(setup_.pose(joint.index), p);
   }
 
   // Takes out of the inertia what the joint lets go: x - column column' / D. Row and column of the axis become zero.
-  static void release(bool revolute, const JointState& state, ArticulatedInertia& x) {
+  static void release(bool revolute, const Spatial& column, const Spatial& gain, ArticulatedInertia& x) {
     const std::size_t z = 2;
-    const Vector3 un = state.column.angular, uf = state.column.linear;
-    const Vector3 gn = state.inverse * un, gf = state.inverse * uf;
     for (std::size_t r = 0; r < 3; ++r) {
       for (std::size_t c = r; c < 3; ++c) {
-        x.a[r][c] = x.a[c][r] = revolute && c == z ? Expression() : x.a[r][c] - un[r] * gn[c];
-        x.m[r][c] = x.m[c][r] = !revolute && c == z ? Expression() : x.m[r][c] - uf[r] * gf[c];
+        x.a[r][c] = x.a[c][r] = revolute && c == z ? Expression() : x.a[r][c] - column.angular[r] * gain.angular[c];
+        x.m[r][c] = x.m[c][r] = !revolute && c == z ? Expression() : x.m[r][c] - column.linear[r] * gain.linear[c];
       }
     }
     for (std::size_t r = 0; r < 3; ++r) {
       for (std::size_t c = 0; c < 3; ++c) {
         const bool axis = revolute ? r == z : c == z;
-        x.b[r][c] = axis ? Expression() : x.b[r][c] - (revolute ? gn[r] * uf[c] : un[r] * gf[c]);
+        const Expression share = revolute ? gain.angular[r] * column.linear[c] : column.angular[r] * gain.linear[c];
+        x.b[r][c] = axis ? Expression() : x.b[r][c] - share;
       }
     }
-  }
-
-  // The wrench that the joint passes on: its axis component is exactly tau.
-  static void absorb(bool revolute, const JointState& state, const Expression& tau, Spatial& p) {
-    const Expression share = state.surplus * state.inverse;
-    p.angular += share * state.column.angular;
-    p.linear += share * state.column.linear;
-    (revolute ? p.angular[2] : p.linear[2]) = tau;
   }
 
   void name_inertia(const std::string& link, const ArticulatedInertia& x) {

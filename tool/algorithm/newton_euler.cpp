@@ -1,5 +1,6 @@
 #include "algorithm/newton_euler.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace robcogen::algorithm {
@@ -14,20 +15,21 @@ enum class MomentForm {
 
 Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, MomentForm form) {
   const Matrix3& s = m.pseudo_inertia;
-  const auto& [w, wd, u] = state;
+  const auto& [w, wd] = state;
+  const auto u = [&](std::size_t row, std::size_t column) { return state.u(row, column); };
   if (form == MomentForm::euler) {
     const Matrix3 inertia = inertia_tensor(m);
     return multiply(inertia, wd) + cross(w, multiply(inertia, w));
   }
   const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
   const Expression nx =
-      u[2][0] * s[0][1] + u[2][1] * s[1][1] - u[1][2] * s[2][2] + (zz - yy) * s[1][2] - u[1][0] * s[0][2];
+      u(2, 0) * s[0][1] + u(2, 1) * s[1][1] - u(1, 2) * s[2][2] + (zz - yy) * s[1][2] - u(1, 0) * s[0][2];
   const Expression ny =
-      (xx - zz) * s[0][2] + u[0][1] * s[1][2] + u[0][2] * s[2][2] - u[2][0] * s[0][0] - u[2][1] * s[0][1];
+      (xx - zz) * s[0][2] + u(0, 1) * s[1][2] + u(0, 2) * s[2][2] - u(2, 0) * s[0][0] - u(2, 1) * s[0][1];
   const Expression main = form == MomentForm::products
-                              ? u[1][0] * s[0][0] - u[0][1] * s[1][1]
+                              ? u(1, 0) * s[0][0] - u(0, 1) * s[1][1]
                               : wd[2] * (s[0][0] + s[1][1]) + (w[0] * w[1]) * (s[0][0] - s[1][1]);
-  const Expression nz = main + (yy - xx) * s[0][1] + u[1][2] * s[0][2] - u[0][2] * s[1][2];
+  const Expression nz = main + (yy - xx) * s[0][1] + u(1, 2) * s[0][2] - u(0, 2) * s[1][2];
   return {nx, ny, nz};
 }
 
@@ -93,14 +95,23 @@ MassProperties to_parent(const Pose& pose, const MassProperties& child) {
   return displaced(turned, pose.offset);
 }
 
-AngularState angular_state(const Vector3& w, const Vector3& wd) {
-  const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
-  const Expression xy = w[0] * w[1], xz = w[0] * w[2], yz = w[1] * w[2];
-  return {
-      w,
-      wd,
-      {{Vector3{-(yy + zz), xy - wd[2], xz + wd[1]}, Vector3{xy + wd[2], -(xx + zz), yz - wd[0]},
-        Vector3{xz - wd[1], yz + wd[0], -(xx + yy)}}}};
+// Off the diagonal w_r w_c plus or minus the remaining component of wd; on it minus the squares of the others.
+Expression AngularState::u(std::size_t row, std::size_t column) const {
+  if (row == column) {
+    const std::size_t i = (row + 1) % 3, j = (row + 2) % 3;
+    return -(w[std::min(i, j)] * w[std::min(i, j)] + w[std::max(i, j)] * w[std::max(i, j)]);
+  }
+  const std::size_t other = 3 - row - column;
+  const Expression product = w[row] * w[column];
+  return column == (row + 1) % 3 ? product - wd[other] : product + wd[other];
+}
+
+Vector3 multiply_u(const AngularState& state, const Vector3& v) {
+  Vector3 result;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!v[c].is_zero()) result[r] += state.u(r, c) * v[c];
+  return result;
 }
 
 LinkMotion child_motion(
@@ -111,7 +122,7 @@ LinkMotion child_motion(
     const Expression& qdd) {
   Vector3 w = to_child(pose.rotation, parent.angular.w);
   Vector3 wd = to_child(pose.rotation, parent.angular.wd);
-  Vector3 a = to_child(pose.rotation, parent.a + multiply(parent.angular.u, pose.offset));
+  Vector3 a = to_child(pose.rotation, parent.a + multiply_u(parent.angular, pose.offset));
   if (revolute) {
     wd += Vector3{w[1] * qd, -(w[0] * qd), qdd};
     w[2] += qd;
@@ -119,35 +130,35 @@ LinkMotion child_motion(
     const Expression twice = qd + qd;
     a += Vector3{w[1] * twice, -(w[0] * twice), qdd};
   }
-  LinkMotion child{angular_state(w, wd), a};
+  LinkMotion child{{w, wd}, a};
   if (!pose.slide.is_zero())
-    for (std::size_t i = 0; i < 3; ++i) child.a[i] += pose.slide * child.angular.u[i][2];
+    for (std::size_t i = 0; i < 3; ++i) child.a[i] += pose.slide * child.angular.u(i, 2);
   return child;
 }
 
 Spatial link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& motion, bool only_z_moment) {
+  Spatial wrench;
+  if (!only_z_moment) {
+    wrench.linear = multiply_u(motion.angular, m.first_moment);
+    if (!m.mass.is_zero()) wrench.linear += m.mass * motion.a;
+  }
   const auto moment = [&](MomentForm form) {
-    Vector3 n = moment_about_origin(m, motion.angular, form);
+    const Vector3 n = moment_about_origin(m, motion.angular, form) + cross(m.first_moment, motion.a);
     return only_z_moment ? Vector3{Expression(), Expression(), n[2]} : n;
   };
-  MomentForm best = MomentForm::products;
-  int fewest = std::numeric_limits<int>::max();
-  for (MomentForm form : {MomentForm::products, MomentForm::z_by_rate, MomentForm::euler}) {
+  MomentForm best = MomentForm::z_by_rate;
+  int least = std::numeric_limits<int>::max();
+  for (MomentForm form : {MomentForm::z_by_rate, MomentForm::products, MomentForm::euler}) {
     const std::size_t before = trace.graph.mark();
     moment(form);
-    const int operations = trace.graph.operations_since(before);
+    const int cost = trace.graph.cost_since(before);
     trace.graph.rollback(before);
-    if (operations < fewest) {
-      fewest = operations;
+    if (cost < least) {
+      least = cost;
       best = form;
     }
   }
-  Spatial wrench;
-  if (!only_z_moment) {
-    wrench.linear = multiply(motion.angular.u, m.first_moment);
-    if (!m.mass.is_zero()) wrench.linear += m.mass * motion.a;
-  }
-  wrench.angular = moment(best) + cross(m.first_moment, motion.a);
+  wrench.angular = moment(best);
   return wrench;
 }
 

@@ -31,20 +31,22 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b);
 // The properties of a child, about the parent's origin in parent axes.
 MassProperties to_parent(const Pose& pose, const MassProperties& child);
 
-// The products that make up U, and differences of squares that the moment needs.
 struct AngularState {
   Vector3 w;   // angular velocity
   Vector3 wd;  // angular acceleration
-  Matrix3 u;   // [wd]x + [w]x [w]x
+
+  // An element of U. Made when it is asked for, so that the cost of a form of the moment can be told.
+  Expression u(std::size_t row, std::size_t column) const;
 };
+
+// U v; elements of U that meet a zero of v are not made.
+Vector3 multiply_u(const AngularState& state, const Vector3& v);
 
 // Motion of one link: everything in link axes; `a` is the classical acceleration of the origin minus gravity.
 struct LinkMotion {
   AngularState angular;
   Vector3 a;
 };
-
-AngularState angular_state(const Vector3& w, const Vector3& wd);
 
 // Motion of a child from its parent's, joint velocity and acceleration.
 LinkMotion child_motion(

@@ -38,12 +38,12 @@ void LoadInputs::subtract_external(int link, Spatial& wrench) const {
 }
 
 LinkMotion base_motion(const Vector3& gravity) {
-  return {angular_state({}, {}), -gravity};
+  return {{}, -gravity};
 }
 
 LinkMotion base_motion(const Spatial& velocity, const Spatial& acceleration, const Vector3& gravity) {
   return {
-      angular_state(velocity.angular, acceleration.angular),
+      {velocity.angular, acceleration.angular},
       acceleration.linear - gravity + cross(velocity.angular, velocity.linear)};
 }
 

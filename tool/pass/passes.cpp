@@ -13,8 +13,8 @@ struct Pass {
 };
 
 constexpr std::array kPasses = {
-    Pass{"simplify", simplify}, Pass{"cse", eliminate_common_subexpressions}, Pass{"dead-code", eliminate_dead_code},
-    Pass{"sink", sink}};
+    Pass{"simplify", simplify}, Pass{"reassociate", reassociate}, Pass{"cse", eliminate_common_subexpressions},
+    Pass{"dead-code", eliminate_dead_code}, Pass{"sink", sink}};
 
 }  // namespace
 

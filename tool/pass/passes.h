@@ -12,6 +12,9 @@ namespace robcogen::pass {
 // (x + c1) + c2, (p + q) - q. What nothing uses goes.
 symbolic::Program simplify(const symbolic::Program& program);
 
+// Reorders sums that nothing else reads so that each addition can be fused with a product.
+symbolic::Program reassociate(const symbolic::Program& program);
+
 // Computes equal statements once: same operation on the same operands, in either order where it commutes.
 symbolic::Program eliminate_common_subexpressions(const symbolic::Program& program);
 

@@ -6,9 +6,6 @@
 namespace robcogen::symbolic {
 namespace {
 
-constexpr int kLatency = 4;           // cycles of an addition, a multiplication, or the two fused
-constexpr int kDivisionLatency = 14;  // division, square root
-
 struct Use {
   int count = 0;
   std::vector<int> sums;  // additions that use it
@@ -33,18 +30,24 @@ std::vector<Use> uses_of(const Program& p) {
   return uses;
 }
 
-// Products that disappear: every use is a sum that has not absorbed another product yet.
+// Products that disappear: every use is a sum that has not absorbed another product yet. Those with fewest uses first:
+// they block fewest others.
 int fused_products(const Program& p) {
   const std::vector<Use> uses = uses_of(p);
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < p.statements.size(); ++i)
+    if (p.statements[i].op == Op::multiply && uses[i].count > 0 &&
+        static_cast<int>(uses[i].sums.size()) == uses[i].count)
+      candidates.push_back(i);
+  std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
+    return uses[a].count < uses[b].count;
+  });
   std::vector<bool> taken(p.statements.size(), false);
   int fused = 0;
-  for (std::size_t i = 0; i < p.statements.size(); ++i) {
-    if (p.statements[i].op != Op::multiply) continue;
-    const Use& use = uses[i];
-    if (use.count == 0 || static_cast<int>(use.sums.size()) != use.count) continue;
-    if (std::any_of(use.sums.begin(), use.sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; }))
-      continue;
-    for (int u : use.sums) taken[static_cast<std::size_t>(u)] = true;
+  for (std::size_t i : candidates) {
+    const std::vector<int>& sums = uses[i].sums;
+    if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) continue;
+    for (int u : sums) taken[static_cast<std::size_t>(u)] = true;
     ++fused;
   }
   return fused;

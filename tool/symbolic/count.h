@@ -5,6 +5,10 @@
 
 namespace robcogen::symbolic {
 
+// Cycles of an addition, a multiplication or the two fused, and of a division or square root, on present processors.
+inline constexpr int kLatency = 4;
+inline constexpr int kDivisionLatency = 14;
+
 struct OperationCount {
   int mul = 0;
   int add = 0;  // additions and subtractions

@@ -143,14 +143,21 @@ void Graph::rollback(std::size_t mark) {
   }
 }
 
-int Graph::operations_since(std::size_t mark, int division_cost) const {
-  int operations = 0;
+int Graph::cost_since(std::size_t mark) const {
+  constexpr int kDivision = 8;
+  const auto is_product = [&](int node) {
+    const Node& n = nodes_[static_cast<std::size_t>(node)];
+    return n.kind == Node::Kind::operation && n.op == Op::multiply;
+  };
+  int cost = 0;
   for (std::size_t i = mark; i < nodes_.size(); ++i) {
-    if (nodes_[i].kind != Node::Kind::operation) continue;
-    const Op op = nodes_[i].op;
-    operations += op == Op::divide || op == Op::square_root ? division_cost : is_binary(op) ? 1 : 0;
+    const Node& n = nodes_[i];
+    if (n.kind != Node::Kind::operation) continue;
+    const bool sum = n.op == Op::add || n.op == Op::subtract;
+    const bool swallows = sum && (is_product(n.a) || is_product(n.b));
+    cost += n.op == Op::divide || n.op == Op::square_root ? kDivision : swallows ? 1 : is_binary(n.op) ? 2 : 0;
   }
-  return operations;
+  return cost;
 }
 
 void Graph::begin_section(std::string title, std::string prefix) {

@@ -82,8 +82,8 @@ class Graph {
   // A checkpoint, and the way back to it: everything built since is forgotten. For trying variants by their cost.
   std::size_t mark() const { return nodes_.size(); }
   void rollback(std::size_t mark);
-  // Additions, subtractions, multiplications, divisions built since the mark; a division counts as `division_cost`.
-  int operations_since(std::size_t mark, int division_cost = 4) const;
+  // What was built since the mark: operations, plus instructions when a sum swallows one of its products.
+  int cost_since(std::size_t mark) const;
 
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);

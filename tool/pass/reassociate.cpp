@@ -1,0 +1,172 @@
+#include <algorithm>
+
+#include "pass/passes.h"
+#include "pass/rebuild.h"
+#include "pass/statements.h"
+#include "symbolic/count.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Expression;
+using symbolic::kDivisionLatency;
+using symbolic::kLatency;
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+bool is_sum(const Statement& s) {
+  return s.op == Op::add || s.op == Op::subtract;
+}
+
+// How often each statement is read, outputs included.
+std::vector<int> uses_of(const Program& p) {
+  std::vector<int> uses(p.statements.size(), 0);
+  for (const Statement& s : p.statements) for_each_read(s, [&](int read) { ++uses[static_cast<std::size_t>(read)]; });
+  for (const symbolic::OutputArray& array : p.outputs)
+    for (const Operand& o : array.values)
+      if (o.kind == Operand::Kind::statement) ++uses[static_cast<std::size_t>(o.index)];
+  return uses;
+}
+
+// A tree of sums that nothing else reads, as one list of signed terms.
+class SumTree {
+ public:
+  SumTree(const Program& p, const std::vector<bool>& inner) : p_(p), inner_(inner) {}
+
+  void collect(std::size_t root, bool negative) {
+    const Statement& s = p_.statements[root];
+    term(s.a, negative);
+    term(s.b, negative != (s.op == Op::subtract));
+  }
+
+  std::vector<Operand> terms;
+
+ private:
+  const Program& p_;
+  const std::vector<bool>& inner_;
+
+  void term(Operand o, bool negative) {
+    o.negative = o.negative != negative;
+    if (o.kind == Operand::Kind::statement && inner_[static_cast<std::size_t>(o.index)])
+      collect(static_cast<std::size_t>(o.index), o.negative);
+    else
+      terms.push_back(o);
+  }
+};
+
+int latency(Op op) {
+  switch (op) {
+    case Op::sine:
+    case Op::cosine:
+      return 0;  // taken as given
+    case Op::divide:
+    case Op::square_root:
+      return kDivisionLatency;
+    default:
+      return kLatency;
+  }
+}
+
+// The latest cycle at which each statement may finish so that all are done by `deadline`.
+std::vector<int> latest_finish(const Program& p, int deadline) {
+  std::vector<int> latest(p.statements.size(), deadline);
+  for (std::size_t i = p.statements.size(); i-- > 0;) {
+    const Statement& s = p.statements[i];
+    for_each_read(s, [&](int read) {
+      const auto r = static_cast<std::size_t>(read);
+      const bool fused = is_sum(s) && p.statements[r].op == Op::multiply;
+      latest[r] = std::min(latest[r], fused ? latest[i] : latest[i] - latency(s.op));
+    });
+  }
+  return latest;
+}
+
+class Reassociation {
+ public:
+  explicit Reassociation(const Program& p)
+      : p_(p), uses_(uses_of(p)), inner_(p.statements.size(), false), finish_(p.statements.size(), 0), rebuild_(p) {
+    const symbolic::OperationCount now = symbolic::count(p);
+    latest_ = latest_finish(p, std::max(now.critical_path, now.instructions / 2));
+    for (const Statement& s : p.statements) {
+      if (!is_sum(s)) continue;
+      for_each_read(s, [&](int read) {
+        const auto r = static_cast<std::size_t>(read);
+        inner_[r] = uses_[r] == 1 && is_sum(p.statements[r]) && !p.statements[r].named;
+      });
+    }
+  }
+
+  Program run() {
+    for (std::size_t i = 0; i < p_.statements.size(); ++i) {
+      if (inner_[i]) continue;  // made with its root
+      rebuild_.enter_section_of(i);
+      if (!is_sum(p_.statements[i]) || !make_chain(i)) keep(i);
+    }
+    return rebuild_.finish();
+  }
+
+ private:
+  const Program& p_;
+  std::vector<int> uses_;
+  std::vector<bool> inner_;  // a sum that only another sum reads
+  std::vector<int> latest_;
+  std::vector<int> finish_;  // of what was made
+  Rebuild rebuild_;
+
+  bool is_product(const Operand& o) const {
+    if (o.kind != Operand::Kind::statement) return false;
+    const auto i = static_cast<std::size_t>(o.index);
+    return p_.statements[i].op == Op::multiply && uses_[i] == 1;
+  }
+
+  // When a term can enter a sum: a product does so with its factors.
+  int ready(const Operand& o) const {
+    if (o.kind != Operand::Kind::statement) return 0;
+    const int finish = finish_[static_cast<std::size_t>(o.index)];
+    return is_product(o) ? finish - kLatency : finish;
+  }
+
+  bool make_chain(std::size_t root) {
+    SumTree tree(p_, inner_);
+    tree.collect(root, false);
+    std::vector<Operand>& terms = tree.terms;
+    std::stable_sort(
+        terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return ready(a) < ready(b); });
+    const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });
+    if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);
+    int finish = ready(terms.front());
+    for (std::size_t k = 1; k < terms.size(); ++k) finish = std::max(finish, ready(terms[k])) + kLatency;
+    if (finish > latest_[root]) return false;
+    Expression sum;
+    for (const Operand& term : terms) sum += rebuild_.read(term);
+    rebuild_.set(root, sum);
+    finish_[root] = finish;
+    return true;
+  }
+
+  // As it was, inner sums first.
+  void keep(std::size_t i) {
+    const Statement& s = p_.statements[i];
+    int start = 0;
+    for (const Operand& o : {s.a, s.b}) {
+      if (o.kind != Operand::Kind::statement) continue;
+      if (inner_[static_cast<std::size_t>(o.index)] && is_sum(s)) keep(static_cast<std::size_t>(o.index));
+      start = std::max(start, is_sum(s) ? ready(o) : finish_[static_cast<std::size_t>(o.index)]);
+    }
+    rebuild_.set(i, rebuild_.compute(i));
+    finish_[i] = start + latency(s.op);
+  }
+};
+
+}  // namespace
+
+// A sum swallows one product for nothing. In x + (a b + c d) the inner sum swallows one and the outer none; in
+// (x + a b) + c d both do. So a sum becomes a chain that begins with a term that is no product and takes the others as
+// they get ready; where that chain would make the whole program late, the sum stays as it was.
+Program reassociate(const Program& p) {
+  return Reassociation(p).run();
+}
+
+}  // namespace robcogen::pass
