@@ -15,10 +15,13 @@ int main() {
   const JointState goal(0.64, -0.65, 1.34);
   JointState q(0.6, 0.0, 0.6), qd = JointState::Zero();
 
+  std::cout.precision(2);
+  std::cout << "HyL pulled to a posture\n";
   const double dt = 1e-3;
   for (int i = 0; i <= 1000; ++i) {
-    if (i % 200 == 0) std::cout << "t = " << i * dt << " s: error " << (goal - q).transpose() << '\n';
+    if (i % 200 == 0) std::cout << "t = " << i * dt << " s: error [m, rad, rad] = " << (goal - q).transpose() << '\n';
     qd += dt * hyl::forward_dynamics(q, qd, control(q, qd, goal));
     q += dt * qd;
   }
+  std::cout << '\n';
 }
