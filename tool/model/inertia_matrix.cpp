@@ -24,7 +24,6 @@ namespace {
 
 // Large against the rounding of one recursion step, small against any inertia that a robot has on purpose.
 constexpr double kAddition = 1e-12;
-constexpr int kPositions = 3;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -35,7 +34,6 @@ using Matrix6 = std::array<std::array<double, 6>, 6>;  // spatial, angular rows 
 // Repeatable numbers between 0.5 and 1.5: no special angles, lengths or masses.
 class OrdinaryNumbers {
  public:
-  explicit OrdinaryNumbers(int seed) : engine_(static_cast<std::uint64_t>(seed)) {}
   double next() { return 0.5 + static_cast<double>(engine_() >> 11) * 0x1p-53; }
   std::vector<double> next(std::size_t count) {
     std::vector<double> values(count);
@@ -44,7 +42,7 @@ class OrdinaryNumbers {
   }
 
  private:
-  std::mt19937_64 engine_;
+  std::mt19937_64 engine_{5489};
 };
 
 Matrix6 spatial_inertia(const Inertia& inertia, const std::vector<double>& parameters) {
@@ -135,8 +133,8 @@ struct Pivots {
 
 enum class Beyond { free, locked };  // the joints beyond the one that is looked at
 
-Pivots pivots_of(const KinematicTree& tree, int position, Beyond beyond, double addition) {
-  OrdinaryNumbers numbers(position);
+Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
+  OrdinaryNumbers numbers;
   const std::vector<double> parameters = numbers.next(tree.parameters.size());
   const std::vector<double> q = numbers.next(tree.joints.size());
   std::vector<Matrix6> articulated(tree.links.size(), Matrix6{});
@@ -176,36 +174,24 @@ std::vector<bool> zeros(const std::vector<double>& once, const std::vector<doubl
 struct Zeros {
   std::vector<bool> joints;
   std::vector<bool> base;
-  bool any() const {
-    const auto has = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), true) != v.end(); };
-    return has(joints) || has(base);
-  }
 };
 
-// The pivots that vanish at every position that is tried.
-Zeros zeros_everywhere(const KinematicTree& tree, Beyond beyond) {
-  Zeros result;
-  for (int position = 0; position < kPositions; ++position) {
-    const Pivots once = pivots_of(tree, position, beyond, kAddition);
-    const Pivots twice = pivots_of(tree, position, beyond, 2.0 * kAddition);
-    const Zeros here = {zeros(once.joints, twice.joints), zeros(once.base, twice.base)};
-    if (position == 0) {
-      result = here;
-    } else {
-      for (std::size_t i = 0; i < here.joints.size(); ++i) result.joints[i] = result.joints[i] && here.joints[i];
-      for (std::size_t i = 0; i < here.base.size(); ++i) result.base[i] = result.base[i] && here.base[i];
-    }
-    if (!result.any()) break;
-  }
-  return result;
+Zeros zero_pivots(const KinematicTree& tree, Beyond beyond) {
+  const Pivots once = pivots_of(tree, beyond, kAddition);
+  const Pivots twice = pivots_of(tree, beyond, 2.0 * kAddition);
+  return {zeros(once.joints, twice.joints), zeros(once.base, twice.base)};
+}
+
+bool any(const std::vector<bool>& flags) {
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
 }  // namespace
 
 void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics) {
-  const Zeros free = zeros_everywhere(tree, Beyond::free);
-  if (!free.any()) return;
-  const Zeros locked = zeros_everywhere(tree, Beyond::locked);
+  const Zeros free = zero_pivots(tree, Beyond::free);
+  if (!any(free.joints) && !any(free.base)) return;
+  const Zeros locked = zero_pivots(tree, Beyond::locked);
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     if (!free.joints[i]) continue;
     const Joint& joint = tree.joints[i];
@@ -217,7 +203,7 @@ void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics) {
         "singular-inertia", joint.place, reason + ": the joint-space inertia matrix is singular in every position");
     error.notes.push_back({tree.links[at(joint.child)].place, "the joint moves this link"});
   }
-  if (std::find(free.base.begin(), free.base.end(), true) != free.base.end()) {
+  if (any(free.base)) {
     diagnostics.error(
         "singular-base-inertia", tree.links[0].place,
         fmt::format(
