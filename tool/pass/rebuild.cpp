@@ -42,7 +42,8 @@ Expression Rebuild::compute(std::size_t i) {
 
 void Rebuild::set(std::size_t i, const Expression& value) {
   values_[i] = value;
-  if (program_.statements[i].named) graph_.name(value, program_.statements[i].name);
+  const Statement& s = program_.statements[i];
+  if (s.named) graph_.name(value, s.name);
 }
 
 void Rebuild::enter_section_of(std::size_t i) {

@@ -167,7 +167,12 @@ void Graph::begin_section(std::string title, std::string prefix) {
 void Graph::name(const Expression& e, const std::string& name) {
   if (!e.graph()) return;
   const auto node = static_cast<std::size_t>(e.node());
-  if (nodes_[node].kind == Node::Kind::operation && names_[node].empty()) names_[node] = name;
+  if (nodes_[node].kind != Node::Kind::operation || !names_[node].empty()) return;
+  // The node holds the value without its sign.
+  if (!e.negative())
+    names_[node] = name;
+  else
+    names_[node] = name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name + "_neg";
 }
 
 Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
