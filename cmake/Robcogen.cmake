@@ -173,7 +173,7 @@ endfunction()
 
 function(_robcogen_add_bench target)
   find_package(benchmark QUIET)
-  if(NOT TARGET benchmark::benchmark OR NOT TARGET robcogen::bench_harness)
+  if(NOT TARGET benchmark::benchmark)
     return()
   endif()
   add_executable(${target} EXCLUDE_FROM_ALL)

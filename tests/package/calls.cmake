@@ -2,6 +2,7 @@
 # @DIR@ is the folder that the call stands in; the configuration must fail with that message and no other.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P calls.cmake
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 # Sets `result` to the text of the comment lines that the file opens with.

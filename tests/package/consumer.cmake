@@ -1,12 +1,21 @@
 # Configures, builds and runs one project of consumers/.
 #
-# cmake -D CONSUMER=name -D OPTIONS=list -D SOURCE_DIR=dir -D WORK_DIR=dir -P consumer.cmake
+# cmake -D CONSUMER=name [-D PREFIX=dir] -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir
+#       -P consumer.cmake
+# PREFIX is that of the installed package, which has a generator of its own.
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+if(PREFIX)
+  set(robcogen -DCMAKE_PREFIX_PATH=${PREFIX})
+else()
+  set(robcogen -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL})
+endif()
 
 set(build_dir ${WORK_DIR}/${CONSUMER})
 file(REMOVE_RECURSE ${build_dir})
-run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/${CONSUMER} -B ${build_dir} ${OPTIONS}
-    -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBOTS_DIR=${SOURCE_DIR}/robots)
+run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/${CONSUMER} -B ${build_dir} ${robcogen}
+    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DROBOTS_DIR=${SOURCE_DIR}/robots)
 run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
 run(output ${build_dir}/controller)
 message("${output}")

@@ -1,14 +1,15 @@
 # A cross build of a robot with the installed package: the generator comes from ROBCOGEN_HOST_TOOL or from the PATH,
 # never from the package, whose executable is the other machine's.
 #
-# cmake -D CXX_COMPILER=path -D PROCESSOR=name [-D MACHINE=name] -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir
+# cmake -D CROSS_COMPILER=path -D PROCESSOR=name [-D MACHINE=name] -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir
 #       -P cross.cmake
 # MACHINE is what the header of the library must say.
+cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
-find_program(compiler ${CXX_COMPILER})
+find_program(compiler ${CROSS_COMPILER})
 if(NOT compiler)
-  message("skipped: there is no ${CXX_COMPILER}")
+  message("skipped: there is no ${CROSS_COMPILER}")
   return()
 endif()
 
@@ -22,9 +23,6 @@ file(WRITE ${work_dir}/toolchain.cmake "
   set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)")
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/cross --toolchain ${work_dir}/toolchain.cmake
               -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed -DROBOTS_DIR=${SOURCE_DIR}/robots)
-
-run_failing(output ${CMAKE_COMMAND} -E env PATH=/usr/bin:/bin ${configure} -B ${work_dir}/without_tool)
-expect_words("cross build without a tool" "${output}" "Set ROBCOGEN_HOST_TOOL to the path of one")
 
 cmake_path(GET TOOL PARENT_PATH tool_dir)
 run(output ${CMAKE_COMMAND} -E env PATH=${tool_dir}:/usr/bin:/bin ${configure} -B ${work_dir}/tool_on_path)

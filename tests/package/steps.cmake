@@ -1,4 +1,5 @@
 # The steps that the scripts of this folder are made of.
+cmake_minimum_required(VERSION 3.25)
 
 # Runs a command; on failure ends the script with all that it printed. `output` receives what it printed.
 function(run output)
