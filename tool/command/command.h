@@ -8,8 +8,6 @@
 
 namespace robcogen::command {
 
-inline constexpr const char* kVersion = ROBCOGEN_VERSION;
-
 using Action = std::function<Status()>;
 
 Action declare_generate(CLI::App& application);

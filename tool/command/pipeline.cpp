@@ -125,6 +125,7 @@ backend::Library library(
   result.robot = robot.tree.name;
   result.model_file = robot.model.filename().string();
   result.model_hash = hash_text(robot.canonical);
+  result.generator_version = kVersion;
   result.floating_base = robot.tree.floating_base;
   result.groups = groups;
   for (const model::Link& link : robot.tree.links) result.links.push_back(link_data(link));

@@ -13,6 +13,8 @@
 
 namespace robcogen::command {
 
+inline constexpr const char* kVersion = ROBCOGEN_VERSION;
+
 // A robot as loaded from its documents.
 struct Robot {
   model::KinematicTree tree;
