@@ -102,7 +102,7 @@ TEST(Build, MovesTheReferenceIntoTheInertia) {
   EXPECT_EQ(in_link_frame(*tree->links[2].inertia).first_moment[2].number().value(), 0.25);
 }
 
-// A hundred thousand links: neither quadratic time (which would be hours) nor a call stack as deep as the chain.
+// Neither quadratic time (which would be hours) nor a call stack as deep as the chain.
 constexpr int kMany = 100000;
 
 TEST(BuildLarge, AChain) {
@@ -115,11 +115,14 @@ TEST(BuildLarge, AChain) {
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
+// Large enough for quadratic time to show, small enough for a build with sanitizers.
+constexpr int kSeveral = 25000;
+
 TEST(BuildLarge, AStar) {
   Description d;
   d.name = "star";
   d.base = test::link("base");
-  for (int i = 0; i < kMany; ++i) {
+  for (int i = 0; i < kSeveral; ++i) {
     const std::string name = std::to_string(i);
     d.base.children.push_back({"l" + name, "j" + name, {}, {}});
     d.links.push_back(test::link("l" + name));
@@ -129,21 +132,19 @@ TEST(BuildLarge, AStar) {
 }
 
 TEST(BuildLarge, AChainOfUnknownNames) {
-  Description d = test::chain(kMany);
+  Description d = test::chain(kSeveral);
   for (DescribedLink& link : d.links) {
     for (DescribedChild& child : link.children) child.link += "x";
   }
   Diagnostics diagnostics;
   EXPECT_FALSE(build(d, diagnostics).has_value());
-  EXPECT_GE(diagnostics.error_count(), static_cast<std::size_t>(kMany - 1));
+  EXPECT_GE(diagnostics.error_count(), static_cast<std::size_t>(kSeveral - 1));
 }
 
 TEST(BuildLarge, ACycle) {
-  Description d = test::chain(kMany);
-  d.base.children[0].link = d.links.back().name;
+  Description d = test::chain(kSeveral);
   d.links.back().children = d.base.children;
   d.base.children.clear();
-  d.links.back().children[0].link = "l0";
   EXPECT_EQ(codes_of(d), Codes{"cycle"});
 }
 
