@@ -21,7 +21,7 @@ class LinkWrenches {
   static constexpr int size() { return kLinkCount; }
 
   // 6 kLinkCount scalars, link by link.
-  const Scalar* data() const {
+  const Scalar* data() const noexcept {
     static_assert(sizeof(LinkWrenches) == 6 * kLinkCount * sizeof(Scalar), "wrenches stand without gaps");
     return reinterpret_cast<const Scalar*>(this);
   }

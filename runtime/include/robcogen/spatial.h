@@ -37,10 +37,9 @@ class SpatialVector {
   Vector3 linear() const& { return Vector3(values_[3], values_[4], values_[5]); }
 
   Vector6 vector() const { return Eigen::Map<const Vector6>(values_); }
-  explicit operator Vector6() const { return vector(); }
 
-  const Scalar* data() const { return values_; }
-  Scalar* data() { return values_; }
+  const Scalar* data() const noexcept { return values_; }
+  Scalar* data() noexcept { return values_; }
 
   friend Derived operator+(const Derived& a, const Derived& b) { return Derived(a.vector() + b.vector()); }
   friend Derived operator-(const Derived& a, const Derived& b) { return Derived(a.vector() - b.vector()); }
@@ -82,18 +81,17 @@ class BasicGravity {
  public:
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
 
-  constexpr explicit BasicGravity(Scalar x, Scalar y, Scalar z) : values_{x, y, z} {}
+  constexpr explicit BasicGravity(Scalar x, Scalar y, Scalar z) noexcept : values_{x, y, z} {}
   template <class Vector>
   explicit BasicGravity(const Eigen::MatrixBase<Vector>& v) {
     Eigen::Map<Vector3> values(values_);
     values = v;
   }
   // 9.81 m/s^2 along -z.
-  static constexpr BasicGravity standard() { return BasicGravity(Scalar(0), Scalar(0), Scalar(-9.81)); }
+  static constexpr BasicGravity standard() noexcept { return BasicGravity(Scalar(0), Scalar(0), Scalar(-9.81)); }
 
   Vector3 vector() const { return Eigen::Map<const Vector3>(values_); }
-  explicit operator Vector3() const { return vector(); }
-  const Scalar* data() const { return values_; }
+  constexpr const Scalar* data() const noexcept { return values_; }
 
  private:
   Scalar values_[3] = {};

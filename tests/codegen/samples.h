@@ -1,0 +1,29 @@
+// Robots of the tests of generated code, made by hand: their programs come from no algorithm of the generator.
+#pragma once
+
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::test {
+
+// A pole that hangs on a cart (closed-form Lagrangian), fixed base, all groups: joints CART (m) and POLE (rad).
+backend::Library cart_pole();
+
+// A floating trunk with one sliding leg: every signature of floating bases, over formulas without physics.
+backend::Library hopper();
+
+// No joint at all.
+backend::Library plinth();
+
+// Constants that are hard to print: each is an element of the output of `literals::literals`.
+backend::Library literals();
+const std::vector<double>& literal_values();
+
+// A robot called `robot` whose joints, links, frames and values are called what C++, its headers or the generated code
+// call something else.
+backend::Library nasty();
+
+std::vector<backend::Library> samples();
+
+}  // namespace robcogen::test

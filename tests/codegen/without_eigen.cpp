@@ -1,0 +1,36 @@
+// What generated code compiles without Eigen: constants, tables, kernels and the units that instantiate them. Before
+// them, macros of headers that users may include as well.
+#include <complex.h>
+#include <math.h>
+#include <sys/sysmacros.h>
+
+#include "cart_pole/bias_forces.cpp"
+#include "cart_pole/forward_dynamics.cpp"
+#include "cart_pole/inverse_dynamics.cpp"
+#include "cart_pole/jacobians.cpp"
+#include "cart_pole/joint_space_inertia.cpp"
+#include "cart_pole/model.h"
+#include "cart_pole/reflection.h"
+#include "cart_pole/transforms.cpp"
+#include "hopper/bias_forces.cpp"
+#include "hopper/forward_dynamics.cpp"
+#include "hopper/inverse_dynamics.cpp"
+#include "hopper/joint_space_inertia.cpp"
+#include "hopper/model.h"
+#include "hopper/reflection.h"
+#include "literals/literals.cpp"
+#include "literals/model.h"
+#include "literals/reflection.h"
+#include "plinth/bias_forces.cpp"
+#include "plinth/forward_dynamics.cpp"
+#include "plinth/inverse_dynamics.cpp"
+#include "plinth/joint_space_inertia.cpp"
+#include "plinth/model.h"
+#include "plinth/reflection.h"
+#include "robot/inverse_dynamics.cpp"
+#include "robot/jacobians.cpp"
+#include "robot/model.h"
+#include "robot/reflection.h"
+#include "robot/transforms.cpp"
+
+int main() {}
