@@ -1,5 +1,10 @@
 #include "language/common/expression.h"
 
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
 namespace robcogen::language {
 namespace {
 
@@ -30,6 +35,16 @@ std::string inside(const Expression& e, Strength least) {
   return strength(e) < least ? "(" + text + ")" : text;
 }
 
+// Without an exponent, which the original did not know, as long as that is readable.
+std::string literal(const Number& number) {
+  const double value = number.value(), magnitude = std::abs(value);
+  if (magnitude < 1e-20 || magnitude >= 1e20) return print_double(value);
+  std::array<char, 64> buffer;
+  const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
+  std::string text(buffer.data(), written.ptr);
+  return text.find('.') == std::string::npos ? text + ".0" : text;
+}
+
 bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
   return a && b ? equal(*a, *b) : a == b;
 }
@@ -39,16 +54,15 @@ bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
 std::string print(const Expression& e) {
   switch (e.kind) {
     case Kind::number:
-      return print_double(e.number.value());
+      return literal(e.number);
     case Kind::pi:
       return e.name;
     case Kind::name: {
       const std::string group = e.group.empty() ? "" : e.group + ".";
-      return group + (e.escaped ? "^" : "") + e.name +
-             (e.default_value ? "[" + print_double(e.default_value->value()) + "]" : "");
+      return group + (e.escaped ? "^" : "") + e.name + (e.default_value ? "[" + literal(*e.default_value) + "]" : "");
     }
     case Kind::constant:
-      return "<" + e.name + (e.left ? "=" + print_double(e.left->number.value()) : "") + ">";
+      return std::string("<") + (e.escaped ? "^" : "") + e.name + (e.left ? "=" + print(*e.left) : "") + ">";
     case Kind::negate:
       return "-" + inside(*e.left, sign);
     case Kind::add:
@@ -56,10 +70,11 @@ std::string print(const Expression& e) {
     case Kind::subtract:
       return inside(*e.left, sum) + " - " + inside(*e.right, product);
     case Kind::multiply: {
-      // The original knows the product of a number and a name by juxtaposition only.
-      const bool plain = e.left->kind == Kind::number && (e.right->kind == Kind::pi || e.right->kind == Kind::name) &&
-                         e.right->group.empty();
-      return inside(*e.left, product) + (plain ? " " : " * ") + inside(*e.right, sign);
+      // The original knows the product of a number and a name by juxtaposition only; parameters with defaults, which it
+      // did not have, came with '*'.
+      const bool is_name = e.right->kind == Kind::pi || (e.right->kind == Kind::name && !e.right->default_value);
+      const bool juxtaposed = e.left->kind == Kind::number && is_name && e.right->group.empty();
+      return inside(*e.left, product) + (juxtaposed ? " " : " * ") + inside(*e.right, sign);
     }
     case Kind::divide:
       return inside(*e.left, product) + "/" + inside(*e.right, sign);
@@ -72,6 +87,7 @@ std::string print(const Expression& e) {
     case Kind::square_root:
       return "sqrt(" + print(*e.left) + ")";
   }
+  assert(false && "unknown expression");
   return "";
 }
 

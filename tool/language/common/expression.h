@@ -34,7 +34,7 @@ struct Expression {
   Span span;
   Number number;                        // kind number
   std::string name;                     // kinds pi (its spelling), name, constant
-  bool escaped = false;                 // kind name: written with '^', because the name is a keyword
+  bool escaped = false;                 // kinds name, constant: written with '^', because the name is a keyword
   std::string group;                    // kind name: `Group.` prefix, or empty
   std::optional<Number> default_value;  // kind name: `m1[1]`
   ExpressionPtr left;                   // operand, or first operand

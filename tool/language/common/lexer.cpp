@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
+#include <algorithm>
 
 namespace robcogen::language {
 namespace {
+
+constexpr std::string_view kSymbols = "{}()[]=,:+-*/<>";
+constexpr std::size_t kLongestName = 255;
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -19,6 +22,9 @@ bool is_word(char c) {
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
+bool is_symbol(char c) {
+  return kSymbols.find(c) != std::string_view::npos;
+}
 
 class Lexer {
  public:
@@ -28,8 +34,12 @@ class Lexer {
   }
 
   TokenList run() {
-    if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // byte order mark
-    while (at_ < text_.size()) next();
+    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+    if (is_utf16()) {
+      error("not-utf-8", 0, "the file is in UTF-16").hint = "save it as UTF-8";
+      list_.cut = true;
+    }
+    while (at_ < text_.size() && !list_.cut) next();
     list_.tokens.push_back({Token::Kind::end, "", false, {}, {text_.size(), text_.size()}});
     return std::move(list_);
   }
@@ -41,6 +51,13 @@ class Lexer {
   std::size_t at_ = 0;
 
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  std::string_view text_from(std::size_t begin) const { return text_.substr(begin, at_ - begin); }
+
+  bool is_utf16() const {
+    if (text_.size() < 2) return false;
+    const bool marked = text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff");
+    return marked || (text_[0] == '\0') != (text_[1] == '\0');
+  }
 
   void next() {
     const char c = peek();
@@ -52,29 +69,40 @@ class Lexer {
       identifier();
     } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
       number();
-    } else if (std::string_view("{}()[]=,:+-*/<>$").find(c) != std::string_view::npos) {
+    } else if (is_symbol(c)) {
       symbol();
+    } else if (c == '$' && peek(1) == '{') {
+      placeholder();
     } else {
       stray();
     }
   }
 
-  void push(Token::Kind kind, std::size_t begin, std::string text) {
-    list_.tokens.push_back({kind, std::move(text), false, {}, {begin, at_}});
+  // The error is at the text from there to the present place.
+  Diagnostic& error(const char* code, std::size_t begin, std::string message) {
+    return diagnostics_.error(code, {list_.source, {begin, at_}}, std::move(message));
+  }
+
+  Token& push(Token::Kind kind, std::size_t begin, std::string_view text) {
+    return list_.tokens.emplace_back(Token{kind, std::string(text), false, {}, {begin, at_}});
   }
 
   void comment() {
     const std::size_t begin = at_;
     if (peek(1) == '/') {
-      at_ = std::min(text_.find('\n', at_), text_.size());
+      at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
     } else {
       const std::size_t end = text_.find("*/", at_ + 2);
-      at_ = end == std::string_view::npos ? text_.size() : end + 2;
-      if (end == std::string_view::npos)
-        diagnostics_.error("unterminated-comment", {list_.source, {begin, begin + 2}}, "this comment does not end");
+      if (end == std::string_view::npos) {
+        at_ += 2;
+        error("unterminated-comment", begin, "this comment does not end");
+        list_.cut = true;
+        return;
+      }
+      at_ = end + 2;
     }
-    std::string text(text_.substr(begin, at_ - begin));
-    while (!text.empty() && is_blank(text.back())) text.pop_back();
+    std::string text(text_from(begin));
+    while (is_blank(text.back())) text.pop_back();
     list_.comments.push_back({std::move(text), {begin, at_}});
   }
 
@@ -84,63 +112,73 @@ class Lexer {
     if (escaped) ++at_;
     const std::size_t first = at_;
     while (is_word(peek())) ++at_;
-    push(Token::Kind::identifier, begin, std::string(text_.substr(first, at_ - first)));
-    list_.tokens.back().escaped = escaped;
+    const std::string_view name = text_from(first);
+    push(Token::Kind::identifier, begin, name.substr(0, kLongestName)).escaped = escaped;
+    if (name.size() > kLongestName)
+      error("name-too-long", begin, fmt::format("a name of more than {} characters", kLongestName));
   }
 
-  // digits, point, exponent; what follows directly must not look like more of a number. `2.0a` and `2.0PI` are a number
-  // and a name.
+  // Digits, point, exponent. What follows at once may be a name, which multiplies: `2.0a`.
   void number() {
     const std::size_t begin = at_;
-    while (is_digit(peek())) ++at_;
+    digits();
     if (peek() == '.') {
       ++at_;
-      while (is_digit(peek())) ++at_;
+      digits();
     }
     const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
     if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) {
-      at_ += 2 + sign;
-      while (is_digit(peek())) ++at_;
+      at_ += 1 + sign;
+      digits();
     }
-    const std::string literal(text_.substr(begin, at_ - begin));
-    const bool hexadecimal = literal == "0" && (peek() == 'x' || peek() == 'X');
-    if (hexadecimal || peek() == '.') {
+    const bool is_hexadecimal = text_from(begin) == "0" && (peek() == 'x' || peek() == 'X');
+    if (is_hexadecimal || peek() == '.') {
       while (is_word(peek()) || peek() == '.') ++at_;
-      fault("bad-number", begin, fmt::format("'{}' is no decimal number", text_.substr(begin, at_ - begin)));
-      push(Token::Kind::number, begin, "0.0");
+      error("bad-number", begin, fmt::format("{} is no decimal number", quote(text_from(begin))));
+      push(Token::Kind::number, begin, text_from(begin));
       return;
     }
-    const std::optional<Number> value = Number::parse(literal);
-    if (!value) fault("number-range", begin, fmt::format("'{}' is beyond the range of numbers", literal));
-    push(Token::Kind::number, begin, literal);
-    list_.tokens.back().number = value.value_or(Number());
+    const std::optional<Number> value = Number::parse(std::string(text_from(begin)));
+    if (!value) error("number-too-large", begin, fmt::format("{} is too large a number", quote(text_from(begin))));
+    push(Token::Kind::number, begin, text_from(begin)).number = value.value_or(Number());
+  }
+
+  void digits() {
+    while (is_digit(peek())) ++at_;
   }
 
   void symbol() {
     const std::size_t begin = at_;
-    const bool arrow = (peek() == '-' && peek(1) == '>') || (peek() == '<' && peek(1) == '-');
-    at_ += arrow ? 2 : 1;
-    push(Token::Kind::symbol, begin, std::string(text_.substr(begin, at_ - begin)));
+    const bool is_arrow = (peek() == '-' && peek(1) == '>') || (peek() == '<' && peek(1) == '-');
+    at_ += is_arrow ? 2 : 1;
+    push(Token::Kind::symbol, begin, text_from(begin));
+  }
+
+  void placeholder() {
+    const std::size_t begin = at_;
+    at_ = std::min(text_.find_first_of("}\r\n", at_), text_.size());
+    if (peek() == '}') ++at_;
+    error("template", begin, "'${…}' is a placeholder: this is a template, not yet a document").hint =
+        "fill in the template first";
+    list_.cut = true;
   }
 
   // A run of bytes that mean nothing is one error.
   void stray() {
     const std::size_t begin = at_;
-    const auto meaningless = [&](char c) {
-      return !is_blank(c) && !is_word(c) && std::string_view("{}()[]=,:+-*/<>$.^").find(c) == std::string_view::npos;
-    };
+    const auto byte = static_cast<unsigned char>(peek());
     ++at_;
-    while (at_ < text_.size() && meaningless(text_[at_])) ++at_;
-    const auto byte = static_cast<unsigned char>(text_[begin]);
-    const bool printable = byte > 0x20 && byte < 0x7f;
-    fault(
-        "stray-character", begin,
-        printable ? fmt::format("unexpected character '{}'", text_[begin])
-                  : fmt::format("unexpected byte 0x{:02x}", byte));
-  }
-
-  void fault(const char* code, std::size_t begin, std::string message) {
-    diagnostics_.error(code, {list_.source, {begin, at_}}, std::move(message));
+    while (at_ < text_.size() && !is_blank(peek()) && !is_word(peek()) && !is_symbol(peek()) && peek() != '^' &&
+           peek() != '$')
+      ++at_;
+    if (byte >= 0x80) {
+      error("stray-character", begin, "unexpected character outside ASCII").hint =
+          "names consist of A-Z, a-z, 0-9 and '_'; any text may stand in a comment";
+    } else if (byte > 0x20 && byte < 0x7f) {
+      error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin]));
+    } else {
+      error("stray-character", begin, fmt::format("unexpected byte 0x{:02x}", byte));
+    }
   }
 };
 
@@ -148,6 +186,11 @@ class Lexer {
 
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
   return Lexer(std::move(source), diagnostics).run();
+}
+
+std::string quote(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  return text.size() <= kLongest ? fmt::format("'{}'", text) : fmt::format("'{}…'", text.substr(0, kLongest));
 }
 
 }  // namespace robcogen::language

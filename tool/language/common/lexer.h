@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/diagnostics.h"
@@ -20,7 +21,7 @@ struct Token {
 };
 
 struct Comment {
-  std::string text;  // with its delimiters
+  std::string text;  // with its delimiters, without blanks at its end
   Span span;
 };
 
@@ -28,9 +29,15 @@ struct TokenList {
   std::shared_ptr<const Source> source;
   std::vector<Token> tokens;  // the last one is `end`
   std::vector<Comment> comments;
+  bool cut = false;  // the tokens end before the text does, which has been reported: nothing that is missing is news
 };
 
-// Reports bytes that belong to no token, numbers that are none, and comments that do not end; goes on after each.
+// Reports bytes that belong to no token, numbers that are none, and names without end; goes on after each. What makes
+// the rest of the text meaningless (a comment that does not end, a `${…}` of a template, UTF-16) is reported and ends
+// the list.
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
+
+// The text between quotes, cut where it is too long for a message.
+std::string quote(std::string_view text);
 
 }  // namespace robcogen::language

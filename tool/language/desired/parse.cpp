@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
-#include "language/common/parser.h"
+#include <algorithm>
+
+#include "language/common/cursor.h"
 #include "language/desired/document.h"
 #include "language/desired/keywords.h"
 
 namespace robcogen::language::desired {
 namespace {
 
+// A section or a pair that fails is skipped up to the next one, or to the end of its block.
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -17,11 +20,10 @@ class Parser {
   Document run() {
     try {
       header();
-      frames();
-      pairs("Transforms", document_.transforms);
-      if (cursor_.at("Jacobians")) pairs("Jacobians", document_.jacobians);
-      if (!cursor_.at_end()) after_end();
+      sections();
+      check_complete();
     } catch (const SyntaxError&) {
+    } catch (const OtherLanguage&) {
       // reported; nothing further can be made of the file
     }
     document_.comments = cursor_.comments_before(source_->text().size() + 1);
@@ -32,84 +34,117 @@ class Parser {
   std::shared_ptr<const Source> source_;
   Cursor cursor_;
   Document document_;
-
-  Name name(std::string_view what) {
-    if (cursor_.at("$")) template_fault();
-    const Token token = cursor_.expect_name(what);
-    return {token.text, token.span};
-  }
-
-  [[noreturn]] void template_fault() {
-    cursor_.error("template", "'${…}' is a placeholder, not a name").hint =
-        "this is a template: fill it in before it is read";
-    throw SyntaxError{};
-  }
+  std::vector<Token> found_;  // the words that begin sections
+  bool section_may_be_missed_ = false;
 
   void header() {
-    if (cursor_.at_end()) {
-      cursor_.error("empty-document", "the document is empty; expected 'Robot <name> Frames { … } Transforms { … }'");
-      throw SyntaxError{};
-    }
-    if (!cursor_.accept("Robot") && !cursor_.accept("Model"))
-      cursor_.unexpected("'Robot' or 'Model'", "at the beginning of a desired-transforms document");
-    document_.robot = name("the name of the robot");
-  }
-
-  void frames() {
-    cursor_.expect("Frames", "after the name of the robot");
-    cursor_.expect("{", "after 'Frames'");
-    while (!cursor_.accept("}")) {
-      cursor_.accept(",");
-      if (cursor_.at("}")) cursor_.unexpected("the name of a frame", "after ','");
-      document_.frames.push_back(name("the name of a frame"));
+    try {
+      if (!cursor_.at_any({"Robot", "Model"}))
+        cursor_.unexpected("'Robot' or 'Model'", "at the beginning of a desired-transforms document");
+      cursor_.take();
+      document_.robot = name("the name of the robot");
+    } catch (const SyntaxError&) {
+      cursor_.skip_until([&] { return at_section(); });
+      if (cursor_.at_end()) throw;
     }
   }
 
-  // The dialect of 2018 asks for quantities by query: `FK name { … }`, `IKpos …`.
-  bool at_query() const { return cursor_.at_any({"FK", "IKpos", "IKor", "IKvel", "Jac"}); }
+  bool at_section() const { return cursor_.at_any({"Frames", "Transforms", "Jacobians"}) && cursor_.at("{", 1); }
 
-  void after_end() {
-    if (at_query()) query_fault();
-    cursor_.error("text-after-end", fmt::format("{} stands after the end of the document", describe(cursor_.peek())));
-  }
-
-  [[noreturn]] void query_fault() {
-    cursor_
-        .error(
-            "query-dialect",
-            fmt::format("'{}' belongs to the query dialect of 2018, which is not supported", cursor_.peek().text))
-        .hint = "list pairs of frames in 'Transforms { … }' and 'Jacobians { … }'";
-    throw SyntaxError{};
-  }
-
-  void pairs(std::string_view section, std::vector<Pair>& list) {
-    if (at_query()) query_fault();
-    cursor_.expect(section, "in a desired-transforms document");
-    cursor_.expect("{", fmt::format("after '{}'", section));
-    while (!cursor_.accept("}")) {
+  void sections() {
+    while (!cursor_.at_end()) {
       try {
-        list.push_back(pair());
+        if (!cursor_.at_any({"Frames", "Transforms", "Jacobians"})) unknown_section();
+        const Token word = section_word();
+        if (word.text == "Frames") {
+          frames();
+        } else {
+          pairs(word, word.text == "Transforms" ? document_.transforms : document_.jacobians);
+        }
       } catch (const SyntaxError&) {
-        // The next pair begins at a keyword, or ends at the brace.
-        while (!cursor_.at_end() && !cursor_.at("}") && !cursor_.at_keyword()) cursor_.take();
-        if (cursor_.at_end()) throw;
-        if (!cursor_.at("}") && !at_side()) throw;
+        section_may_be_missed_ = true;
+        cursor_.skip_until([&] { return at_section(); });
       }
     }
   }
 
-  bool at_left(std::size_t ahead = 0) const {
-    return cursor_.at("base", ahead) || cursor_.at("left", ahead) || cursor_.at("left_frame", ahead);
+  Token section_word() {
+    const Token word = cursor_.take();
+    const auto earlier =
+        std::find_if(found_.begin(), found_.end(), [&](const Token& token) { return token.text == word.text; });
+    if (earlier != found_.end())
+      cursor_.error_at(word.span, "duplicate-item", fmt::format("a second '{}'", word.text))
+          .notes.push_back({cursor_.place(earlier->span), "first one here"});
+    found_.push_back(word);
+    return word;
   }
-  bool at_right(std::size_t ahead = 0) const {
-    return cursor_.at("target", ahead) || cursor_.at("right", ahead) || cursor_.at("right_frame", ahead);
+
+  // The dialect of 2018 asked for quantities by query: `FK name { … }`, `IKpos name { … }`.
+  [[noreturn]] void unknown_section() {
+    const std::string& word = cursor_.peek().text;
+    if (word == "FK" || word.starts_with("IK")) {
+      cursor_
+          .error(
+              "query-dialect", fmt::format("'{}' belongs to the query dialect of 2018, which is not supported", word))
+          .hint = "list pairs of frames in 'Transforms { … }' and 'Jacobians { … }'";
+      throw OtherLanguage{};
+    }
+    cursor_.unexpected("'Frames', 'Transforms' or 'Jacobians'", "");
   }
-  bool at_side() const { return at_left() || at_right(); }
+
+  void check_complete() {
+    for (const char* word : {"Frames", "Transforms"}) {
+      const bool found = std::any_of(found_.begin(), found_.end(), [&](const Token& t) { return t.text == word; });
+      if (!found && !section_may_be_missed_)
+        cursor_.error("missing-item", fmt::format("the document lacks '{} {{ … }}'", word));
+    }
+  }
+
+  Name name(std::string_view what) {
+    const Token token = cursor_.expect_name(what);
+    return {token.text, token.span};
+  }
+
+  [[noreturn]] void missing_brace(const std::string& section, const Token& open) {
+    cursor_.error("missing-brace", fmt::format("the '}}' of '{}' is missing before this", section))
+        .notes.push_back({cursor_.place(open.span), "opened here"});
+    throw SyntaxError{};
+  }
+
+  void frames() {
+    const Token open = cursor_.expect("{", "after 'Frames'");
+    while (!cursor_.at("}")) {
+      if (at_section()) missing_brace("Frames", open);
+      if (cursor_.accept(",") && cursor_.at("}")) cursor_.unexpected("the name of a frame", "after ','");
+      document_.frames.push_back(name("the name of a frame"));
+    }
+    cursor_.take();
+  }
+
+  void pairs(const Token& section, std::vector<Pair>& list) {
+    const Token open = cursor_.expect("{", fmt::format("after '{}'", section.text));
+    while (!cursor_.at("}")) {
+      try {
+        if (at_section()) missing_brace(section.text, open);
+        list.push_back(pair());
+      } catch (const SyntaxError&) {
+        cursor_.skip_until([&] { return cursor_.at("}") || at_pair() || at_section(); });
+        if (cursor_.at_end() || at_section()) throw;
+      }
+    }
+    cursor_.take();
+  }
+
+  bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}); }
+  bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}); }
+  bool at_pair() const {
+    if (cursor_.at_name()) return cursor_.at("->", 1) || cursor_.at("<-", 1);
+    return (at_left() || at_right()) && cursor_.at("=", 1);
+  }
 
   Pair pair() {
-    if (cursor_.at("$")) template_fault();
     Pair pair;
-    pair.span.begin = cursor_.peek().span.begin;
+    const std::size_t begin = cursor_.peek().span.begin;
     if (at_left()) {
       pair.left = side();
       cursor_.accept(",");
@@ -123,7 +158,7 @@ class Parser {
     } else {
       arrow(pair);
     }
-    pair.span.end = std::max(pair.left.span.end, pair.right.span.end);
+    pair.span = {begin, cursor_.previous().span.end};
     return pair;
   }
 
@@ -135,13 +170,12 @@ class Parser {
 
   // `A <- B` means A_X_B, `A -> B` means B_X_A.
   void arrow(Pair& pair) {
-    Name first = name("a pair of frames");
-    const bool to_left = cursor_.at("<-");
-    if (!to_left && !cursor_.at("->")) cursor_.unexpected("'->' or '<-'", fmt::format("after '{}'", first.text));
-    cursor_.take();
-    Name second = name("the name of a frame");
-    pair.left = to_left ? first : second;
-    pair.right = to_left ? second : first;
+    const Name first = name("a pair of frames");
+    if (!cursor_.at_any({"->", "<-"})) cursor_.unexpected("'->' or '<-'", fmt::format("after '{}'", first.text));
+    const bool to_first = cursor_.take().text == "<-";
+    const Name second = name("the name of a frame");
+    pair.left = to_first ? first : second;
+    pair.right = to_first ? second : first;
   }
 };
 

@@ -30,16 +30,6 @@ bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
 
 }  // namespace
 
-const std::vector<std::string>& keywords() {
-  static const std::vector<std::string> words = {"Robot", "Model",      "Frames", "Transforms", "Jacobians",  "base",
-                                                 "left",  "left_frame", "target", "right",      "right_frame"};
-  return words;
-}
-
-bool is_keyword(const std::string& word) {
-  return std::find(keywords().begin(), keywords().end(), word) != keywords().end();
-}
-
 std::string print(const Document& d) {
   std::string out;
   for (const std::string& comment : d.comments) out += comment + "\n";

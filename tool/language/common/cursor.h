@@ -1,4 +1,4 @@
-// What the recursive-descent parsers of all languages share: a cursor over tokens, expectations, expressions.
+// What the recursive-descent parsers of all languages share: a cursor over tokens, expectations, recovery.
 #pragma once
 
 #include <initializer_list>
@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "language/common/expression.h"
 #include "language/common/lexer.h"
 
 namespace robcogen::language {
@@ -15,6 +14,9 @@ namespace robcogen::language {
 // been reported.
 struct SyntaxError {};
 
+// Thrown where the document turns out to be in another language as a whole. The diagnostic has been reported.
+struct OtherLanguage {};
+
 class Cursor {
  public:
   // Keywords are reserved: unless escaped they are never taken as names or operands.
@@ -22,26 +24,32 @@ class Cursor {
 
   const Token& peek(std::size_t ahead = 0) const;
   Token take();
+  const Token& previous() const { return list_.tokens[at_ - 1]; }  // the token taken last
   bool at_end() const { return peek().kind == Token::Kind::end; }
   bool at(std::string_view symbol_or_keyword, std::size_t ahead = 0) const;
   bool at_any(std::initializer_list<std::string_view> words) const;
   bool at_keyword() const { return is_keyword(peek()); }
-  bool at_name() const { return peek().kind == Token::Kind::identifier && !is_keyword(peek()); }
+  // At an identifier that is no keyword.
+  bool at_name(std::size_t ahead = 0) const;
   bool accept(std::string_view symbol_or_keyword);
   Token expect(std::string_view symbol_or_keyword, std::string_view context);
-  // An identifier that is no keyword.
   Token expect_name(std::string_view what);
 
-  // Reports at the present token (or at the given span).
+  Place place(Span span) const { return {list_.source, span}; }
+  // Report at the present token, or at the given span.
   Diagnostic& error(std::string code, std::string message);
   Diagnostic& error_at(Span span, std::string code, std::string message);
-  Place place(Span span) const { return {list_.source, span}; }
+  Diagnostic& warning_at(Span span, std::string code, std::string message);
+  // `expected …, found …`, with a hint when a quoted word of `expected` may have been meant. No further error at the
+  // end of tokens that were cut short.
   [[noreturn]] void unexpected(std::string_view expected, std::string_view context);
 
-  // Skips to just before a `}` that closes the block we are in, or one of these keywords, stepping over nested blocks.
-  void skip_to(std::initializer_list<std::string_view> words);
-
-  ExpressionPtr expression();
+  // How many blocks are open here: `{` taken and its `}` not yet.
+  std::size_t open_blocks() const { return open_braces_.size(); }
+  template <class Predicate>
+  void skip_until(Predicate stop) {
+    while (!at_end() && !stop()) take();
+  }
 
   // Comments that stand before this offset and were not handed out yet.
   std::vector<std::string> comments_before(std::size_t offset);
@@ -52,32 +60,13 @@ class Cursor {
   Diagnostics& diagnostics_;
   std::size_t at_ = 0;
   std::size_t next_comment_ = 0;
-  int depth_ = 0;
-
-  // One more level of nesting while it lives; a SyntaxError where that is too much.
-  class Nesting {
-   public:
-    Nesting(Cursor& cursor, Span span);
-    ~Nesting() { --cursor_.depth_; }
-    Nesting(const Nesting&) = delete;
-    Nesting& operator=(const Nesting&) = delete;
-
-   private:
-    Cursor& cursor_;
-  };
+  std::vector<Span> open_braces_;
 
   bool is_keyword(const Token& token) const;
-  bool at_juxtaposed_operand(const Expression& left, std::size_t left_end) const;
-  void limit(int operations);
-  ExpressionPtr sum();
-  ExpressionPtr product();
-  ExpressionPtr unary();
-  ExpressionPtr primary();
-  ExpressionPtr name_or_function();
-  ExpressionPtr named_constant();
+  void report_unexpected_end(std::string_view expected);
 };
 
-// How a token reads in a message: `'}'`, `number '0.5'`, `end of file`.
+// How a token reads in a message: `'}'`, `number '0.5'`, `the end of the file`.
 std::string describe(const Token& token);
 
 }  // namespace robcogen::language

@@ -1,0 +1,227 @@
+#include "language/common/parse_expression.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace robcogen::language {
+namespace {
+
+using Kind = Expression::Kind;
+
+constexpr int kDeepest = 200;         // nested parentheses, functions and signs
+constexpr int kMostOperations = 500;  // in one expression
+
+constexpr std::array kFunctions = {
+    std::pair("sin", Kind::sine), std::pair("cos", Kind::cosine), std::pair("tan", Kind::tangent),
+    std::pair("sqrt", Kind::square_root)};
+
+ExpressionPtr operation(Kind kind, Span span, ExpressionPtr left, ExpressionPtr right = nullptr) {
+  Expression e;
+  e.kind = kind;
+  e.span = span;
+  e.left = std::move(left);
+  e.right = std::move(right);
+  return std::make_shared<const Expression>(std::move(e));
+}
+
+ExpressionPtr literal(Span span, const Number& number) {
+  Expression e;
+  e.span = span;
+  e.number = number;
+  return std::make_shared<const Expression>(std::move(e));
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+class ExpressionParser {
+ public:
+  explicit ExpressionParser(Cursor& cursor) : cursor_(cursor) {}
+
+  ExpressionPtr run() { return at_signed_product() ? signed_product() : sum(); }
+
+ private:
+  Cursor& cursor_;
+  int depth_ = 0;
+  int operations_ = 0;
+
+  // `2.0 -PI` and nothing more.
+  bool at_signed_product() const {
+    const std::size_t first = cursor_.at("-") ? 1 : 0;
+    const Token &number = cursor_.peek(first), &sign = cursor_.peek(first + 1), &name = cursor_.peek(first + 2);
+    if (number.kind != Token::Kind::number || !cursor_.at("-", first + 1) || !cursor_.at_name(first + 2)) return false;
+    if (number.span.end == sign.span.begin || sign.span.end != name.span.begin) return false;
+    constexpr std::array kGoesOn = {"+", "-", "*", "/", "(", "[", "="};
+    return std::none_of(
+        kGoesOn.begin(), kGoesOn.end(), [&](const char* symbol) { return cursor_.at(symbol, first + 3); });
+  }
+
+  // The sign goes to the number, `-2.0 PI`, which nobody takes for a difference.
+  ExpressionPtr signed_product() {
+    const std::size_t begin = cursor_.peek().span.begin;
+    const bool negative = cursor_.accept("-");
+    const Token number = cursor_.take(), sign = cursor_.take();
+    ExpressionPtr name = name_or_function();
+    const Span span{begin, name->span.end};
+    cursor_
+        .warning_at(
+            span, "signed-product",
+            fmt::format(
+                "this is the product of {}{} and -{}, as the first RobCoGen read it", negative ? "-" : "", number.text,
+                name->name))
+        .hint = fmt::format(
+        "write '{0}{1} {2}' for the product, '{3}{1} - {2}' for the difference", negative ? "" : "-", number.text,
+        name->name, negative ? "-" : "");
+    ExpressionPtr factor = literal({begin, number.span.end}, negative ? number.number : -number.number);
+    return operation(Kind::multiply, span, std::move(factor), std::move(name));
+  }
+
+  ExpressionPtr sum() {
+    ExpressionPtr left = product();
+    while (cursor_.at("+") || cursor_.at("-")) {
+      count_operation();
+      const Kind kind = cursor_.take().text == "+" ? Kind::add : Kind::subtract;
+      ExpressionPtr right = product();
+      const Span span{left->span.begin, right->span.end};
+      left = operation(kind, span, std::move(left), std::move(right));
+    }
+    return left;
+  }
+
+  ExpressionPtr product() {
+    bool ends_in_number = false;
+    ExpressionPtr left = unary(ends_in_number);
+    while (true) {
+      const bool next_is_name = cursor_.at_name() && !cursor_.at("=", 1);
+      const bool juxtaposed = ends_in_number && (next_is_name || cursor_.at("<"));
+      if (!juxtaposed && !cursor_.at("*") && !cursor_.at("/")) return left;
+      count_operation();
+      const Kind kind = cursor_.at("/") ? Kind::divide : Kind::multiply;
+      if (!juxtaposed) cursor_.take();
+      ExpressionPtr right = unary(ends_in_number);
+      const Span span{left->span.begin, right->span.end};
+      left = operation(kind, span, std::move(left), std::move(right));
+    }
+  }
+
+  ExpressionPtr unary(bool& ends_in_number) {
+    if (!cursor_.at("-") && !cursor_.at("+")) {
+      ends_in_number = cursor_.peek().kind == Token::Kind::number;
+      return primary();
+    }
+    const Token sign = cursor_.take();
+    enter(sign.span);
+    ExpressionPtr operand = unary(ends_in_number);
+    --depth_;
+    if (sign.text == "+") return operand;
+    const Span span{sign.span.begin, operand->span.end};
+    if (operand->kind == Kind::number) return literal(span, -operand->number);
+    return operation(Kind::negate, span, std::move(operand));
+  }
+
+  ExpressionPtr primary() {
+    if (cursor_.peek().kind == Token::Kind::number) {
+      const Token token = cursor_.take();
+      return literal(token.span, token.number);
+    }
+    if (cursor_.at("(")) return parenthesised();
+    if (cursor_.at("<")) return named_constant();
+    if (cursor_.at_name()) return name_or_function();
+    cursor_.unexpected("a number, a name or '('", "");
+  }
+
+  // Its span is that of the expression inside.
+  ExpressionPtr parenthesised() {
+    enter(cursor_.take().span);
+    ExpressionPtr inner = sum();
+    --depth_;
+    cursor_.expect(")", "after an expression");
+    return inner;
+  }
+
+  ExpressionPtr name_or_function() {
+    const Token token = cursor_.take();
+    if (cursor_.at("(") && !token.escaped) return function(token);
+    Expression e;
+    const std::string lower_case = lower(token.text);
+    e.kind = !token.escaped && lower_case == "pi" ? Kind::pi : Kind::name;
+    e.span = token.span;
+    e.name = token.text;
+    e.escaped = token.escaped;
+    if (cursor_.accept("[")) {
+      e.kind = Kind::name;
+      e.default_value = signed_number("as the default of a parameter");
+      e.span.end = cursor_.expect("]", "after the default of a parameter").span.end;
+    } else if (!token.escaped && (lower_case == "nan" || lower_case == "inf" || lower_case == "infinity")) {
+      cursor_.error_at(token.span, "not-a-number", fmt::format("'{}' is no number of a document", token.text)).hint =
+          fmt::format("write '^{}' for a parameter of this name", token.text);
+      throw SyntaxError{};
+    }
+    return std::make_shared<const Expression>(std::move(e));
+  }
+
+  ExpressionPtr function(const Token& name) {
+    const auto known = std::find_if(
+        kFunctions.begin(), kFunctions.end(), [&](const auto& function) { return name.text == function.first; });
+    if (known == kFunctions.end()) {
+      cursor_.error_at(name.span, "unknown-function", fmt::format("there is no function '{}'", name.text)).hint =
+          "the functions are sin, cos, tan and sqrt";
+      throw SyntaxError{};
+    }
+    ExpressionPtr argument = parenthesised();
+    const Span span{name.span.begin, cursor_.previous().span.end};
+    return operation(known->second, span, std::move(argument));
+  }
+
+  // `<name=3.2>` declares, `<name>` uses.
+  ExpressionPtr named_constant() {
+    const Token open = cursor_.take();
+    const Token name = cursor_.expect_name("the name of a constant");
+    Expression e;
+    e.kind = Kind::constant;
+    e.name = name.text;
+    e.escaped = name.escaped;
+    if (cursor_.accept("=")) {
+      const std::size_t begin = cursor_.peek().span.begin;
+      const Number value = signed_number("as the value of a constant");
+      e.left = literal({begin, cursor_.previous().span.end}, value);
+    }
+    e.span = {open.span.begin, cursor_.expect(">", "after a named constant").span.end};
+    return std::make_shared<const Expression>(std::move(e));
+  }
+
+  Number signed_number(std::string_view context) {
+    const bool negative = cursor_.accept("-");
+    if (!negative) cursor_.accept("+");
+    if (cursor_.peek().kind != Token::Kind::number) cursor_.unexpected("a number", context);
+    const Number number = cursor_.take().number;
+    return negative ? -number : number;
+  }
+
+  void enter(Span span) {
+    if (++depth_ <= kDeepest) return;
+    cursor_.error_at(span, "nesting-too-deep", fmt::format("an expression nests deeper than {} levels", kDeepest));
+    throw SyntaxError{};
+  }
+
+  // Long chains are deep trees.
+  void count_operation() {
+    if (++operations_ <= kMostOperations) return;
+    cursor_.error("expression-too-long", fmt::format("an expression has more than {} operations", kMostOperations));
+    throw SyntaxError{};
+  }
+};
+
+}  // namespace
+
+ExpressionPtr parse_expression(Cursor& cursor) {
+  return ExpressionParser(cursor).run();
+}
+
+}  // namespace robcogen::language
