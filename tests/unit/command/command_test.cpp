@@ -1,0 +1,182 @@
+// Exit statuses, what is written and what is not, and that output depends on the input alone.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "run_tool.h"
+
+namespace robcogen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
+  return files;
+}
+
+TEST(Command, SaysItsVersionAndHelp) {
+  const Run version = run_tool("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.output.rfind("robcogen ", 0), 0U) << version.output;
+  const Run help = run_tool("--help");
+  EXPECT_EQ(help.status, 0);
+  for (const char* word : {"generate", "check", "print", "ops", "eval"})
+    EXPECT_NE(help.output.find(word), std::string::npos) << word;
+}
+
+TEST(Command, UsageFaultsExitWithTwo) {
+  for (const char* arguments :
+       {"", "no-such-command", "check", "generate --name x", "ops no-such-file.kindsl", "generate a b c",
+        "print --error-format pretty x.kindsl", "generate m.kindsl -o d --name 1x",
+        "generate m.kindsl -o d --name x --namespace 'a:b'", "generate m.kindsl -o d --name x --algorithms nonsense"}) {
+    const Run run = run_tool(arguments);
+    EXPECT_EQ(run.status, 2) << arguments << "\n" << run.errors;
+    EXPECT_NE(run.errors.find("error"), std::string::npos) << arguments;
+    EXPECT_EQ(run.output, "") << arguments;
+  }
+}
+
+TEST(Command, WrongInputExitsWithOneAndWritesNothing) {
+  const Scratch scratch("wrong");
+  const fs::path model = scratch.path / "bad.kindsl";
+  write_text(model, "Robot R { RobotBase b { children { l via j } } }");
+  const fs::path out = scratch.path / "out";
+  const Run run = run_tool(
+      "generate " + quoted(model) + " -o " + quoted(out) + " --name r --depfile " + quoted(scratch.path / "r.d") +
+      " --stamp " + quoted(scratch.path / "r.stamp"));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("bad.kindsl:1:38: error:"), std::string::npos) << run.errors;
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_FALSE(fs::exists(scratch.path / "r.d"));
+  EXPECT_FALSE(fs::exists(scratch.path / "r.stamp"));
+}
+
+TEST(Command, AnErrorLeavesEarlierOutputAlone) {
+  const Scratch scratch("again");
+  const fs::path model = scratch.path / "r.kindsl", out = scratch.path / "out";
+  fs::copy_file(robot("hyl"), model);
+  const std::string generate = "generate " + quoted(model) + " -o " + quoted(out) + " --name r";
+  ASSERT_EQ(run_tool(generate).status, 0);
+  const auto before = files_below(out);
+  ASSERT_FALSE(before.empty());
+  write_text(model, read_text(model) + "}");
+  EXPECT_EQ(run_tool(generate).status, 1);
+  EXPECT_EQ(files_below(out), before);
+}
+
+TEST(Command, UnwritableOutputExitsWithTwo) {
+  const Scratch scratch("unwritable");
+  write_text(scratch.path / "file", "");
+  const Run run =
+      run_tool("generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "file" / "out") + " --name hyl");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.errors.find("error"), std::string::npos);
+}
+
+TEST(Command, WritesWhatItListsAndNothingElse) {
+  const Scratch scratch("list");
+  for (const std::string algorithms : {"", " --algorithms jacobians inverse_dynamics"}) {
+    const fs::path out = scratch.path / ("out" + std::to_string(algorithms.size()));
+    const Run list = run_tool("generate --list-outputs --name hyl" + algorithms);
+    ASSERT_EQ(list.status, 0) << list.errors;
+    ASSERT_EQ(
+        run_tool("generate " + quoted(robot("hyl")) + " -o " + quoted(out) + " --name hyl" + algorithms).status, 0);
+    std::string written;
+    for (const auto& [name, text] : files_below(out)) {
+      EXPECT_NE(list.output.find(name + "\n"), std::string::npos) << name;
+      written += name;
+    }
+    EXPECT_EQ(
+        static_cast<std::size_t>(std::count(list.output.begin(), list.output.end(), '\n')), files_below(out).size());
+  }
+}
+
+// The decimal comma of a locale, the folder and the hour must not show.
+TEST(Command, SameInputSameBytes) {
+  const Scratch scratch("same");
+  const fs::path elsewhere = scratch.path / "else where";
+  fs::create_directories(elsewhere);
+  fs::copy_file(robot("quadruped"), elsewhere / "quadruped.kindsl");
+  ASSERT_EQ(
+      run_tool("generate " + quoted(robot("quadruped")) + " -o " + quoted(scratch.path / "a") + " --name q").status, 0);
+  ASSERT_EQ(
+      run_tool(
+          "generate " + quoted(elsewhere / "quadruped.kindsl") + " -o " + quoted(scratch.path / "b") + " --name q", "",
+          "LC_ALL=de_DE.UTF-8")
+          .status,
+      0);
+  EXPECT_EQ(files_below(scratch.path / "a"), files_below(scratch.path / "b"));
+}
+
+TEST(Command, ACommentChangesNothing) {
+  const Scratch scratch("comment");
+  const fs::path model = scratch.path / "r.kindsl", out = scratch.path / "out";
+  fs::copy_file(robot("hyl"), model);
+  const std::string generate = "generate " + quoted(model) + " -o " + quoted(out) + " --name r";
+  ASSERT_EQ(run_tool(generate).status, 0);
+  const auto before = files_below(out);
+  const auto time = fs::last_write_time(out / "r" / "model.h");
+  write_text(model, "// a remark\n\n" + read_text(model));
+  ASSERT_EQ(run_tool(generate).status, 0);
+  EXPECT_EQ(files_below(out), before);
+  EXPECT_EQ(fs::last_write_time(out / "r" / "model.h"), time);
+}
+
+TEST(Command, PrintsCanonicalDocumentsThatPrintTheSame) {
+  const Scratch scratch("print");
+  for (const char* name : {"hyl", "humanoid"}) {
+    const Run first = run_tool("print " + quoted(robot(name)));
+    ASSERT_EQ(first.status, 0);
+    const fs::path copy = scratch.path / "copy.kindsl";
+    write_text(copy, first.output);
+    EXPECT_EQ(run_tool("print " + quoted(copy)).output, first.output);
+  }
+}
+
+TEST(Command, StrictRefusesWhatIsLenientOtherwise) {
+  const Scratch scratch("strict");
+  const fs::path list = scratch.path / "list.dtdsl";
+  write_text(list, "Robot HyL Frames { fr_base } Transforms { fr_base <- fr_foot fr_base <- fr_nothing }");
+  const std::string files = quoted(robot("hyl")) + " " + quoted(list);
+  const Run lenient = run_tool("check " + files), strict = run_tool("check --strict " + files);
+  EXPECT_EQ(lenient.status, 0);
+  EXPECT_NE(lenient.errors.find("warning"), std::string::npos);
+  EXPECT_EQ(strict.status, 1);
+}
+
+TEST(Command, ChecksOurRobotsWithoutAWord) {
+  for (const auto& entry : fs::directory_iterator(ROBCOGEN_ROBOTS_DIR)) {
+    const std::string name = entry.path().filename().string();
+    if (!fs::exists(robot(name))) continue;
+    const Run run = run_tool(
+        "check --strict " + quoted(robot(name)) + " " + quoted(fs::path(robot(name)).replace_extension(".dtdsl")));
+    EXPECT_EQ(run.status, 0) << name;
+    EXPECT_EQ(run.errors, "") << name;
+  }
+}
+
+TEST(Command, ParametricRobotsAreEvaluatedButNotGenerated) {
+  const Scratch scratch("parametric");
+  const fs::path model = scratch.path / "p.kindsl";
+  write_text(model, R"(Robot P {
+    RobotBase b { children { l via j } }
+    link l { id = 1 inertia_params { mass = m CoM = (0.5 len, 0.0, 0.0)
+      Ix = 0.0 Iy = 0.1 Iz = 0.1 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }
+    r_joint j { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (PI/2.0, 0.0, 0.0) } } })");
+  const Run generate = run_tool("generate " + quoted(model) + " -o " + quoted(scratch.path / "o") + " --name p");
+  EXPECT_EQ(generate.status, 1);
+  EXPECT_NE(generate.errors.find("parameters"), std::string::npos) << generate.errors;
+  EXPECT_FALSE(fs::exists(scratch.path / "o"));
+  const Run eval =
+      run_tool("eval " + quoted(model) + " gravity_forces", R"({"q": [0], "parameters": {"m": 2, "len": 3}})");
+  EXPECT_EQ(eval.status, 0) << eval.errors;
+  // The rod lies along x and turns about -y of the base: m g len / 2.
+  EXPECT_EQ(eval.output, "{\"tau\": [29.43]}\n");
+  EXPECT_EQ(run_tool("eval " + quoted(model) + " gravity_forces", "{}").status, 1);
+}
+
+}  // namespace
+}  // namespace robcogen::test

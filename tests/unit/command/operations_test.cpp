@@ -1,0 +1,80 @@
+// Operation counts do not rise: bounds that the cheap forms of the algorithms reached, mul/add/div (instructions).
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_tool.h"
+
+namespace robcogen::test {
+namespace {
+
+struct Bound {
+  const char* function;
+  int mul, add, div, instructions;
+};
+
+void expect_within(const std::filesystem::path& model, const std::vector<Bound>& bounds) {
+  const Run run = run_tool("ops --json " + quoted(model));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const nlohmann::json functions = nlohmann::json::parse(run.output)["functions"];
+  for (const Bound& bound : bounds) {
+    bool found = false;
+    for (const nlohmann::json& f : functions) {
+      if (f["name"] != bound.function) continue;
+      found = true;
+      EXPECT_LE(f["mul"].get<int>(), bound.mul) << bound.function;
+      EXPECT_LE(f["add"].get<int>(), bound.add) << bound.function;
+      EXPECT_LE(f["div"].get<int>(), bound.div) << bound.function;
+      EXPECT_LE(f["instructions"].get<int>(), bound.instructions) << bound.function;
+      EXPECT_EQ(f["sqrt"].get<int>(), 0) << bound.function;
+    }
+    EXPECT_TRUE(found) << bound.function;
+  }
+}
+
+std::filesystem::path corpus(const std::string& name) {
+  return std::filesystem::path(ROBCOGEN_CORPUS_DIR) / name;
+}
+
+const std::string kHyQ = "DrawZeroPoint_control-toolbox__ct_rbd_test_models_testhyq_description_test_hyq.kindsl";
+const std::string kIrb = "DrawZeroPoint_control-toolbox__ct_rbd_test_models_testIrb4600_description_testirb4600.kindsl";
+
+TEST(Operations, FloatingHyQ) {
+  if (!std::filesystem::exists(corpus(kHyQ))) GTEST_SKIP() << "no corpus";
+  expect_within(
+      corpus(kHyQ), {{"inverse_dynamics_fully_actuated", 750, 701, 0, 943},
+                     {"joint_space_inertia", 282, 284, 0, 420},
+                     {"forward_dynamics", 1480, 1412, 14, 1934}});
+}
+
+TEST(Operations, FixedHyQ) {
+  if (!std::filesystem::exists(corpus(kHyQ))) GTEST_SKIP() << "no corpus";
+  std::string text = read_text(corpus(kHyQ));
+  const std::size_t word = text.find("floating");
+  ASSERT_NE(word, std::string::npos);
+  const Scratch scratch("hyq");
+  write_text(scratch.path / "hyq.kindsl", text.erase(word, 8));
+  expect_within(
+      scratch.path / "hyq.kindsl", {{"inverse_dynamics", 370, 301, 0, 441},
+                                    {"joint_space_inertia", 82, 82, 0, 124},
+                                    {"forward_dynamics", 492, 381, 8, 604}});
+}
+
+TEST(Operations, Irb4600) {
+  if (!std::filesystem::exists(corpus(kIrb))) GTEST_SKIP() << "no corpus";
+  expect_within(
+      corpus(kIrb), {{"inverse_dynamics", 259, 228, 0, 319},
+                     {"joint_space_inertia", 139, 118, 0, 180},
+                     {"forward_dynamics", 524, 461, 5, 661}});
+}
+
+// HyL of our own, counted on paper once: two sincos, no division but those of the articulated inertias.
+TEST(Operations, OurRobots) {
+  expect_within(
+      robot("hyl"), {{"inverse_dynamics", 33, 24, 0, 36},
+                     {"joint_space_inertia", 14, 14, 0, 21},
+                     {"forward_dynamics", 66, 49, 2, 82}});
+}
+
+}  // namespace
+}  // namespace robcogen::test
