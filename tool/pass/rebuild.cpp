@@ -1,9 +1,10 @@
 #include "pass/rebuild.h"
 
+#include "symbolic/apply.h"
+
 namespace robcogen::pass {
 
 using symbolic::Expression;
-using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Statement;
 
@@ -19,25 +20,7 @@ Expression Rebuild::read(const Operand& o) {
 
 Expression Rebuild::compute(std::size_t i) {
   const Statement& s = program_.statements[i];
-  const Expression a = read(s.a);
-  const Expression b = symbolic::is_binary(s.op) ? read(s.b) : Expression();
-  switch (s.op) {
-    case Op::add:
-      return a + b;
-    case Op::subtract:
-      return a - b;
-    case Op::multiply:
-      return a * b;
-    case Op::divide:
-      return a / b;
-    case Op::square_root:
-      return sqrt(a);
-    case Op::sine:
-      return sin(a);
-    case Op::cosine:
-      return cos(a);
-  }
-  return a;
+  return symbolic::apply(s.op, read(s.a), symbolic::is_binary(s.op) ? read(s.b) : Expression());
 }
 
 void Rebuild::set(std::size_t i, const Expression& value) {

@@ -87,8 +87,8 @@ class Graph {
 
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);
-  // Gives the value a name unless it has one, or is a constant or an input. Where only the negated value is computed, it
-  // is called `<name>_neg`.
+  // Gives the value a name unless it has one, or is a constant or an input. Where only the negated value is computed,
+  // it is called `<name>_neg`.
   void name(const Expression& e, const std::string& name);
 
   const std::vector<Node>& nodes() const { return nodes_; }

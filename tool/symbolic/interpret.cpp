@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "symbolic/apply.h"
+
 namespace robcogen::symbolic {
 namespace {
 
@@ -13,27 +15,6 @@ Real value_of(const Number& n) {
   if (!n.is_pi_multiple()) return static_cast<Real>(n.value());
   const Real pi = std::acos(Real(-1));
   return pi * static_cast<Real>(n.ratio()->num) / static_cast<Real>(n.ratio()->den);
-}
-
-template <class Real>
-Real apply(Op op, Real a, Real b) {
-  switch (op) {
-    case Op::add:
-      return a + b;
-    case Op::subtract:
-      return a - b;
-    case Op::multiply:
-      return a * b;
-    case Op::divide:
-      return a / b;
-    case Op::square_root:
-      return std::sqrt(a);
-    case Op::sine:
-      return std::sin(a);
-    case Op::cosine:
-      return std::cos(a);
-  }
-  throw std::logic_error("unknown operation");
 }
 
 template <class Real>

@@ -1,0 +1,34 @@
+// What an operation does to two scalars of any kind: numbers in the interpreter, expressions in the passes.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+
+#include "symbolic/program.h"
+
+namespace robcogen::symbolic {
+
+// `b` is ignored by unary operations.
+template <class Scalar>
+Scalar apply(Op op, const Scalar& a, const Scalar& b) {
+  using std::cos, std::sin, std::sqrt;
+  switch (op) {
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return a / b;
+    case Op::square_root:
+      return sqrt(a);
+    case Op::sine:
+      return sin(a);
+    case Op::cosine:
+      return cos(a);
+  }
+  throw std::logic_error("unknown operation");
+}
+
+}  // namespace robcogen::symbolic
