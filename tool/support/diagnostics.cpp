@@ -198,7 +198,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
   std::size_t best = limit + 1;
   std::string found;
   for (const std::string& candidate : candidates) {
-    const auto [shorter, longer] = std::minmax(candidate.size(), word.size());
+    const auto [shorter, longer] = std::minmax({candidate.size(), word.size()});
     if (longer - shorter > limit || longer > kLongestCompared) continue;
     const std::size_t edits = edit_distance(word, candidate);
     if (edits >= best || edits >= shorter) continue;

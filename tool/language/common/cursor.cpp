@@ -105,7 +105,7 @@ void Cursor::unexpected(std::string_view expected, std::string_view context) {
       "unexpected-token",
       fmt::format(
           "expected {}{}, found {}", expected, context.empty() ? "" : fmt::format(" {}", context), describe(peek())));
-  if (peek().kind == Token::Kind::identifier) d.hint = did_you_mean(peek().text, quoted_words(expected));
+  if (peek().kind == Token::Kind::identifier) d.hint = did_you_mean(std::string(peek().text), quoted_words(expected));
   throw SyntaxError{};
 }
 

@@ -40,7 +40,7 @@ class Lexer {
       list_.cut = true;
     }
     while (at_ < text_.size() && !list_.cut) next();
-    list_.tokens.push_back({Token::Kind::end, "", false, {}, {text_.size(), text_.size()}});
+    list_.tokens.push_back({Token::Kind::end, false, "", {text_.size(), text_.size()}});
     return std::move(list_);
   }
 
@@ -84,7 +84,7 @@ class Lexer {
   }
 
   Token& push(Token::Kind kind, std::size_t begin, std::string_view text) {
-    return list_.tokens.emplace_back(Token{kind, std::string(text), false, {}, {begin, at_}});
+    return list_.tokens.emplace_back(Token{kind, false, text, {begin, at_}});
   }
 
   void comment() {
@@ -138,9 +138,9 @@ class Lexer {
       push(Token::Kind::number, begin, text_from(begin));
       return;
     }
-    const std::optional<Number> value = Number::parse(std::string(text_from(begin)));
-    if (!value) error("number-too-large", begin, fmt::format("{} is too large a number", quote(text_from(begin))));
-    push(Token::Kind::number, begin, text_from(begin)).number = value.value_or(Number());
+    push(Token::Kind::number, begin, text_from(begin));
+    if (!Number::parse(std::string(text_from(begin))))
+      error("number-too-large", begin, fmt::format("{} is too large a number", quote(text_from(begin))));
   }
 
   void digits() {
@@ -186,6 +186,10 @@ class Lexer {
 
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
   return Lexer(std::move(source), diagnostics).run();
+}
+
+Number number_of(const Token& token) {
+  return Number::parse(std::string(token.text)).value_or(Number());
 }
 
 std::string quote(std::string_view text) {

@@ -14,9 +14,8 @@ namespace robcogen::language {
 struct Token {
   enum class Kind { identifier, number, symbol, end };
   Kind kind = Kind::end;
-  std::string text;      // identifier without its escape, number as written, one symbol (`->` and `<-` are one)
-  bool escaped = false;  // identifier written with '^': never a keyword
-  Number number;
+  bool escaped = false;   // identifier written with '^': never a keyword
+  std::string_view text;  // in the source: identifier without its escape, number as written, symbol (`->` is one)
   Span span;
 };
 
@@ -36,6 +35,9 @@ struct TokenList {
 // the rest of the text meaningless (a comment that does not end, a `${…}` of a template, UTF-16) is reported and ends
 // the list.
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
+
+// The value of a number; zero for one that was reported.
+Number number_of(const Token& token);
 
 // The text between quotes, cut where it is too long for a message.
 std::string quote(std::string_view text);

@@ -34,7 +34,8 @@ ExpressionPtr literal(Span span, const Number& number) {
   return std::make_shared<const Expression>(std::move(e));
 }
 
-std::string lower(std::string text) {
+std::string lower(std::string_view word) {
+  std::string text(word);
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
@@ -66,7 +67,8 @@ class ExpressionParser {
   ExpressionPtr signed_product() {
     const std::size_t begin = cursor_.peek().span.begin;
     const bool negative = cursor_.accept("-");
-    const Token number = cursor_.take(), sign = cursor_.take();
+    const Token number = cursor_.take();
+    cursor_.take();  // the sign
     ExpressionPtr name = name_or_function();
     const Span span{begin, name->span.end};
     cursor_
@@ -78,7 +80,7 @@ class ExpressionParser {
         .hint = fmt::format(
         "write '{0}{1} {2}' for the product, '{3}{1} - {2}' for the difference", negative ? "" : "-", number.text,
         name->name, negative ? "-" : "");
-    ExpressionPtr factor = literal({begin, number.span.end}, negative ? number.number : -number.number);
+    ExpressionPtr factor = literal({begin, number.span.end}, negative ? number_of(number) : -number_of(number));
     return operation(Kind::multiply, span, std::move(factor), std::move(name));
   }
 
@@ -128,7 +130,7 @@ class ExpressionParser {
   ExpressionPtr primary() {
     if (cursor_.peek().kind == Token::Kind::number) {
       const Token token = cursor_.take();
-      return literal(token.span, token.number);
+      return literal(token.span, number_of(token));
     }
     if (cursor_.at("(")) return parenthesised();
     if (cursor_.at("<")) return named_constant();
@@ -200,7 +202,7 @@ class ExpressionParser {
     const bool negative = cursor_.accept("-");
     if (!negative) cursor_.accept("+");
     if (cursor_.peek().kind != Token::Kind::number) cursor_.unexpected("a number", context);
-    const Number number = cursor_.take().number;
+    const Number number = number_of(cursor_.take());
     return negative ? -number : number;
   }
 

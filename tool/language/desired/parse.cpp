@@ -81,7 +81,7 @@ class Parser {
 
   // The dialect of 2018 asked for quantities by query: `FK name { … }`, `IKpos name { … }`.
   [[noreturn]] void unknown_section() {
-    const std::string& word = cursor_.peek().text;
+    const std::string_view word = cursor_.peek().text;
     if (word == "FK" || word.starts_with("IK")) {
       cursor_
           .error(
@@ -102,10 +102,10 @@ class Parser {
 
   Name name(std::string_view what) {
     const Token token = cursor_.expect_name(what);
-    return {token.text, token.span};
+    return {std::string(token.text), token.span};
   }
 
-  [[noreturn]] void missing_brace(const std::string& section, const Token& open) {
+  [[noreturn]] void missing_brace(std::string_view section, const Token& open) {
     cursor_.error("missing-brace", fmt::format("the '}}' of '{}' is missing before this", section))
         .notes.push_back({cursor_.place(open.span), "opened here"});
     throw SyntaxError{};

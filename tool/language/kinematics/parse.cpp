@@ -96,7 +96,8 @@ class Parser {
     const Token& token = cursor_.peek();
     Diagnostic& d = cursor_.error(
         "unknown-element", fmt::format("expected {} or '}}', found {}", fmt::join(kElements, ", "), describe(token)));
-    if (token.kind == Token::Kind::identifier) d.hint = did_you_mean(token.text, {kElements.begin(), kElements.end()});
+    if (token.kind == Token::Kind::identifier)
+      d.hint = did_you_mean(std::string(token.text), {kElements.begin(), kElements.end()});
     cursor_.skip_until([&] { return cursor_.at("{") || cursor_.at("}") || at_element(); });
     if (!cursor_.accept("{")) return;
     const std::size_t inside = cursor_.open_blocks();
@@ -195,7 +196,8 @@ class Parser {
     Diagnostic& d = cursor_.error(
         "unknown-item",
         fmt::format("expected {} or '}}' in {}, found {}", fmt::join(words, ", "), owner, describe(token)));
-    if (token.kind == Token::Kind::identifier) d.hint = did_you_mean(token.text, {words.begin(), words.end()});
+    if (token.kind == Token::Kind::identifier)
+      d.hint = did_you_mean(std::string(token.text), {words.begin(), words.end()});
     throw SyntaxError{};
   }
 
@@ -207,7 +209,7 @@ class Parser {
 
   Name name(std::string_view what) {
     const Token token = cursor_.expect_name(what);
-    return {token.text, token.span};
+    return {std::string(token.text), token.span};
   }
 
   // -------------------------------------------------------------------------------------------------------------------
@@ -217,7 +219,7 @@ class Parser {
     Link link;
     const Token keyword = cursor_.take();
     link.is_base = keyword.text == "RobotBase";
-    if (link.is_base) bases_.push_back({cursor_.peek().text, cursor_.peek().span});
+    if (link.is_base) bases_.push_back({std::string(cursor_.peek().text), cursor_.peek().span});
     link.name = name(link.is_base ? "the name of the base" : "the name of a link");
     const std::string owner = fmt::format("{} '{}'", link.is_base ? "base" : "link", link.name.text);
     link.floating = link.is_base && cursor_.accept("floating");
@@ -254,13 +256,13 @@ class Parser {
     const Token token = cursor_.peek();
     const bool is_integer = token.kind == Token::Kind::number &&
                             token.text.find_first_not_of("0123456789") == std::string::npos &&
-                            token.number.value() <= INT_MAX;
+                            number_of(token).value() <= INT_MAX;
     if (!is_integer) {
       cursor_.error("bad-id", fmt::format("an id is an integer from 0 to {}, not {}", INT_MAX, describe(token)));
       throw SyntaxError{};
     }
     cursor_.take();
-    return static_cast<int>(token.number.value());
+    return static_cast<int>(number_of(token).value());
   }
 
   void children(Link& link) {
