@@ -179,6 +179,7 @@ std::string array_text(const symbolic::OutputArray& array, const std::vector<dou
 Status eval(const Options& options) {
   const std::optional<Robot> robot = options.model.load();
   if (!robot) return wrong_input;
+  require_traceable(*robot);
   const symbolic::Program program = program_of(*robot, options);
   json given;
   try {

@@ -13,9 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Straight-line code for more joints than this helps nobody: it would take minutes to compile and never fit a cache.
-constexpr int kMostJoints = 1000;
-
 struct Options {
   ModelOptions model;
   std::string output;
@@ -78,11 +75,6 @@ Status generate(const Options& options) {
   const std::optional<Robot> robot = options.model.load();
   if (!robot) return wrong_input;
   refuse_parameters(*robot);
-  if (robot->tree.dof() > kMostJoints)
-    throw Failure{
-        wrong_input, fmt::format(
-                         "{}: error: robot '{}' has {} joints; code is generated for at most {} [too-many-joints]",
-                         robot->model.string(), robot->tree.name, robot->tree.dof(), kMostJoints)};
   const backend::Library lib = library(*robot, options.names, in_canonical_order(options.groups), options.model.passes);
   std::string error;
   if (!write_files_if_changed(options.output, backend::cpp::print(lib), error))

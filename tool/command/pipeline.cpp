@@ -1,5 +1,7 @@
 #include "command/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "import/kinematics.h"
@@ -100,10 +102,19 @@ void promote_desired_warnings(Diagnostics& diagnostics) {
   diagnostics.promote_warnings(kStrictCodes);
 }
 
+void require_traceable(const Robot& robot) {
+  if (robot.tree.dof() <= kMostJoints) return;
+  throw Failure{
+      wrong_input, fmt::format(
+                       "{}: error: robot '{}' has {} joints; programs are made for at most {} [too-many-joints]",
+                       robot.model.string(), robot.tree.name, robot.tree.dof(), kMostJoints)};
+}
+
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
     const std::vector<std::string>& passes) {
+  require_traceable(robot);
   std::vector<algorithm::RobotFunction> all;
   for (const std::string& group : groups) {
     for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group)) {

@@ -47,7 +47,14 @@ std::optional<Robot> load_robot(
 // Makes errors of the warnings that the original tool refused in desired-transforms documents.
 void promote_desired_warnings(Diagnostics& diagnostics);
 
-// All functions of these groups, run through these passes.
+// Straight-line programs for more joints than this help nobody: the inertia matrix alone has a million elements. Checks
+// and prints of documents know no such bound.
+inline constexpr int kMostJoints = 1000;
+
+// A Failure when the robot has more than kMostJoints.
+void require_traceable(const Robot& robot);
+
+// All functions of these groups, run through these passes. The robot must be traceable.
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,

@@ -158,6 +158,30 @@ TEST(Command, ChecksOurRobotsWithoutAWord) {
   }
 }
 
+TEST(Command, RobotsBeyondAllMeasureAreCheckedButNotTraced) {
+  const Scratch scratch("huge");
+  const fs::path model = scratch.path / "chain.kindsl";
+  std::string text = "Robot Chain {\nRobotBase l0 { children { l1 via j1 } }\n";
+  const int joints = 20000;
+  for (int i = 1; i <= joints; ++i) {
+    const std::string n = std::to_string(i), next = std::to_string(i + 1);
+    text += "link l" + n + " { id = " + n +
+            " inertia_params { mass = 1 CoM = (0, 0, 0) Ix = 1 Iy = 1 Iz = 1 Ixy = 0 Ixz = 0 Iyz = 0 } children { " +
+            (i < joints ? "l" + next + " via j" + next : "") + " } }\nr_joint j" + n +
+            " { ref_frame { translation = (0.1, 0, 0) rotation = (0, 0, 0) } }\n";
+  }
+  write_text(model, text + "}\n");
+  EXPECT_EQ(run_tool("check " + quoted(model)).status, 0);
+  const std::string file = quoted(model);
+  for (const std::string& command :
+       {"ops " + file, "eval " + file + " inverse_dynamics",
+        "generate " + file + " --name c -o " + quoted(scratch.path / "o")}) {
+    const Run run = run_tool(command, "{}");
+    EXPECT_EQ(run.status, 1) << command;
+    EXPECT_NE(run.errors.find("[too-many-joints]"), std::string::npos) << run.errors;
+  }
+}
+
 TEST(Command, ParametricRobotsAreEvaluatedButNotGenerated) {
   const Scratch scratch("parametric");
   const fs::path model = scratch.path / "p.kindsl";
