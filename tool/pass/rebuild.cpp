@@ -20,7 +20,10 @@ Expression Rebuild::read(const Operand& o) {
 
 Expression Rebuild::compute(std::size_t i) {
   const Statement& s = program_.statements[i];
-  return symbolic::apply(s.op, read(s.a), symbolic::is_binary(s.op) ? read(s.b) : Expression());
+  // One after the other: the order in which nodes are made is the order of the program, with every compiler.
+  const Expression a = read(s.a);
+  const Expression b = symbolic::is_binary(s.op) ? read(s.b) : Expression();
+  return symbolic::apply(s.op, a, b);
 }
 
 void Rebuild::set(std::size_t i, const Expression& value) {

@@ -30,8 +30,8 @@ std::vector<Use> uses_of(const Program& p) {
   return uses;
 }
 
-// Products that disappear: every use is a sum that has not absorbed another product yet. Those with fewest uses first:
-// they block fewest others.
+// Products that disappear: every use is a sum of its own that has not absorbed another product yet. Those with fewest
+// uses first: they block fewest others.
 int fused_products(const Program& p) {
   const std::vector<Use> uses = uses_of(p);
   std::vector<std::size_t> candidates;
@@ -46,6 +46,7 @@ int fused_products(const Program& p) {
   int fused = 0;
   for (std::size_t i : candidates) {
     const std::vector<int>& sums = uses[i].sums;
+    if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) continue;  // m + m
     if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) continue;
     for (int u : sums) taken[static_cast<std::size_t>(u)] = true;
     ++fused;

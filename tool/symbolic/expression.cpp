@@ -49,6 +49,7 @@ Expression operator*(double a, const Expression& b) {
 Expression operator/(const Expression& a, const Expression& b) {
   if (b.is_zero()) throw std::logic_error("division by the constant zero");
   if (a.is_zero() || b.is_one()) return a;
+  if ((-b).is_one()) return -a;
   Graph& g = *common_graph(a, b);
   if (a.is_constant() && b.is_constant()) return g.constant(a.number() / b.number());
   const Expression quotient = g.operation(Op::divide, g.positive(a.node()), g.positive(b.node()));
@@ -205,7 +206,7 @@ void Graph::split_factor(const Expression& x, Number& factor, int& rest) const {
 Expression Graph::add(Expression a, Expression b) {
   if (a.is_constant() && b.is_constant()) return constant(a.number() + b.number());
   if (a.node() == b.node()) {
-    if (a.negative() != b.negative()) return Expression();
+    if (a.negative() != b.negative()) return positive(0);
     if (rewrite_) return constant(2.0) * a;
   }
   if (rewrite_) {

@@ -1,5 +1,6 @@
 #include "symbolic/interpret.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -19,6 +20,11 @@ Real value_of(const Number& n) {
 
 template <class Real>
 std::vector<Real> flatten(const Program& program, const Arrays<Real>& inputs) {
+  for (const auto& [name, values] : inputs) {
+    const auto has_name = [&wanted = name](const InputArray& array) { return array.name == wanted; };
+    if (std::none_of(program.inputs.begin(), program.inputs.end(), has_name))
+      throw std::logic_error("the program has no input '" + name + "'");
+  }
   std::vector<Real> flat;
   flat.reserve(static_cast<std::size_t>(program.input_count()));
   for (const InputArray& array : program.inputs) {

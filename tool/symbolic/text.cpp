@@ -9,11 +9,14 @@
 //     return tau upperleg_wz -upperleg_t0
 #include "symbolic/text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace robcogen::symbolic {
 namespace {
@@ -72,6 +75,24 @@ bool is_identifier(const std::string& s) {
   return true;
 }
 
+// Whether all of the text is one integer.
+template <class Integer>
+bool read_all(std::string_view text, Integer& value) {
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return fault == std::errc() && end == text.data() + text.size() && !text.empty();
+}
+
+// What is wrong with the names of input or output arrays.
+template <class Array>
+std::string fault_of_names(const std::vector<Array>& arrays) {
+  std::set<std::string> names;
+  for (const Array& array : arrays) {
+    if (!is_identifier(array.name)) return "'" + array.name + "' is no identifier";
+    if (!names.insert(array.name).second) return "'" + array.name + "' names two arrays";
+  }
+  return "";
+}
+
 // Reads line by line; the first thing that is wrong ends it.
 class Reader {
  public:
@@ -83,7 +104,9 @@ class Reader {
       words_ = std::istringstream(line);
       std::string keyword;
       if (!(words_ >> keyword)) continue;
-      const std::string fault = statement(keyword);
+      std::string fault = statement(keyword);
+      std::string rest;
+      if (fault.empty() && words_ >> rest) fault = "'" + rest + "' is too much";
       if (!fault.empty()) {
         error = "line " + std::to_string(number) + ": " + fault;
         return std::nullopt;
@@ -212,11 +235,12 @@ class Reader {
   }
 
   std::string read_input(const std::string& word, Operand& o) {
-    const std::size_t bracket = word.find('[');
+    const std::size_t bracket = std::min(word.find('['), word.size() - 1);
+    const std::string_view digits = std::string_view(word).substr(bracket + 1, word.size() - bracket - 2);
     int index = -1, offset = 0;
-    if (bracket != std::string::npos) std::from_chars(word.data() + bracket + 1, word.data() + word.size() - 1, index);
+    const bool whole = read_all(digits, index);
     for (const InputArray& array : program_.inputs) {
-      if (bracket != std::string::npos && word.compare(0, bracket, array.name) == 0 && index >= 0 &&
+      if (whole && word.compare(0, bracket, array.name) == 0 && index >= 0 &&
           index < static_cast<int>(array.elements.size())) {
         o.kind = Operand::Kind::input;
         o.index = offset + index;
@@ -230,11 +254,12 @@ class Reader {
   std::string read_constant(const std::string& word, Operand& o) {
     std::optional<Number> value;
     if (word.starts_with("pi:")) {
+      const std::string_view ratio = std::string_view(word).substr(3);
+      const std::size_t colon = std::min(ratio.find(':'), ratio.size() - 1);
       Rational r;
-      char colon = 0;
-      std::istringstream ratio(word.substr(3));
-      if (ratio >> r.num >> colon >> r.den && colon == ':' && r.den > 0) value = Number::pi_multiple(r.num, r.den);
-    } else {
+      if (read_all(ratio.substr(0, colon), r.num) && read_all(ratio.substr(colon + 1), r.den) && r.num > 0 && r.den > 0)
+        value = Number::pi_multiple(r.num, r.den);
+    } else if (!word.starts_with('-') && !word.starts_with('+')) {
       value = Number::parse(word);
     }
     if (!value) return "'" + word + "' is neither a number nor assigned before";
@@ -305,10 +330,14 @@ std::string verify(const Program& p) {
     return false;
   };
   if (!is_identifier(p.name)) return "the program has no proper name";
+  for (const auto& fault : {fault_of_names(p.inputs), fault_of_names(p.outputs)})
+    if (!fault.empty()) return fault;
   std::set<std::string> names;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
     if (!is_identifier(s.name)) return "'" + s.name + "' is no identifier";
+    if (std::any_of(kOps.begin(), kOps.end(), [&](const OpName& o) { return s.name == o.name; }))
+      return "'" + s.name + "' is an operation";
     if (!names.insert(s.name).second) return "'" + s.name + "' is assigned twice";
     if (!sound(s.a, i) || (is_binary(s.op) && !sound(s.b, i)))
       return "statement '" + s.name + "' reads what is not there";
@@ -316,9 +345,10 @@ std::string verify(const Program& p) {
       return "statement '" + s.name + "' is in no section";
   }
   for (const Number& n : p.constants)
-    if (!(n.value() >= 0.0)) return "a constant is negative or no number";
+    if (!(n.value() >= 0.0) || std::isinf(n.value())) return "a constant is negative or no number";
   for (const OutputArray& array : p.outputs) {
-    if (array.values.size() != static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns))
+    if (array.rows < 0 || array.columns < 0 ||
+        array.values.size() != static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns))
       return "output '" + array.name + "' has the wrong number of values";
     for (const Operand& o : array.values)
       if (!sound(o, p.statements.size())) return "output '" + array.name + "' reads what is not there";

@@ -1,0 +1,51 @@
+// The list of passes and its order.
+#include "pass/passes.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "symbolic/programs.h"
+
+namespace robcogen::pass {
+namespace {
+
+const std::string kProgram =
+    "in 0\n"
+    "tmp x = a[0] + a[1]\n"
+    "tmp dead = a[2] * 0.0\n"
+    "tmp y = a[1] + a[0]\n"
+    "in 1\n"
+    "tmp z = x * y\n"
+    "return out z\n";
+
+TEST(Passes, Names) {
+  EXPECT_EQ(names(), (std::vector<std::string>{"simplify", "reassociate", "cse", "dead-code", "sink"}));
+}
+
+TEST(Passes, NoneLeavesTheProgramAlone) {
+  const symbolic::Program p = test::small_program(kProgram);
+  EXPECT_EQ(print(run(p, {})), print(p));
+}
+
+TEST(Passes, EachRunsByItsName) {
+  const symbolic::Program p = test::small_program(kProgram);
+  EXPECT_EQ(print(run(p, {"simplify"})), print(simplify(p)));
+  EXPECT_EQ(print(run(p, {"reassociate"})), print(reassociate(p)));
+  EXPECT_EQ(print(run(p, {"cse"})), print(eliminate_common_subexpressions(p)));
+  EXPECT_EQ(print(run(p, {"dead-code"})), print(eliminate_dead_code(p)));
+  EXPECT_EQ(print(run(p, {"sink"})), print(sink(p)));
+}
+
+TEST(Passes, TheOrderIsTheirsNotTheCallers) {
+  const symbolic::Program p = test::small_program(kProgram);
+  EXPECT_EQ(print(run(p, {"sink", "dead-code", "cse"})), print(run(p, {"cse", "dead-code", "sink"})));
+  EXPECT_EQ(print(run(p, {"cse", "sink"})), print(sink(eliminate_common_subexpressions(p))));
+}
+
+TEST(Passes, AnUnknownNameIsAnInternalFault) {
+  EXPECT_THROW(run(test::small_program(kProgram), {"cse", "inline"}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace robcogen::pass

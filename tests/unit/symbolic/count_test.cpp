@@ -1,0 +1,119 @@
+// Operation counts of programs small enough to count by hand.
+#include "symbolic/count.h"
+
+#include <gtest/gtest.h>
+
+#include "programs.h"
+
+namespace robcogen::symbolic {
+namespace {
+
+OperationCount counted(const std::string& statements, int outputs = 1) {
+  return count(test::small_program(statements, outputs));
+}
+
+TEST(Count, NothingCostsNothing) {
+  const OperationCount c = counted("return out -a[0]\n");
+  EXPECT_EQ(c.mul + c.add + c.div + c.sqrt + c.sincos + c.instructions + c.critical_path, 0);
+}
+
+TEST(Count, EachOperationInItsColumn) {
+  const OperationCount c = counted(
+      "let a1 = a[0] + a[1]\n"
+      "let a2 = a1 - a[2]\n"
+      "let m1 = a2 * a[3]\n"
+      "let d1 = m1 / a[1]\n"
+      "let r1 = sqrt d1\n"
+      "let s1 = sin r1\n"
+      "return out s1 r1\n",
+      2);
+  EXPECT_EQ(c.add, 2);
+  EXPECT_EQ(c.mul, 1);
+  EXPECT_EQ(c.div, 1);
+  EXPECT_EQ(c.sqrt, 1);
+  EXPECT_EQ(c.sincos, 1);
+  EXPECT_EQ(c.instructions, 3);  // divisions, roots, sines stand in their own columns
+  EXPECT_EQ(c.critical_path, 4 + 4 + 4 + 14 + 14);
+}
+
+TEST(Count, SineAndCosineOfOneAngleAreOne) {
+  EXPECT_EQ(counted("let s = sin a[0]\nlet c = cos a[0]\nreturn out s c\n", 2).sincos, 1);
+  EXPECT_EQ(counted("let s = sin a[0]\nlet c = cos -a[0]\nreturn out s c\n", 2).sincos, 1);
+  EXPECT_EQ(counted("let s = sin a[0]\nlet c = cos a[1]\nreturn out s c\n", 2).sincos, 2);
+  // Statement 0 is not input 0.
+  EXPECT_EQ(counted("let t = a[0] * a[1]\nlet s = sin t\nlet c = cos a[0]\nreturn out s c\n", 2).sincos, 2);
+}
+
+TEST(Count, ASumSwallowsOneProduct) {
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + a[2]\nreturn out s\n").instructions, 1);
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = a[2] - m\nreturn out s\n").instructions, 1);
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet n = a[2] * a[3]\nlet s = m + n\nreturn out s\n").instructions, 2);
+}
+
+TEST(Count, AProductThatSomethingElseReadsStays) {
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + a[2]\nreturn out s m\n", 2).instructions, 2);
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + a[2]\nlet n = m * a[2]\nreturn out s n\n", 2).instructions, 3);
+}
+
+TEST(Count, AProductInTwoSumsIsSwallowedByBoth) {
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + a[2]\nlet t = m + a[3]\nreturn out s t\n", 2).instructions, 2);
+}
+
+// fma(a, b, m) still needs m.
+TEST(Count, ASumOfAProductWithItselfSwallowsNothing) {
+  EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + m\nreturn out s\n").instructions, 2);
+}
+
+// m with one use takes the sum it shares with n; n with two uses is then needed by itself.
+TEST(Count, ProductsWithFewestUsesAreSwallowedFirst) {
+  EXPECT_EQ(
+      counted(
+          "let n = a[0] * a[1]\n"
+          "let m = a[2] * a[3]\n"
+          "let s = n + m\n"
+          "let t = n + a[2]\n"
+          "return out s t\n",
+          2)
+          .instructions,
+      3);
+}
+
+// A chain of n fused operations: one product that nothing takes, then n - 1 sums that take theirs.
+TEST(Count, ADotProductIsAChain) {
+  const OperationCount c = counted(
+      "let m0 = a[0] * a[0]\n"
+      "let m1 = a[1] * a[1]\n"
+      "let s1 = m0 + m1\n"
+      "let m2 = a[2] * a[2]\n"
+      "let s2 = s1 + m2\n"
+      "return out s2\n");
+  EXPECT_EQ(c.mul, 3);
+  EXPECT_EQ(c.add, 2);
+  EXPECT_EQ(c.instructions, 3);
+  EXPECT_EQ(c.critical_path, 4 + 4 + 4);
+}
+
+TEST(Count, TheCriticalPathFusesAtTheLaterFactor) {
+  // x is ready at 4; fma(x, a, b) at 8.
+  EXPECT_EQ(counted("let x = a[0] + a[1]\nlet m = x * a[2]\nlet s = m + a[3]\nreturn out s\n").critical_path, 8);
+  // The addend is late: fused, the sum waits for it alone.
+  EXPECT_EQ(
+      counted("let x = a[0] / a[1]\n"
+              "let m = a[2] * a[3]\n"
+              "let s = m - x\n"
+              "return out s\n")
+          .critical_path,
+      14 + 4);
+}
+
+TEST(Count, TheCriticalPathIsOfTheLatestOutput) {
+  EXPECT_EQ(
+      counted("let x = a[0] + a[1]\nlet y = a[0] / a[1]\nlet dead = sqrt y\nreturn out x y\n", 2).critical_path, 14);
+}
+
+TEST(Count, SinesAreGiven) {
+  EXPECT_EQ(counted("let x = a[0] + a[1]\nlet s = sin x\nlet m = s * a[2]\nreturn out m\n").critical_path, 4);
+}
+
+}  // namespace
+}  // namespace robcogen::symbolic
