@@ -9,6 +9,7 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,25 @@ struct State {
   robcogen::SpatialAcceleration base_acceleration;
 };
 
+// To the types of the library, which store their elements one after another.
+template <class To>
+To converted(const robcogen::reference::Vector<double>& from) {
+  To to;
+  std::copy(from.data(), from.data() + from.rows(), to.data());
+  return to;
+}
+
 template <class R>
 std::vector<State<R>> random_states(const Robot& robot) {
+  using Joints = typename R::JointState;
   std::mt19937_64 engine(kSeed);
   std::vector<State<R>> states;
   for (int i = 0; i < kStates; ++i) {
-    const robcogen::reference::Sample s = robcogen::reference::random_sample(engine, robot);
+    const auto [q, qd, qdd, velocity, acceleration] = robcogen::reference::random_sample(engine, robot).motion;
+    const auto tau = robcogen::reference::uniform_vector(engine, R::kDof, 50);
     states.push_back(
-        {s.motion.q, s.motion.qd, s.motion.qdd, robcogen::reference::uniform_vector(engine, R::kDof, 50),
-         robcogen::Twist(s.motion.base_velocity), robcogen::SpatialAcceleration(s.motion.base_acceleration)});
+        {converted<Joints>(q), converted<Joints>(qd), converted<Joints>(qdd), converted<Joints>(tau),
+         converted<robcogen::Twist>(velocity), converted<robcogen::SpatialAcceleration>(acceleration)});
   }
   return states;
 }

@@ -1,9 +1,8 @@
 // Small robots whose equations of motion stand in every textbook, and one with nothing special about it.
 #pragma once
 
-#include <random>
-
 #include "robcogen/reference/energy.h"
+#include "robcogen/reference/samples.h"
 #include "tables.h"
 
 namespace robcogen::reference {
@@ -94,20 +93,8 @@ inline Tables crooked_tree(bool floating_base) {
   return t;
 }
 
-// Uniform in [-1, 1].
-inline VectorX<double> random_vector(std::mt19937_64& engine, Eigen::Index size) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  return VectorX<double>::NullaryExpr(size, [&] { return uniform(engine); });
-}
-
 inline Motion<double> random_motion(std::mt19937_64& engine, const Robot& robot) {
-  const Eigen::Index n = robot.joints.size;
-  Motion<double> motion{3 * random_vector(engine, n), 3 * random_vector(engine, n), 9 * random_vector(engine, n)};
-  if (robot.floating_base) {
-    motion.base_velocity = 2 * random_vector(engine, 6);
-    motion.base_acceleration = 5 * random_vector(engine, 6);
-  }
-  return motion;
+  return random_sample(engine, robot).motion;
 }
 
 }  // namespace robcogen::reference

@@ -13,8 +13,9 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
-#include "robcogen/reference/check_dynamics.h"
+#include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
+#include "robcogen/reference/compiled_robot.h"
 
 namespace robcogen::reference {
 namespace {
@@ -26,22 +27,25 @@ constexpr bool kHasInertia = ROBCOGEN_HAS_JOINT_SPACE_INERTIA;
 
 template <class R>
 Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
+  const CompiledRobot<R> subject(robot);
   Checks checks;
   std::mt19937_64 engine(seed);
-  for (int sample = 0; sample < samples; ++sample) {
-    const Sample s = random_sample(engine, robot);
-    const Expected e(robot, s);
-    if constexpr (kHasInverseDynamics) check_inverse_dynamics<R>(robot, s, e, sample, checks);
-    if constexpr (kHasBiasForces) check_bias_forces<R>(robot, s, e, sample, checks);
-    if constexpr (kHasBiasForces) check_gravity_gradient<R>(robot, s, e, sample, checks);
-    if constexpr (kHasForwardDynamics) check_forward_dynamics<R>(robot, s, e, sample, checks);
-    if constexpr (kHasForwardDynamics && kHasInverseDynamics) check_round_trips<R>(robot, s, e, sample, checks);
-    if constexpr (kHasInertia) check_inertia_matrix<R>(robot, s, e, sample, checks);
-    if constexpr (kHasInertia && kHasInverseDynamics) check_inertia_columns<R>(s, e, sample, checks);
-    if constexpr (kHasInertia && kHasBiasForces) check_power<R>(s, sample, checks);
+  for (int i = 0; i < samples; ++i) {
+    const Sample sample = random_sample(engine, robot);
+    const Case c(robot, sample, i);
+    if constexpr (kHasInverseDynamics) check_inverse_dynamics(subject, c, checks);
+    if constexpr (kHasBiasForces) check_bias_forces(subject, c, checks);
+    if constexpr (kHasBiasForces) check_gravity_gradient(subject, c, checks);
+    if constexpr (kHasForwardDynamics) check_forward_dynamics(subject, c, checks);
+    if constexpr (kHasForwardDynamics && kHasInverseDynamics) check_round_trips(subject, c, checks);
+    if constexpr (kHasInertia) check_inertia_matrix(subject, c, checks);
+    if constexpr (kHasInertia) check_inertia_structure(subject, c, checks);
+    if constexpr (kHasInertia) check_energy(subject, c, checks);
+    if constexpr (kHasInertia && kHasInverseDynamics) check_inertia_columns(subject, c, checks);
+    if constexpr (kHasInertia && kHasBiasForces) check_power(subject, c, checks);
     // The tables are empty where the library has no transforms or no Jacobians.
-    check_transforms(robot, s, sample, checks);
-    check_jacobians(robot, s, sample, checks);
+    check_transforms(subject, c, checks);
+    check_jacobians(subject, c, checks);
   }
   return checks;
 }

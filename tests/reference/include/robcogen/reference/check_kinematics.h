@@ -1,10 +1,8 @@
-// Checks of a compiled robot's transforms and Jacobians, by the tables that its reflection lists them in.
-//
-// Each function records the errors of one sample.
+// Checks of a robot's transforms and Jacobians, all that its tables list. Each function records the errors of one
+// sample.
 #pragma once
 
-#include "robcogen/reference/checks.h"
-#include "robcogen/reference/samples.h"
+#include "robcogen/reference/check_dynamics.h"
 
 namespace robcogen::reference {
 
@@ -12,38 +10,17 @@ inline constexpr Tolerance kTransform{
     "kTransform", 1e-13, "rounding of a product of rotations, relative to the lengths"};
 inline constexpr Tolerance kJacobian{"kJacobian", 1e-11, "rounding of a product of rotations, twice"};
 
-// The three forms of one compiled transform.
-struct TransformForms {
-  Matrix4<double> homogeneous;
-  Matrix6<double> motion;
-  Matrix6<double> force;
-};
-
-inline TransformForms evaluate(const reflection::Transform& transform, const VectorX<double>& q) {
-  TransformForms result;
-  transform.homogeneous(q.data(), result.homogeneous.data());
-  transform.motion(q.data(), result.motion.data());
-  transform.force(q.data(), result.force.data());
-  return result;
-}
-
 // Relative to the lengths in the matrix, and to one, which its rotation has.
-template <class Actual, class Wanted>
-Real transform_error(const Actual& actual, const Wanted& expected) {
-  const auto magnitude = expected.cwiseAbs().eval();
-  using Matrix = std::decay_t<decltype(magnitude)>;
-  using Value = typename Matrix::Scalar;
-  return relative_error(actual, expected, Matrix::Constant(std::max(Value(1), magnitude.maxCoeff())));
-}
-
-inline TransformForms operator*(const TransformForms& a, const TransformForms& b) {
-  return {a.homogeneous * b.homogeneous, a.motion * b.motion, a.force * b.force};
+template <class Scalar>
+Real transform_error(const Matrix<double>& actual, const Matrix<Scalar>& expected) {
+  const Matrix<Real> wanted = expected.template cast<Real>();
+  return largest(actual.cast<Real>() - wanted) / std::max(Real(1), largest(wanted));
 }
 
 // left_X_middle * middle_X_right = left_X_right wherever all three are in the table, and inverse pairs.
-inline void check_composition(const Robot& robot, const std::vector<TransformForms>& all, int sample, Checks& checks) {
-  const TransformForms identity{Matrix4<double>::Identity(), Matrix6<double>::Identity(), Matrix6<double>::Identity()};
-  const auto& table = robot.transforms;
+inline void check_composition(const Case& c, const std::vector<TransformForms>& all, Checks& checks) {
+  const TransformForms unit{Matrix<double>::identity(4), Matrix<double>::identity(6), Matrix<double>::identity(6)};
+  const auto& table = c.robot.transforms;
   for (int a = 0; a < table.size; ++a) {
     for (int b = 0; b < table.size; ++b) {
       if (table[a].right != table[b].left) continue;
@@ -51,81 +28,77 @@ inline void check_composition(const Robot& robot, const std::vector<TransformFor
       const TransformForms& B = all[static_cast<std::size_t>(b)];
       const auto compare = [&](const char* name, const TransformForms& expected) {
         const TransformForms product = A * B;
-        const Real lengths = std::max(1.0, A.motion.cwiseAbs().maxCoeff() * B.motion.cwiseAbs().maxCoeff());
-        const Real error = std::max(
+        const Real lengths = std::max(1.0, largest(A.motion) * largest(B.motion));
+        const Real error = worst_of(
             {transform_error(product.homogeneous, expected.homogeneous),
              transform_error(product.motion, expected.motion), transform_error(product.force, expected.force)});
-        checks.record(name, kTransform, error / lengths, sample);
+        checks.record(name, kTransform, error / lengths, c.index);
       };
-      if (table[a].left == table[b].right) compare("P5: inverse pairs", identity);
-      for (int c = 0; c < table.size; ++c) {
-        if (table[c].left == table[a].left && table[c].right == table[b].right)
-          compare("P5: composition", all[static_cast<std::size_t>(c)]);
+      if (table[a].left == table[b].right) compare("P5: inverse pairs", unit);
+      for (int k = 0; k < table.size; ++k) {
+        if (table[k].left == table[a].left && table[k].right == table[b].right)
+          compare("P5: composition", all[static_cast<std::size_t>(k)]);
       }
     }
   }
 }
 
-inline void check_transforms(const Robot& robot, const Sample& s, int sample, Checks& checks) {
-  const VectorX<Real> q = s.motion.q.cast<Real>();
+template <class Subject>
+void check_transforms(const Subject& subject, const Case& c, Checks& checks) {
   std::vector<TransformForms> all;
-  for (const reflection::Transform& t : robot.transforms) {
-    const TransformForms& X = all.emplace_back(evaluate(t, s.motion.q));
-    const Matrix4<Real> expected = transform(robot, q, t.left, t.right);
-    checks.record("transforms::homogeneous", kTransform, transform_error(X.homogeneous, expected), sample);
-    checks.record("transforms::motion", kTransform, transform_error(X.motion, motion_form(expected)), sample);
-    checks.record("transforms::force", kTransform, transform_error(X.force, force_form(expected)), sample);
-    checks.record(
-        "P5: motion form of the homogeneous one", kTransform, transform_error(X.motion, motion_form(X.homogeneous)),
-        sample);
-    const Matrix6<double> product = X.force.transpose() * X.motion;
-    const Real lengths = std::max(1.0, std::pow(X.motion.cwiseAbs().maxCoeff(), 2));
-    checks.record(
-        "P5: force = inverse transpose of motion", kTransform,
-        transform_error(product, Matrix6<double>::Identity().eval()) / lengths, sample);
+  for (int i = 0; i < c.robot.transforms.size; ++i) {
+    const reflection::Transform& t = c.robot.transforms[i];
+    const TransformForms& X = all.emplace_back(subject.transform(i, c.sample.motion.q));
+    const Matrix<Real> expected = transform(c.robot, c.motion.q, t.left, t.right);
+    const auto record = [&](const char* name, Real error) { checks.record(name, kTransform, error, c.index); };
+    record("transforms::homogeneous", transform_error(X.homogeneous, expected));
+    record("transforms::motion", transform_error(X.motion, motion_form(expected)));
+    record("transforms::force", transform_error(X.force, force_form(expected)));
+    record("P5: motion form of the homogeneous one", transform_error(X.motion, motion_form(X.homogeneous)));
+    const Real lengths = std::max(1.0, largest(X.motion) * largest(X.force));
+    record(
+        "P5: force = inverse transpose of motion",
+        transform_error(transpose(X.force) * X.motion, Matrix<double>::identity(6)) / lengths);
   }
-  check_composition(robot, all, sample, checks);
+  check_composition(c, all, checks);
 }
 
 // Twist of `right` with respect to `left` at the velocity qd, in coordinates of `left`: the pose's rate by a complex
 // step, exact to rounding.
-inline Vector6<double> frame_velocity(
+inline Vector<double> frame_velocity(
     const Robot& robot,
-    const VectorX<double>& q,
-    const VectorX<double>& qd,
+    const Vector<double>& q,
+    const Vector<double>& qd,
     int left,
     int right) {
   using Complex = std::complex<double>;
   const double step = 1e-30;
-  VectorX<Complex> moved(q.size());
-  moved.real() = q;
-  moved.imag() = step * qd;
-  const Matrix4<Complex> pose = transform(robot, moved, left, right);
-  const Matrix4<double> X = pose.real();
-  const Matrix4<double> rate = pose.imag() / step;
-  Vector6<double> velocity;
-  velocity << axis_of<double>(rotation_of(rate) * rotation_of(X).transpose()), origin_of(rate);
-  return velocity;
+  const Vector<Complex> moved = q.cast<Complex>() + Complex(0, step) * qd.cast<Complex>();
+  const Matrix<Complex> pose = transform(robot, moved, left, right);
+  const Matrix<double> X = pose.mapped([](const Complex& x) { return x.real(); });
+  const Matrix<double> rate = pose.mapped([&](const Complex& x) { return x.imag() / step; });
+  return stacked(axis_of(rotation_of(rate) * transpose(rotation_of(X))), origin_of(rate));
 }
 
-inline void check_jacobians(const Robot& robot, const Sample& s, int sample, Checks& checks) {
-  const VectorX<Real> q = s.motion.q.cast<Real>();
-  for (const reflection::Jacobian& what : robot.jacobians) {
-    Matrix6X<double> J(6, what.column_count);
-    what.kernel(s.motion.q.data(), J.data());
-    const Matrix6X<Real> expected = jacobian(robot, q, what);
-    const Real length = J.size() == 0 ? Real(1) : std::max(Real(1), expected.cwiseAbs().maxCoeff());
-    const Matrix6X<Real> lengths = Matrix6X<Real>::Constant(6, what.column_count, length);
-    checks.record("jacobians", kJacobian, relative_error(J, expected, lengths), sample);
+template <class Subject>
+void check_jacobians(const Subject& subject, const Case& c, Checks& checks) {
+  const Motion<double>& m = c.sample.motion;
+  for (int i = 0; i < c.robot.jacobians.size; ++i) {
+    const reflection::Jacobian& what = c.robot.jacobians[i];
+    const Matrix<double> J = subject.jacobian(i, m.q);
+    const Matrix<Real> expected = jacobian(c.robot, c.motion.q, what);
+    checks.record("jacobians", kJacobian, transform_error(J, expected), c.index);
 
     // All joints move: J has to have a column for every one that has a part in it.
-    VectorX<double> rates(what.column_count);
-    for (int k = 0; k < what.column_count; ++k) rates(k) = s.motion.qd(what.columns[k]);
-    const Vector6<double> product = J * rates;
-    const Vector6<Real> terms = Vector6<Real>::Constant(length * std::max(1.0, s.motion.qd.cwiseAbs().sum()));
-    checks.record(
-        "P4: J qd = velocity", kJacobian,
-        relative_error(product, frame_velocity(robot, s.motion.q, s.motion.qd, what.left, what.right), terms), sample);
+    Vector<double> rates(what.column_count);
+    double speed = 1;
+    for (int k = 0; k < what.column_count; ++k) {
+      rates(k) = m.qd(what.columns[k]);
+      speed += std::abs(rates(k));
+    }
+    const Real lengths = std::max(Real(1), largest(expected));
+    const Real error = largest(J * rates - frame_velocity(c.robot, m.q, m.qd, what.left, what.right));
+    checks.record("P4: J qd = velocity", kJacobian, error / (lengths * speed), c.index);
   }
 }
 

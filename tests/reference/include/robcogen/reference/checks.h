@@ -3,11 +3,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "robcogen/reference/algebra.h"
+#include "robcogen/reference/matrix.h"
 
 namespace robcogen::reference {
 
@@ -67,21 +66,29 @@ class Checks {
   std::vector<Entry> entries_;  // in the order of their first record
 };
 
+// The largest of some errors; one that is not a number is the largest of all.
+inline Real worst_of(std::initializer_list<Real> errors) {
+  Real worst = 0;
+  for (const Real error : errors) {
+    if (std::isnan(error)) return error;
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
 // The largest difference between elements, each relative to the sum of magnitudes that the element results from.
 // Elements far smaller than the largest are judged by that one: their terms carry its rounding errors.
-template <class Actual, class Expected, class Magnitude>
-Real relative_error(
-    const Eigen::MatrixBase<Actual>& actual,
-    const Eigen::MatrixBase<Expected>& expected,
-    const Eigen::MatrixBase<Magnitude>& magnitude) {
+inline Real relative_error(const Matrix<Real>& actual, const Matrix<Real>& expected, const Matrix<Real>& terms) {
   constexpr Real kFar = 1e-4L;
-  if (actual.size() == 0) return 0;
-  const auto difference = (actual.template cast<Real>() - expected.template cast<Real>()).cwiseAbs().eval();
-  // maxCoeff may drop a NaN, a sum may not.
-  if (!std::isfinite(difference.sum())) return std::numeric_limits<Real>::infinity();
-  if (difference.maxCoeff() == 0) return 0;
-  const auto scale = magnitude.template cast<Real>().cwiseAbs().eval();
-  return (difference.array() / (scale.array() + kFar * scale.maxCoeff())).maxCoeff();
+  const Real floor = kFar * largest(terms);
+  Real worst = 0;
+  for (int j = 0; j < actual.cols(); ++j) {
+    for (int i = 0; i < actual.rows(); ++i) {
+      const Real difference = std::abs(actual(i, j) - expected(i, j));
+      if (difference != 0) worst = worst_of({worst, difference / (std::abs(terms(i, j)) + floor)});
+    }
+  }
+  return worst;
 }
 
 }  // namespace robcogen::reference

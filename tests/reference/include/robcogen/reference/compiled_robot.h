@@ -1,110 +1,159 @@
-// One way to call the generated functions of fixed-base and floating-base robots: vectors of run-time size, the base's
-// six coordinates first where the base floats. `R` is a generated library's `Robot`; include its header before.
+// A generated library as the subject of checks. `R` is the library's `Robot`; include its header before.
 #pragma once
 
-#include <vector>
-
 #include "robcogen/link_wrenches.h"
-#include "robcogen/reference/dynamics.h"
+#include "robcogen/reference/subject.h"
 
 namespace robcogen::reference {
 
-// (base, joints) for a floating base, else the joints alone.
-template <class Scalar>
-VectorX<Scalar> coordinates(bool floating, const Vector6<Scalar>& base, const VectorX<Scalar>& joints) {
-  if (!floating) return joints;
-  VectorX<Scalar> all(6 + joints.size());
-  all << base, joints;
-  return all;
-}
-
-// Links are indexed by each robot's own enumeration; here by number.
-template <class Link, int kLinkCount>
-void assign(LinkWrenches<double, Link, kLinkCount>& to, const std::vector<Vector6<double>>& from) {
-  for (std::size_t i = 0; i < from.size(); ++i) to[static_cast<Link>(i)] = Wrench(from[i]);
-}
-
 template <class R>
-struct CompiledRobot {
-  using Vector = VectorX<double>;
+class CompiledRobot {
+ public:
   using State = Motion<double>;
 
-  // The optional last arguments of the generated functions: gravity, link wrenches, both or neither.
-  static Gravity gravity(const Vector3<double>& g) { return Gravity(g); }
-  static typename R::LinkWrenches wrenches(const std::vector<Vector6<double>>& external) {
-    typename R::LinkWrenches result;
-    assign(result, external);
-    return result;
-  }
+  explicit CompiledRobot(const Robot& tables) : tables_(&tables) {}
 
   // (base acceleration, tau): what the library finds, given qdd.
-  template <class... Extra>
-  static Vector inverse_dynamics(const State& m, const Extra&... extra) {
-    if constexpr (R::kFloatingBase) {
-      const auto result = R::inverse_dynamics(m.q, m.qd, m.qdd, Twist(m.base_velocity), extra...);
-      return stacked(result.base_acceleration.vector(), result.tau);
-    } else {
-      return R::inverse_dynamics(m.q, m.qd, m.qdd, extra...);
-    }
+  Vector<double> inverse_dynamics(const State& m, const Arguments& arguments) const {
+    return with(arguments, [&](const auto&... extra) {
+      const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+      if constexpr (R::kFloatingBase) {
+        const auto result = R::inverse_dynamics(q, qd, qdd, spatial<Twist>(m.base_velocity), extra...);
+        return stacked(vector(result.base_acceleration.vector()), vector(result.tau));
+      } else {
+        return vector(R::inverse_dynamics(q, qd, qdd, extra...));
+      }
+    });
   }
 
   // (base wrench, tau), given the base acceleration too.
-  template <class... Extra>
-  static Vector fully_actuated(const State& m, const Extra&... extra) {
+  Vector<double> inverse_dynamics_fully_actuated(const State& m, const Arguments& arguments) const {
     if constexpr (R::kFloatingBase) {
-      const auto result = R::inverse_dynamics_fully_actuated(
-          m.q, m.qd, m.qdd, Twist(m.base_velocity), SpatialAcceleration(m.base_acceleration), extra...);
-      return stacked(result.base_wrench.vector(), result.tau);
+      return with(arguments, [&](const auto&... extra) {
+        const auto result = R::inverse_dynamics_fully_actuated(
+            joints(m.q), joints(m.qd), joints(m.qdd), spatial<Twist>(m.base_velocity),
+            spatial<SpatialAcceleration>(m.base_acceleration), extra...);
+        return stacked(vector(result.base_wrench.vector()), vector(result.tau));
+      });
     } else {
-      return R::inverse_dynamics(m.q, m.qd, m.qdd, extra...);
+      return inverse_dynamics(m, arguments);
     }
   }
 
   // (base acceleration, qdd).
-  template <class... Extra>
-  static Vector forward_dynamics(const State& m, const Vector& tau, const Extra&... extra) {
-    if constexpr (R::kFloatingBase) {
-      const auto result = R::forward_dynamics(m.q, m.qd, tau, Twist(m.base_velocity), extra...);
-      return stacked(result.base_acceleration.vector(), result.qdd);
-    } else {
-      return R::forward_dynamics(m.q, m.qd, tau, extra...);
-    }
+  Vector<double> forward_dynamics(const State& m, const Vector<double>& tau, const Arguments& arguments) const {
+    return with(arguments, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        const auto result =
+            R::forward_dynamics(joints(m.q), joints(m.qd), joints(tau), spatial<Twist>(m.base_velocity), extra...);
+        return stacked(vector(result.base_acceleration.vector()), vector(result.qdd));
+      } else {
+        return vector(R::forward_dynamics(joints(m.q), joints(m.qd), joints(tau), extra...));
+      }
+    });
   }
 
   // (base wrench, tau).
-  template <class... Extra>
-  static Vector bias_forces(const State& m, const Extra&... extra) {
+  Vector<double> bias_forces(const State& m, const Arguments& arguments) const {
+    return with(arguments, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        return forces(R::bias_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity), extra...));
+      } else {
+        return forces(R::bias_forces(joints(m.q), joints(m.qd), extra...));
+      }
+    });
+  }
+
+  // (base wrench, tau); `external` does not enter.
+  Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
+    if (arguments.gravity == nullptr) return forces(R::gravity_forces(joints(q)));
+    return forces(R::gravity_forces(joints(q), gravity(*arguments.gravity)));
+  }
+
+  // (base wrench, tau).
+  Vector<double> coriolis_forces(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      const auto result = R::bias_forces(m.q, m.qd, Twist(m.base_velocity), extra...);
-      return stacked(result.base_wrench.vector(), result.tau);
+      return forces(R::coriolis_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
     } else {
-      return R::bias_forces(m.q, m.qd, extra...);
+      return forces(R::coriolis_forces(joints(m.q), joints(m.qd)));
     }
   }
 
-  template <class... Extra>
-  static Vector gravity_forces(const State& m, const Extra&... extra) {
-    const auto result = R::gravity_forces(m.q, extra...);
-    if constexpr (R::kFloatingBase) {
-      return stacked(result.base_wrench.vector(), result.tau);
-    } else {
-      return result;
-    }
+  Matrix<double> joint_space_inertia(const Vector<double>& q) const {
+    const typename R::InertiaMatrix H = R::joint_space_inertia(joints(q));
+    Matrix<double> result(static_cast<int>(H.rows()), static_cast<int>(H.cols()));
+    std::copy(H.data(), H.data() + H.size(), result.data());
+    return result;
   }
 
-  static Vector coriolis_forces(const State& m) {
-    if constexpr (R::kFloatingBase) {
-      const auto result = R::coriolis_forces(m.q, m.qd, Twist(m.base_velocity));
-      return stacked(result.base_wrench.vector(), result.tau);
-    } else {
-      return R::coriolis_forces(m.q, m.qd);
-    }
+  // By index into the tables.
+  TransformForms transform(int index, const Vector<double>& q) const {
+    const reflection::Transform& kernels = tables_->transforms[index];
+    TransformForms forms;
+    kernels.homogeneous(q.data(), forms.homogeneous.data());
+    kernels.motion(q.data(), forms.motion.data());
+    kernels.force(q.data(), forms.force.data());
+    return forms;
   }
 
-  static MatrixX<double> joint_space_inertia(const Vector& q) { return R::joint_space_inertia(q); }
+  Matrix<double> jacobian(int index, const Vector<double>& q) const {
+    const reflection::Jacobian& what = tables_->jacobians[index];
+    Matrix<double> J(6, what.column_count);
+    what.kernel(q.data(), J.data());
+    return J;
+  }
 
  private:
-  static Vector stacked(const Vector6<double>& base, const Vector& joints) { return coordinates(true, base, joints); }
+  using JointState = typename R::JointState;
+
+  static JointState joints(const Vector<double>& v) {
+    JointState result;
+    std::copy(v.data(), v.data() + v.rows(), result.data());
+    return result;
+  }
+
+  template <class Spatial>
+  static Spatial spatial(const Vector<double>& v) {
+    Spatial result;
+    std::copy(v.data(), v.data() + 6, result.data());
+    return result;
+  }
+
+  static Gravity gravity(const Vector<double>& g) { return Gravity(g(0), g(1), g(2)); }
+
+  // Links are indexed by each robot's own enumeration; here by number.
+  template <class Link, int kLinkCount>
+  static void assign(LinkWrenches<double, Link, kLinkCount>& to, const std::vector<Vector<double>>& from) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[static_cast<Link>(i)] = spatial<Wrench>(from[i]);
+  }
+
+  template <class EigenVector>
+  static Vector<double> vector(const EigenVector& v) {
+    Vector<double> result(static_cast<int>(v.size()));
+    std::copy(v.data(), v.data() + v.size(), result.data());
+    return result;
+  }
+
+  template <class Result>
+  static Vector<double> forces(const Result& result) {
+    if constexpr (R::kFloatingBase) {
+      return stacked(vector(result.base_wrench.vector()), vector(result.tau));
+    } else {
+      return vector(result);
+    }
+  }
+
+  // Calls the overload that takes these arguments.
+  template <class Call>
+  static Vector<double> with(const Arguments& arguments, const Call& call) {
+    typename R::LinkWrenches wrenches;
+    if (arguments.external != nullptr) assign(wrenches, *arguments.external);
+    if (arguments.gravity == nullptr) return arguments.external == nullptr ? call() : call(wrenches);
+    const Gravity g = gravity(*arguments.gravity);
+    return arguments.external == nullptr ? call(g) : call(g, wrenches);
+  }
+
+  const Robot* tables_;
 };
 
 }  // namespace robcogen::reference

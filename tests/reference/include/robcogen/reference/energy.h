@@ -13,40 +13,38 @@ Scalar kinetic_energy(const Robot& robot, const Motion<Scalar>& motion) {
   for (int i = 0; i < robot.links.size; ++i) {
     const LinkMotion<Scalar>& link = links[static_cast<std::size_t>(i)];
     // In link axes, where the inertia is constant.
-    const Vector3<Scalar> w = rotation_of(link.pose).transpose() * link.angular_velocity();
-    const Vector3<Scalar> v = link.velocity(center_of_mass<Scalar>(robot.links[i]));
-    energy += (w.dot(central_inertia<Scalar>(robot.links[i]) * w) + Scalar(robot.links[i].mass) * v.squaredNorm()) / 2;
+    const Vector<Scalar> w = transpose(rotation_of(link.pose)) * link.angular_velocity();
+    const Vector<Scalar> v = link.velocity(center_of_mass<Scalar>(robot.links[i]));
+    energy += (dot(w, central_inertia<Scalar>(robot.links[i]) * w) + Scalar(robot.links[i].mass) * dot(v, v)) / 2;
   }
   return energy;
 }
 
 // J, zero with all mass at the base origin. The base counts; gravity (m/s^2) is in base coordinates.
 template <class Scalar>
-Scalar potential_energy(const Robot& robot, const VectorX<Scalar>& q, const Vector3<Scalar>& gravity) {
-  const std::vector<Matrix4<Scalar>> poses = link_poses(robot, q);
+Scalar potential_energy(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
+  const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
   Scalar energy(0);
   for (int i = 0; i < robot.links.size; ++i) {
-    const Matrix4<Scalar>& pose = poses[static_cast<std::size_t>(i)];
-    const Vector3<Scalar> com = rotation_of(pose) * center_of_mass<Scalar>(robot.links[i]) + origin_of(pose);
-    energy -= Scalar(robot.links[i].mass) * gravity.dot(com);
+    const Matrix<Scalar>& pose = poses[static_cast<std::size_t>(i)];
+    const Vector<Scalar> com = rotation_of(pose) * center_of_mass<Scalar>(robot.links[i]) + origin_of(pose);
+    energy -= Scalar(robot.links[i].mass) * dot(gravity, com);
   }
   return energy;
 }
 
 // Angular momentum about the base origin (N m s), then linear momentum (N s), base coordinates.
 template <class Scalar>
-Vector6<Scalar> momentum(const Robot& robot, const Motion<Scalar>& motion) {
+Vector<Scalar> momentum(const Robot& robot, const Motion<Scalar>& motion) {
   const std::vector<LinkMotion<Scalar>> links = link_motions(robot, motion);
-  Vector6<Scalar> total = Vector6<Scalar>::Zero();
+  Vector<Scalar> total(6);
   for (int i = 0; i < robot.links.size; ++i) {
     const LinkMotion<Scalar>& link = links[static_cast<std::size_t>(i)];
-    const Vector3<Scalar> com = center_of_mass<Scalar>(robot.links[i]);
-    const Matrix3<Scalar> R = rotation_of(link.pose);
-    const Vector3<Scalar> linear = Scalar(robot.links[i].mass) * link.velocity(com);
-    const Vector3<Scalar> spin =
-        R * (central_inertia<Scalar>(robot.links[i]) * (R.transpose() * link.angular_velocity()));
-    total.template head<3>() += spin + link.position(com).cross(linear);
-    total.template tail<3>() += linear;
+    const Vector<Scalar> com = center_of_mass<Scalar>(robot.links[i]);
+    const Matrix<Scalar> R = rotation_of(link.pose);
+    const Vector<Scalar> linear = Scalar(robot.links[i].mass) * link.velocity(com);
+    const Vector<Scalar> spin = R * central_inertia<Scalar>(robot.links[i]) * (transpose(R) * link.angular_velocity());
+    total += stacked(spin + cross(link.position(com), linear), linear);
   }
   return total;
 }

@@ -10,8 +10,8 @@ namespace robcogen::reference {
 // Moderate values: revolute joints anywhere, prismatic ones within a metre, a few rad/s, tens of newtons.
 struct Sample {
   Motion<double> motion;  // base velocity and acceleration zero for a fixed base
-  Vector3<double> gravity;
-  std::vector<Vector6<double>> external;
+  Vector<double> gravity;
+  std::vector<Vector<double>> external;
 };
 
 // The bits of a 64-bit engine, not std::uniform_real_distribution: that one differs between standard libraries.
@@ -20,20 +20,20 @@ inline double uniform(std::mt19937_64& engine, double limit) {
   return limit * (2 * unit - 1);
 }
 
-inline VectorX<double> uniform_vector(std::mt19937_64& engine, Eigen::Index size, double limit) {
-  VectorX<double> v(size);
-  for (Eigen::Index i = 0; i < size; ++i) v(i) = uniform(engine, limit);
+inline Vector<double> uniform_vector(std::mt19937_64& engine, int size, double limit) {
+  Vector<double> v(size);
+  for (int i = 0; i < size; ++i) v(i) = uniform(engine, limit);
   return v;
 }
 
 inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
   constexpr double kAngle = 3.14159265358979323846, kStroke = 1, kRate = 3, kAcceleration = 10, kLoad = 20;
+  const int n = robot.joints.size;
   Sample s;
-  s.motion.q.resize(robot.joints.size);
-  for (int j = 0; j < robot.joints.size; ++j)
-    s.motion.q(j) = uniform(engine, robot.joints[j].revolute ? kAngle : kStroke);
-  s.motion.qd = uniform_vector(engine, robot.joints.size, kRate);
-  s.motion.qdd = uniform_vector(engine, robot.joints.size, kAcceleration);
+  s.motion.q = Vector<double>(n);
+  for (int j = 0; j < n; ++j) s.motion.q(j) = uniform(engine, robot.joints[j].revolute ? kAngle : kStroke);
+  s.motion.qd = uniform_vector(engine, n, kRate);
+  s.motion.qdd = uniform_vector(engine, n, kAcceleration);
   if (robot.floating_base) {
     s.motion.base_velocity = uniform_vector(engine, 6, kRate);
     s.motion.base_acceleration = uniform_vector(engine, 6, kAcceleration);
@@ -51,9 +51,9 @@ Motion<Scalar> cast(const Motion<double>& m) {
 }
 
 template <class Scalar>
-Loads<Scalar> loads(const Vector3<double>& gravity, const std::vector<Vector6<double>>& external = {}) {
+Loads<Scalar> loads(const Vector<double>& gravity, const std::vector<Vector<double>>& external = {}) {
   Loads<Scalar> result{gravity.cast<Scalar>(), {}};
-  for (const Vector6<double>& wrench : external) result.external.push_back(wrench.cast<Scalar>());
+  for (const Vector<double>& wrench : external) result.external.push_back(wrench.cast<Scalar>());
   return result;
 }
 

@@ -1,0 +1,148 @@
+// Identities between the functions of one robot, and with its energy and momentum, that hold for every robot. Each
+// function records the errors of one sample.
+#pragma once
+
+#include "robcogen/reference/check_dynamics.h"
+#include "robcogen/reference/energy.h"
+
+namespace robcogen::reference {
+
+inline constexpr Tolerance kExact{"kExact", 0, "structural zeros and symmetry are exact"};
+inline constexpr Tolerance kRoundTrip{"kRoundTrip", 1e-9, "forces to accelerations and back, two roundings"};
+inline constexpr Tolerance kEnergy{"kEnergy", 1e-10, "rounding of sums over all links"};
+inline constexpr Tolerance kDifference{
+    "kDifference", 1e-7, "truncation and rounding of a fourth-order difference in double"};
+
+// P1: forces to accelerations and back.
+template <class Subject>
+void check_round_trips(const Subject& subject, const Case& c, Checks& checks) {
+  const Motion<double>& given = c.sample.motion;
+  const int n = given.q.rows();
+  for (const Overload& o : overloads(c.sample)) {
+    const Vector<double> forces = subject.inverse_dynamics(given, o.arguments);
+    const Vector<double> tau = forces.tail(n);
+    Motion<Real> motion = c.motion;
+    motion.base_acceleration = c.floating ? forces.head(6).cast<Real>() : Vector<Real>(6);
+    const Vector<Real> terms = generalized_forces(c.robot, motion, o.loads).magnitude;
+
+    const Vector<double> back = subject.forward_dynamics(given, tau, o.arguments);
+    checks.record(
+        "P1: FD(ID(qdd)) = qdd" + o.suffix, kRoundTrip,
+        blockwise_error(
+            c.floating, back, coordinates(c.floating, motion.base_acceleration, motion.qdd),
+            c.inverse_magnitude * cut(c.floating, terms)),
+        c.index);
+
+    Motion<double> found = given;
+    found.qdd = back.tail(n);
+    const Vector<double> again = subject.inverse_dynamics(found, o.arguments).tail(n);
+    checks.record(
+        "P1: ID(FD(tau)) = tau" + o.suffix, kRoundTrip,
+        relative_error(again.cast<Real>(), tau.cast<Real>(), terms.tail(n)), c.index);
+  }
+}
+
+// Whether motion of one joint carries the other.
+inline bool on_one_branch(const Robot& robot, int a, int b) {
+  const auto supports = [&](int joint, int other) {
+    const std::vector<int> path = supporting_joints(robot, robot.joints[other].child);
+    return std::find(path.begin(), path.end(), joint) != path.end();
+  };
+  return supports(a, b) || supports(b, a);
+}
+
+// P2: symmetric, positive definite, zero between branches.
+template <class Subject>
+void check_inertia_structure(const Subject& subject, const Case& c, Checks& checks) {
+  const Matrix<double> H = subject.joint_space_inertia(c.sample.motion.q);
+  checks.record("P2: H = H'", kExact, largest(H - transpose(H)), c.index);
+
+  const int first = c.floating ? 6 : 0;
+  double stray = 0;
+  for (int a = 0; a < c.robot.joints.size; ++a) {
+    for (int b = 0; b < c.robot.joints.size; ++b) {
+      if (!on_one_branch(c.robot, a, b)) stray = std::max(stray, std::abs(H(first + a, first + b)));
+    }
+  }
+  checks.record("P2: structural zeros of H", kExact, stray, c.index);
+
+  // Odd mass properties, which were warned of, make an indefinite matrix that is nevertheless right.
+  if (positive_definite(c.H)) checks.record("P2: H positive definite", kExact, positive_definite(H) ? 0 : 1, c.index);
+}
+
+// P2: H, column by column, by inverse dynamics of unit accelerations.
+template <class Subject>
+void check_inertia_columns(const Subject& subject, const Case& c, Checks& checks) {
+  const int first = c.floating ? 6 : 0;
+  const Vector<double> weightless(3);
+  Matrix<double> columns(c.H.rows(), c.H.cols());
+  for (int k = 0; k < columns.cols(); ++k) {
+    Motion<double> unit = at_rest(c.sample.motion.q);
+    if (k < first) unit.base_acceleration(k) = 1;
+    if (k >= first) unit.qdd(k - first) = 1;
+    columns.set_block(0, k, subject.inverse_dynamics_fully_actuated(unit, {&weightless, nullptr}));
+  }
+  const Matrix<double> H = subject.joint_space_inertia(c.sample.motion.q);
+  checks.record(
+      "P2: columns of H = ID of unit accelerations", kInertia,
+      relative_error(columns.cast<Real>(), H.cast<Real>(), inertia_magnitude(c)), c.index);
+}
+
+// P3: H against the sum of the links' energies and momenta.
+template <class Subject>
+void check_energy(const Subject& subject, const Case& c, Checks& checks) {
+  const Matrix<Real> H = subject.joint_space_inertia(c.sample.motion.q).template cast<Real>();
+  const Vector<Real> velocity = coordinates(c.floating, c.motion.base_velocity, c.motion.qd);
+  const Vector<Real> terms = magnitude(H) * magnitude(velocity);
+  const Real scale = dot(magnitude(velocity), terms) / 2;
+  if (scale == 0) return;
+  const Real error = std::abs(dot(velocity, H * velocity) / 2 - kinetic_energy(c.robot, c.motion));
+  checks.record("P3: v'Hv/2 = kinetic energy", kEnergy, error / scale, c.index);
+  if (!c.floating) return;
+  checks.record(
+      "P3: base rows of Hv = momentum", kEnergy,
+      relative_error((H * velocity).head(6), momentum(c.robot, c.motion), terms.head(6)), c.index);
+}
+
+// P3: dT/dt = v'(H v' + C) for T = v'Hv/2, so that 2 v'C = v'H'v: links Coriolis forces to the change of H in time.
+template <class Subject>
+void check_power(const Subject& subject, const Case& c, Checks& checks) {
+  const Motion<double>& m = c.sample.motion;
+  double speed = 1;
+  for (int j = 0; j < m.qd.rows(); ++j) speed += std::abs(m.qd(j));
+  const double step = 1e-2 / speed;  // s: the longest chain turns by 0.01 rad at most
+  const auto inertia = [&](double steps) { return subject.joint_space_inertia(m.q + steps * step * m.qd); };
+  const Matrix<double> change = 1 / (12 * step) * (8.0 * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
+  const Vector<double> velocity = coordinates(c.floating, m.base_velocity, m.qd);
+  const Vector<double> coriolis = subject.coriolis_forces(m);
+  // Where nothing changes, rounding of H is all that there is to see.
+  const Matrix<double> rates = magnitude(change) + speed * magnitude(inertia(0));
+  const double scale = dot(magnitude(velocity), magnitude(coriolis) + rates * magnitude(velocity));
+  if (scale == 0) return;
+  const double error = std::abs(dot(velocity, coriolis) - dot(velocity, change * velocity) / 2);
+  checks.record("P3: v'C = v'(dH/dt)v/2", kDifference, error / scale, c.index);
+}
+
+// P3: the potential energy's slope along each joint, by a fourth-order difference.
+template <class Subject>
+void check_gravity_gradient(const Subject& subject, const Case& c, Checks& checks) {
+  const Real step = 1e-3L;
+  const int n = c.motion.q.rows();
+  const Loads<Real> gravity = loads<Real>(c.sample.gravity);
+  Vector<Real> slope(n);
+  for (int j = 0; j < n; ++j) {
+    const auto energy = [&](Real steps) {
+      Vector<Real> q = c.motion.q;
+      q(j) += steps * step;
+      return potential_energy(c.robot, q, gravity.gravity);
+    };
+    slope(j) = (8 * (energy(1) - energy(-1)) - (energy(2) - energy(-2))) / (12 * step);
+  }
+  const Vector<double> forces = subject.gravity_forces(c.sample.motion.q, {&c.sample.gravity, nullptr}).tail(n);
+  const Vector<Real> terms = generalized_forces(c.robot, at_rest(c.motion.q), gravity).magnitude.tail(n);
+  checks.record(
+      "P3: gravity_forces = gradient of potential energy", kDifference,
+      relative_error(forces.cast<Real>(), slope, terms), c.index);
+}
+
+}  // namespace robcogen::reference

@@ -1,0 +1,34 @@
+// What is checked: a way to evaluate the functions of a robot, compiled or interpreted, fixed or floating base alike.
+//
+// The checks are written over any type with the members of CompiledRobot (compiled_robot.h): vectors of run-time size,
+// the base's six coordinates first where the base floats.
+#pragma once
+
+#include "robcogen/reference/dynamics.h"
+
+namespace robcogen::reference {
+
+// The optional arguments of a function; those that are null are left out of the call.
+struct Arguments {
+  const Vector<double>* gravity = nullptr;
+  const std::vector<Vector<double>>* external = nullptr;
+};
+
+// The three forms of a coordinate transform.
+struct TransformForms {
+  Matrix<double> homogeneous = Matrix<double>(4, 4);
+  Matrix<double> motion = Matrix<double>(6, 6);
+  Matrix<double> force = Matrix<double>(6, 6);
+};
+
+inline TransformForms operator*(const TransformForms& a, const TransformForms& b) {
+  return {a.homogeneous * b.homogeneous, a.motion * b.motion, a.force * b.force};
+}
+
+// (base, joints) for a floating base, else the joints alone.
+template <class Scalar>
+Vector<Scalar> coordinates(bool floating, const Vector<Scalar>& base, const Vector<Scalar>& joints) {
+  return floating ? stacked(base, joints) : joints;
+}
+
+}  // namespace robcogen::reference
