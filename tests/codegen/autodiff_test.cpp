@@ -7,44 +7,8 @@
 
 #include "cart_pole/kernel/forward_dynamics.h"
 #include "cart_pole/kernel/inverse_dynamics.h"
+#include "dual.h"
 #include "hopper/kernel/bias_forces.h"
-
-// No operator converts implicitly, and nothing but what a scalar must have: whatever more a kernel asked for would not
-// compile.
-namespace autodiff {
-
-struct Dual {
-  double value = 0;
-  double derivative = 0;
-
-  Dual() = default;
-  explicit Dual(double v, double d = 0) : value(v), derivative(d) {}
-};
-
-Dual operator-(const Dual& a) {
-  return Dual(-a.value, -a.derivative);
-}
-Dual operator+(const Dual& a, const Dual& b) {
-  return Dual(a.value + b.value, a.derivative + b.derivative);
-}
-Dual operator-(const Dual& a, const Dual& b) {
-  return Dual(a.value - b.value, a.derivative - b.derivative);
-}
-Dual operator*(const Dual& a, const Dual& b) {
-  return Dual(a.value * b.value, a.derivative * b.value + a.value * b.derivative);
-}
-Dual operator/(const Dual& a, const Dual& b) {
-  const double quotient = a.value / b.value;
-  return Dual(quotient, (a.derivative - quotient * b.derivative) / b.value);
-}
-Dual sin(const Dual& a) {
-  return Dual(std::sin(a.value), std::cos(a.value) * a.derivative);
-}
-Dual cos(const Dual& a) {
-  return Dual(std::cos(a.value), -std::sin(a.value) * a.derivative);
-}
-
-}  // namespace autodiff
 
 namespace robcogen::test {
 namespace {

@@ -1,8 +1,12 @@
-# Generated text is formatted as the project's own: CLANG_FORMAT, STYLE (file), DIRECTORY.
-file(GLOB_RECURSE files ${DIRECTORY}/*.h ${DIRECTORY}/*.cpp)
-if(NOT files)
-  message(FATAL_ERROR "no generated files in ${DIRECTORY}")
-endif()
+# Generated text is formatted as the project's own: CLANG_FORMAT, STYLE (file), DIRECTORIES.
+set(files "")
+foreach(directory IN LISTS DIRECTORIES)
+  file(GLOB_RECURSE found ${directory}/*.h ${directory}/*.cpp)
+  if(NOT found)
+    message(FATAL_ERROR "no generated files in ${directory}")
+  endif()
+  list(APPEND files ${found})
+endforeach()
 execute_process(
   COMMAND ${CLANG_FORMAT} --style=file:${STYLE} --dry-run --Werror ${files}
   RESULT_VARIABLE result

@@ -214,9 +214,9 @@ TEST(Lower, NamesThatTheTextNeedsItselfAreNotTaken) {
                             "let tau = Scalar * Scalar\n"
                             "let double = tau + s_class\n"
                             "let _x = double * tau\n"
-                            "let sin = _x * double\n"
-                            "let major = _x / sin\n"
-                            "let out = major + sin\n"
+                            "let sincos = _x * double\n"
+                            "let major = _x / sincos\n"
+                            "let out = major + sincos\n"
                             "return tau out\n")),
       "const Scalar s_class = sin(q[0]);\n"
       "const Scalar c_q = cos(q[1]);\n"
@@ -226,9 +226,9 @@ TEST(Lower, NamesThatTheTextNeedsItselfAreNotTaken) {
       "const Scalar tau_2 = Scalar_2 * Scalar_2;\n"
       "const Scalar double_ = tau_2 + s_class_2;\n"
       "const Scalar x = double_ * tau_2;\n"
-      "const Scalar sin_2 = x * double_;\n"
-      "const Scalar major_ = x / sin_2;\n"
-      "tau[0] = major_ + sin_2;\n");
+      "const Scalar sincos_2 = x * double_;\n"
+      "const Scalar major_ = x / sincos_2;\n"
+      "tau[0] = major_ + sincos_2;\n");
 }
 
 // A sum of `terms` products of inputs.

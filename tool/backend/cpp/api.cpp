@@ -14,10 +14,10 @@ using symbolic::OutputArray;
 using symbolic::Program;
 using symbolic::Role;
 
-// A namespace that would hide one that generated text refers to.
+// A namespace keeps its name as it was asked for, unless C++ refuses it or it would hide one that generated text needs.
 std::string namespace_name(const std::string& wanted) {
-  const std::string name = identifier(wanted);
-  return name == "std" || name == "Eigen" || name == "robcogen" ? name + "_" : name;
+  const bool hides = wanted == "std" || wanted == "Eigen" || wanted == "robcogen";
+  return hides || is_reserved(wanted) ? wanted + "_" : wanted;
 }
 
 std::string whole_namespace(const Library& library) {
