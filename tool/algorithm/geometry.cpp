@@ -43,7 +43,7 @@ Angle angle_of(Trace& trace, const Quantity& q, const std::vector<Expression>& p
   const auto [constant, rest] = split_constant(trace, q, positions);
   if (constant.is_zero()) return {0, rest};
   if (constant.is_pi_multiple() && 2 % constant.ratio()->den == 0)
-    return {static_cast<int>(constant.ratio()->num * (2 / constant.ratio()->den) % 4), rest};
+    return {static_cast<int>(constant.ratio()->num % 4 * (2 / constant.ratio()->den) % 4), rest};
   return {0, rest + trace.graph.constant(constant)};
 }
 

@@ -79,7 +79,7 @@ struct Rotation {
 
 Vector3 to_parent(const Rotation& r, const Vector3& v);  // R v
 Vector3 to_child(const Rotation& r, const Vector3& v);   // R' v
-// R M R'. The symmetric form reads only the upper triangle and returns a full symmetric matrix.
+// R M R'. The symmetric form wants a symmetric matrix, both triangles of it, and returns one.
 Matrix3 symmetric_to_parent(const Rotation& r, const Matrix3& m);
 Matrix3 general_to_parent(const Rotation& r, const Matrix3& m);
 
