@@ -46,6 +46,8 @@ class Cursor {
 
   // How many blocks are open here: `{` taken and its `}` not yet.
   std::size_t open_blocks() const { return open_braces_.size(); }
+  // As if a `{` that is missing here, which has been reported, had been taken.
+  void assume_open_brace() { open_braces_.push_back(peek().span); }
   template <class Predicate>
   void skip_until(Predicate stop) {
     while (!at_end() && !stop()) take();

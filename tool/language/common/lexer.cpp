@@ -40,7 +40,9 @@ class Lexer {
       list_.cut = true;
     }
     while (at_ < text_.size() && !list_.cut) next();
-    list_.tokens.push_back({Token::Kind::end, false, "", {text_.size(), text_.size()}});
+    // The end is where the text ends, not where blank lines after it do.
+    const std::size_t end = text_.find_last_not_of(" \t\r\n") + 1;
+    list_.tokens.push_back({Token::Kind::end, false, "", {end, end}});
     return std::move(list_);
   }
 
@@ -174,6 +176,9 @@ class Lexer {
     if (byte >= 0x80) {
       error("stray-character", begin, "unexpected character outside ASCII").hint =
           "names consist of A-Z, a-z, 0-9 and '_'; any text may stand in a comment";
+    } else if (byte == '#') {
+      at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
+      error("stray-character", begin, "unexpected character '#'").hint = "a comment begins with '//'";
     } else if (byte > 0x20 && byte < 0x7f) {
       error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin]));
     } else {

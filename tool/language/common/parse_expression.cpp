@@ -161,8 +161,9 @@ class ExpressionParser {
       e.default_value = signed_number("as the default of a parameter");
       e.span.end = cursor_.expect("]", "after the default of a parameter").span.end;
     } else if (!token.escaped && (lower_case == "nan" || lower_case == "inf" || lower_case == "infinity")) {
-      cursor_.error_at(token.span, "not-a-number", fmt::format("'{}' is no number of a document", token.text)).hint =
-          fmt::format("write '^{}' for a parameter of this name", token.text);
+      cursor_
+          .error_at(token.span, "not-a-number", fmt::format("'{}' is no number that a document can hold", token.text))
+          .hint = fmt::format("write '^{}' for a parameter of this name", token.text);
       throw SyntaxError{};
     }
     return std::make_shared<const Expression>(std::move(e));

@@ -96,7 +96,7 @@ class Parser {
     for (const char* word : {"Frames", "Transforms"}) {
       const bool found = std::any_of(found_.begin(), found_.end(), [&](const Token& t) { return t.text == word; });
       if (!found && !section_may_be_missed_)
-        cursor_.error("missing-item", fmt::format("the document lacks '{} {{ … }}'", word));
+        cursor_.error_at(document_.robot.span, "missing-item", fmt::format("the document lacks '{} {{ … }}'", word));
     }
   }
 
@@ -128,7 +128,7 @@ class Parser {
         if (at_section()) missing_brace(section.text, open);
         list.push_back(pair());
       } catch (const SyntaxError&) {
-        cursor_.skip_until([&] { return cursor_.at("}") || at_pair() || at_section(); });
+        skip_to_pair();
         if (cursor_.at_end() || at_section()) throw;
       }
     }
@@ -138,23 +138,17 @@ class Parser {
   bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}); }
   bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}); }
   bool at_pair() const {
-    if (cursor_.at_name()) return cursor_.at("->", 1) || cursor_.at("<-", 1);
-    return (at_left() || at_right()) && cursor_.at("=", 1);
+    return at_left() || at_right() || (cursor_.at_name() && (cursor_.at("->", 1) || cursor_.at("<-", 1)));
+  }
+  void skip_to_pair() {
+    cursor_.skip_until([&] { return cursor_.at("}") || at_pair() || at_section(); });
   }
 
   Pair pair() {
     Pair pair;
     const std::size_t begin = cursor_.peek().span.begin;
-    if (at_left()) {
-      pair.left = side();
-      cursor_.accept(",");
-      if (!at_right()) cursor_.unexpected("'target', 'right' or 'right_frame'", "after the left frame");
-      pair.right = side();
-    } else if (at_right()) {
-      pair.right = side();
-      cursor_.accept(",");
-      if (!at_left()) cursor_.unexpected("'base', 'left' or 'left_frame'", "after the right frame");
-      pair.left = side();
+    if (at_left() || at_right()) {
+      sides(pair);
     } else {
       arrow(pair);
     }
@@ -162,9 +156,47 @@ class Parser {
     return pair;
   }
 
+  void sides(Pair& pair) {
+    const bool left_first = at_left();
+    const Name first = first_side();
+    cursor_.accept(",");
+    if (left_first ? !at_right() : !at_left()) wrong_second_side(left_first);
+    const Name second = side();
+    pair.left = left_first ? first : second;
+    pair.right = left_first ? second : first;
+  }
+
+  // When it is faulty, the second side that follows is no pair of its own.
+  Name first_side() {
+    const bool left_first = at_left();
+    try {
+      return side();
+    } catch (const SyntaxError&) {
+      skip_to_pair();
+      if (left_first ? at_right() : at_left()) side();
+      throw;
+    }
+  }
+
+  [[noreturn]] void wrong_second_side(bool left_first) {
+    const bool repeated = at_left() || at_right();
+    try {
+      cursor_.unexpected(
+          left_first ? "'target', 'right' or 'right_frame'" : "'base', 'left' or 'left_frame'",
+          left_first ? "after the left frame" : "after the right frame");
+    } catch (const SyntaxError&) {
+      if (repeated) side();
+      throw;
+    }
+  }
+
   Name side() {
     const Token word = cursor_.take();
-    cursor_.expect("=", fmt::format("after '{}'", word.text));
+    try {
+      cursor_.expect("=", fmt::format("after '{}'", word.text));
+    } catch (const SyntaxError&) {
+      if (!cursor_.at_name()) throw;  // else the '=' is all that is missing
+    }
     return name("the name of a frame");
   }
 

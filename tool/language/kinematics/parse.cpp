@@ -107,6 +107,7 @@ class Parser {
 
   // When elements follow the brace that ends the robot, a brace before it is one too many: they are read too.
   void end() {
+    if (cursor_.at_end() && cursor_.open_blocks() == 0) return;  // the header is faulty, and its brace missing
     const Token brace = cursor_.expect("}", "at the end of the robot");
     document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
     if (cursor_.at_end()) return;
@@ -133,9 +134,16 @@ class Parser {
   // `{`, items, `}`. Each begins at a token that at_item knows, or else item reports it. Tells whether all went well.
   template <class AtItem, class Item>
   bool block(const std::string& owner, AtItem at_item, Item item) {
-    const Token open = cursor_.expect("{", "after " + owner);
-    const std::size_t inside = cursor_.open_blocks();
     bool sound = true;
+    const Token open = cursor_.peek();
+    try {
+      cursor_.expect("{", "after " + owner);
+    } catch (const SyntaxError&) {
+      if (!at_item()) throw;
+      cursor_.assume_open_brace();
+      sound = false;
+    }
+    const std::size_t inside = cursor_.open_blocks();
     while (!cursor_.at("}")) {
       try {
         if (cursor_.at_end()) cursor_.unexpected("'}'", "");
@@ -281,17 +289,16 @@ class Parser {
   void frames(Link& link) {
     do {
       const Span open = cursor_.peek().span;
-      const std::size_t before = link.frames.size();
+      bool empty = true;
       const bool sound = block(
           "'frames'", [&] { return cursor_.at_name() && cursor_.at("{", 1); },
           [&] {
-            Frame frame;
-            frame.name = name("the name of a frame");
-            const auto placement = this->placement(fmt::format("frame '{}'", frame.name.text), frame.name.span);
-            if (placement) link.frames.push_back({frame.name, *placement});
+            const Name name = this->name("the name of a frame");
+            empty = false;
+            const auto placement = this->placement(fmt::format("frame '{}'", name.text), name.span);
+            if (placement) link.frames.push_back({name, *placement});
           });
-      if (sound && link.frames.size() == before)
-        cursor_.error_at(open, "empty-frames", "a 'frames' section without frames");
+      if (sound && empty) cursor_.error_at(open, "empty-frames", "a 'frames' section without frames");
     } while (cursor_.at("{"));
   }
 

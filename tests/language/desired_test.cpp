@@ -1,0 +1,128 @@
+// The desired-transforms language: every spelling, its canonical text, and the comparison of documents.
+#include "language/desired/document.h"
+
+#include "reading.h"
+
+namespace robcogen::language::desired {
+namespace {
+
+using test::Codes;
+using test::desired_codes;
+using test::read_desired;
+
+std::string text_of(const std::vector<Pair>& pairs) {
+  std::string text;
+  for (const Pair& pair : pairs) text += (text.empty() ? "" : " ") + pair.left.text + "_X_" + pair.right.text;
+  return text;
+}
+
+std::string transforms(const std::string& pairs) {
+  return text_of(read_desired("Robot R Frames { } Transforms { " + pairs + " }").transforms);
+}
+
+TEST(Desired, ReadsEverySpellingOfAPair) {
+  for (const char* pair :
+       {"base=A, target=B", "base = A target = B", "target=B, base=A", "target=B base=A", "left=A, right=B",
+        "left_frame=A, right_frame=B", "right_frame=B left_frame=A", "base=A right=B", "right = B, left_frame = A",
+        "left=A target=B", "A <- B", "B -> A", "A<-B", "B->A"}) {
+    EXPECT_EQ(transforms(pair), "A_X_B") << pair;
+  }
+}
+
+TEST(Desired, ReadsPairsInARow) {
+  EXPECT_EQ(transforms("A <- B  C -> D base=E target=F G<-H"), "A_X_B D_X_C E_X_F G_X_H");
+  EXPECT_EQ(transforms(""), "");
+}
+
+TEST(Desired, ReadsEverySpellingOfADocument) {
+  for (const char* text :
+       {"Robot R Frames { A, B, C } Transforms { A <- B } Jacobians { base=A target=C }",
+        "Model R Frames { A B C } Transforms { A <- B } Jacobians { base=A target=C }",
+        "\xef\xbb\xbfRobot R\r\nFrames { , A\r\n , B\r\n C }\r\nTransforms { A <- B }\r\nJacobians { C -> A }\r\n",
+        "Robot R Transforms { A <- B } Jacobians { A <- C } Frames { A B C }"}) {
+    const Document d = read_desired(text);
+    EXPECT_EQ(d.robot.text, "R");
+    ASSERT_EQ(d.frames.size(), 3u) << text;
+    EXPECT_EQ(d.frames[2].text, "C");
+    EXPECT_EQ(text_of(d.transforms), "A_X_B");
+    EXPECT_EQ(text_of(d.jacobians), "A_X_C");
+  }
+}
+
+constexpr const char* kList = R"(/* of a leg */
+Robot Leg
+
+Frames {
+    fr_base,
+    ^base
+}
+
+Transforms {
+    base = fr_base, target = ^base
+    base = ^base, target = fr_base
+}
+
+Jacobians {
+    base = fr_base, target = ^base
+}
+)";
+
+TEST(Desired, PrintsTheCanonicalText) {
+  EXPECT_EQ(
+      print(read_desired("Model Leg Frames{fr_base ^base}Transforms{fr_base <- ^base fr_base->^base}\n"
+                         "/* of a leg */ Jacobians{right=^base left=fr_base}")),
+      kList);
+  EXPECT_EQ(print(read_desired(kList)), kList);
+  EXPECT_EQ(print(read_desired("Robot A Frames {} Transforms {}")), "Robot A\n\nFrames {\n}\n\nTransforms {\n}\n");
+}
+
+TEST(Desired, KnowsWhereThingsStand) {
+  const Document d = read_desired("Robot R Frames { fr_a } Transforms { target=B, base=A  C -> D }");
+  const auto at = [&](Span span) { return std::string(d.source->text().substr(span.begin, span.end - span.begin)); };
+  EXPECT_EQ(at(d.robot.span), "R");
+  EXPECT_EQ(at(d.frames[0].span), "fr_a");
+  EXPECT_EQ(at(d.transforms[0].span), "target=B, base=A");
+  EXPECT_EQ(at(d.transforms[0].left.span), "A");
+  EXPECT_EQ(at(d.transforms[1].span), "C -> D");
+  EXPECT_EQ(at(d.transforms[1].left.span), "D");
+}
+
+TEST(Desired, TellsDocumentsApart) {
+  const Document list = read_desired(kList);
+  EXPECT_TRUE(equal(list, read_desired(kList)));
+  const std::vector<std::pair<std::string, std::string>> changes = {
+      {"of a leg", "of an arm"},
+      {"Leg", "Arm"},
+      {"    fr_base,\n", ""},
+      {"fr_base,\n", "fr_tip,\n"},
+      {"target = ^base\n", "target = tip\n"},
+      {"base = ^base, target = fr_base\n", ""},
+      {"Jacobians {\n    base = fr_base, target = ^base\n}", ""}};
+  for (const auto& [from, to] : changes) {
+    std::string text = kList;
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    EXPECT_FALSE(equal(read_desired(text.replace(at, from.size(), to)), list)) << from << " to " << to;
+  }
+}
+
+TEST(Desired, TellsAllErrorsOfAFileAndNoOthers) {
+  EXPECT_EQ(
+      desired_codes("Robot R Frames { A, , B } Transforms { base=A targt=B  A <- B  base=A base=B  A B  C -> D }"
+                    " Jacobins { } Jacobians { base A  A <- }"),
+      (Codes{
+          "unexpected-token", "unexpected-token", "unexpected-token", "unexpected-token", "unexpected-token",
+          "unexpected-token", "unexpected-token"}));
+}
+
+TEST(Desired, MayBePrintedAfterErrors) {
+  for (const char* text : {"", "Robot", "Robot R Frames {", "Robot R Frames { A } Transforms { A <-"}) {
+    Diagnostics diagnostics;
+    const Document document = parse(test::source(text), diagnostics);
+    EXPECT_TRUE(diagnostics.has_errors()) << text;
+    EXPECT_FALSE(print(document).empty());
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::language::desired

@@ -1,0 +1,279 @@
+// Random documents: parse(print(d)) == d, and printing again gives the same text. A failure shows its seed and the
+// smallest document that fails.
+#include <rapidcheck.h>
+
+#include <bit>
+#include <climits>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "language/desired/keywords.h"
+#include "language/kinematics/keywords.h"
+#include "reading.h"
+
+namespace robcogen::language {
+
+// How a failing case is shown; found by name lookup in the namespaces of the types.
+namespace kinematics {
+void showValue(const Document& document, std::ostream& stream) {
+  stream << print(document);
+}
+}  // namespace kinematics
+namespace desired {
+void showValue(const Document& document, std::ostream& stream) {
+  stream << print(document);
+}
+}  // namespace desired
+
+namespace {
+
+using Kind = Expression::Kind;
+
+rc::Gen<std::string> name_text(const std::vector<std::string>& keywords) {
+  std::vector<std::string> words = keywords;
+  for (const char* word : {"a", "x9", "_", "fr_base", "LF_HAA", "e5", "E5", "PI", "nan", "sin", "wrt"})
+    words.emplace_back(word);
+  const auto random = rc::gen::map(
+      rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::element('a', 'Z', '_', 'q', '0', '7'))),
+      [](std::string text) { return text[0] < 'A' ? "n" + text : text; });
+  return rc::gen::oneOf(rc::gen::elementOf(words), random);
+}
+
+// A number as a literal of a document gives it; never negative zero, nor infinite.
+Number literal(double value) {
+  return Number::parse(print_double(std::isfinite(value) ? value : 1.0)).value_or(Number());
+}
+
+rc::Gen<Number> number() {
+  return rc::gen::oneOf(
+      rc::gen::map(rc::gen::inRange(-1000, 1000), [](int i) { return literal(i / 8.0); }),
+      rc::gen::map(rc::gen::inRange(-1000, 1000), [](int i) { return literal(i / 100.0); }),
+      rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
+        return literal(std::bit_cast<double>(bits));
+      }));
+}
+
+ExpressionPtr made(Expression e) {
+  return std::make_shared<const Expression>(std::move(e));
+}
+
+rc::Gen<ExpressionPtr> leaf() {
+  const auto constant_number = rc::gen::map(number(), [](const Number& value) {
+    Expression e;
+    e.number = value;
+    return made(e);
+  });
+  const auto pi = rc::gen::map(rc::gen::element<std::string>("PI", "pi", "Pi", "pI"), [](const std::string& spelling) {
+    Expression e;
+    e.kind = Kind::pi;
+    e.name = spelling;
+    return made(e);
+  });
+  const auto name = rc::gen::map(
+      rc::gen::pair(name_text(kinematics::keywords()), rc::gen::maybe(number())),
+      [](const std::pair<std::string, rc::Maybe<Number>>& parts) {
+        Expression e;
+        e.kind = Kind::name;
+        e.name = parts.first;
+        if (parts.second) e.default_value = *parts.second;
+        const bool is_reserved = kinematics::is_keyword(e.name) || e.name == "PI" || e.name == "nan";
+        e.escaped = is_reserved;
+        return made(e);
+      });
+  const auto constant = rc::gen::map(
+      rc::gen::pair(name_text(kinematics::keywords()), rc::gen::maybe(number())),
+      [](const std::pair<std::string, rc::Maybe<Number>>& parts) {
+        Expression e;
+        e.kind = Kind::constant;
+        e.name = parts.first;
+        e.escaped = kinematics::is_keyword(e.name);
+        if (parts.second) {
+          Expression value;
+          value.number = *parts.second;
+          e.left = made(value);
+        }
+        return made(e);
+      });
+  return rc::gen::weightedOneOf<ExpressionPtr>({{4, constant_number}, {2, pi}, {2, name}, {1, constant}});
+}
+
+// The sign of a number is part of it: no tree of the parser negates one.
+ExpressionPtr operation(Kind kind, const ExpressionPtr& left, const ExpressionPtr& right) {
+  Expression e;
+  e.kind = kind;
+  e.left = left;
+  const bool is_binary = kind == Kind::add || kind == Kind::subtract || kind == Kind::multiply || kind == Kind::divide;
+  if (is_binary) e.right = right;
+  if (kind == Kind::negate && left->kind == Kind::number) {
+    e = *left;
+    e.number = -e.number;
+  }
+  return made(e);
+}
+
+rc::Gen<ExpressionPtr> expression(int depth) {
+  if (depth == 0) return leaf();
+  const auto kind = rc::gen::element(
+      Kind::negate, Kind::add, Kind::subtract, Kind::multiply, Kind::multiply, Kind::divide, Kind::sine, Kind::cosine,
+      Kind::tangent, Kind::square_root);
+  const auto deeper = rc::gen::map(
+      rc::gen::tuple(kind, expression(depth - 1), expression(depth - 1)),
+      [](const std::tuple<Kind, ExpressionPtr, ExpressionPtr>& parts) {
+        return operation(std::get<0>(parts), std::get<1>(parts), std::get<2>(parts));
+      });
+  return rc::gen::oneOf(leaf(), deeper);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Documents.
+
+template <class Name>
+rc::Gen<Name> name(const std::vector<std::string>& keywords) {
+  return rc::gen::map(name_text(keywords), [](std::string text) { return Name{std::move(text), {}}; });
+}
+
+rc::Gen<kinematics::Name> robot_name() {
+  return name<kinematics::Name>(kinematics::keywords());
+}
+
+rc::Gen<std::vector<std::string>> comments() {
+  const auto text = rc::gen::container<std::string>(rc::gen::element('a', ' ', '*', '/', '{', '"', '\xc3', '\t'));
+  const auto comment = rc::gen::map(rc::gen::pair(text, rc::gen::arbitrary<bool>()), [](auto parts) {
+    auto& [inside, is_line] = parts;
+    for (std::size_t at; (at = inside.find("*/")) != std::string::npos;) inside.erase(at, 2);
+    if (is_line) return "//" + inside.substr(0, inside.find_last_not_of(" \t") + 1);
+    return "/*" + inside + " */";
+  });
+  return rc::gen::resize(4, rc::gen::container<std::vector<std::string>>(comment));
+}
+
+rc::Gen<kinematics::Vector> vector() {
+  return rc::gen::container<kinematics::Vector>(expression(3));
+}
+
+rc::Gen<kinematics::Placement> placement() {
+  using kinematics::Placement;
+  return rc::gen::build<Placement>(
+      rc::gen::set(&Placement::translation, vector()), rc::gen::set(&Placement::rotation, vector()));
+}
+
+rc::Gen<kinematics::Inertia> inertia() {
+  using kinematics::Inertia;
+  const auto reference = rc::gen::map(rc::gen::maybe(robot_name()), [](const rc::Maybe<kinematics::Name>& maybe) {
+    return maybe ? std::optional(*maybe) : std::nullopt;
+  });
+  return rc::gen::build<Inertia>(
+      rc::gen::set(&Inertia::mass, expression(3)), rc::gen::set(&Inertia::com, vector()),
+      rc::gen::set(&Inertia::ix, expression(2)), rc::gen::set(&Inertia::iy, expression(2)),
+      rc::gen::set(&Inertia::iz, expression(2)), rc::gen::set(&Inertia::ixy, expression(1)),
+      rc::gen::set(&Inertia::ixz, expression(1)), rc::gen::set(&Inertia::iyz, expression(1)),
+      rc::gen::set(&Inertia::reference, reference));
+}
+
+rc::Gen<std::optional<int>> id() {
+  return rc::gen::map(rc::gen::inRange(0, 1000), [](int i) { return std::optional(i == 999 ? INT_MAX : i); });
+}
+
+rc::Gen<kinematics::Link> link(bool is_base) {
+  using kinematics::Child, kinematics::Frame, kinematics::Inertia, kinematics::Link;
+  const auto children = rc::gen::container<std::vector<Child>>(
+      rc::gen::build<Child>(rc::gen::set(&Child::link, robot_name()), rc::gen::set(&Child::joint, robot_name())));
+  const auto frames = rc::gen::container<std::vector<Frame>>(
+      rc::gen::build<Frame>(rc::gen::set(&Frame::name, robot_name()), rc::gen::set(&Frame::placement, placement())));
+  const auto maybe_inertia = rc::gen::map(rc::gen::maybe(inertia()), [](const rc::Maybe<Inertia>& maybe) {
+    return maybe ? std::optional(*maybe) : std::nullopt;
+  });
+  return rc::gen::build<Link>(
+      rc::gen::set(&Link::name, robot_name()), rc::gen::set(&Link::is_base, rc::gen::just(is_base)),
+      rc::gen::set(&Link::floating, is_base ? rc::gen::arbitrary<bool>() : rc::gen::just(false)),
+      rc::gen::set(&Link::id, is_base ? rc::gen::just(std::optional<int>()) : id()),
+      rc::gen::set(&Link::inertia, maybe_inertia), rc::gen::set(&Link::children, rc::gen::resize(4, children)),
+      rc::gen::set(&Link::frames, rc::gen::resize(3, frames)), rc::gen::set(&Link::comments, comments()));
+}
+
+rc::Gen<kinematics::Joint> joint() {
+  using kinematics::Joint;
+  return rc::gen::build<Joint>(
+      rc::gen::set(&Joint::name, robot_name()),
+      rc::gen::set(&Joint::type, rc::gen::element(Joint::Type::revolute, Joint::Type::prismatic)),
+      rc::gen::set(&Joint::id, rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()))),
+      rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::comments, comments()));
+}
+
+rc::Gen<kinematics::Document> robot() {
+  using kinematics::Document, kinematics::Joint, kinematics::Link;
+  const auto links = rc::gen::map(
+      rc::gen::pair(link(true), rc::gen::resize(5, rc::gen::container<std::vector<Link>>(link(false)))),
+      [](std::pair<Link, std::vector<Link>> parts) {
+        parts.second.insert(parts.second.begin(), parts.first);
+        return parts.second;
+      });
+  return rc::gen::build<Document>(
+      rc::gen::set(&Document::robot, robot_name()), rc::gen::set(&Document::comments, comments()),
+      rc::gen::set(&Document::trailing_comments, comments()), rc::gen::set(&Document::links, links),
+      rc::gen::set(&Document::joints, rc::gen::resize(5, rc::gen::container<std::vector<Joint>>(joint()))));
+}
+
+rc::Gen<desired::Document> list() {
+  using desired::Document, desired::Pair;
+  const auto frame = name<desired::Name>(desired::keywords());
+  const auto pairs = rc::gen::resize(
+      10, rc::gen::container<std::vector<Pair>>(
+              rc::gen::build<Pair>(rc::gen::set(&Pair::left, frame), rc::gen::set(&Pair::right, frame))));
+  return rc::gen::build<Document>(
+      rc::gen::set(&Document::robot, frame), rc::gen::set(&Document::comments, comments()),
+      rc::gen::set(&Document::frames, rc::gen::resize(10, rc::gen::container<std::vector<desired::Name>>(frame))),
+      rc::gen::set(&Document::transforms, pairs), rc::gen::set(&Document::jacobians, pairs));
+}
+
+template <class Document>
+void survives_printing(const Document& document, Document (*parse)(std::shared_ptr<const Source>, Diagnostics&)) {
+  const std::string text = print(document);
+  Diagnostics diagnostics;
+  const Document again = parse(test::source(text), diagnostics);
+  RC_LOG() << diagnostics.render();
+  RC_ASSERT(diagnostics.all().empty());
+  RC_ASSERT(equal(document, again));
+  RC_ASSERT(print(again) == text);
+}
+
+TEST(RandomDocuments, OfRobotsSurvivePrinting) {
+  EXPECT_TRUE(rc::check([] { survives_printing(*robot(), &kinematics::parse); }));
+}
+
+TEST(RandomDocuments, OfDesiredTransformsSurvivePrinting) {
+  EXPECT_TRUE(rc::check([] { survives_printing(*list(), &desired::parse); }));
+}
+
+// The documents are worth the name: all that the syntax has does occur.
+TEST(RandomDocuments, HaveEveryPartOfTheLanguage) {
+  std::set<Kind> kinds;
+  int references = 0, massless = 0, floating = 0, defaults = 0, escaped = 0;
+  const std::function<void(const ExpressionPtr&)> count = [&](const ExpressionPtr& e) {
+    if (!e) return;
+    kinds.insert(e->kind);
+    defaults += e->default_value ? 1 : 0;
+    escaped += e->escaped ? 1 : 0;
+    count(e->left);
+    count(e->right);
+  };
+  rc::Random random(2024);
+  const auto generator = robot();
+  for (int i = 0; i < 100; ++i) {
+    const kinematics::Document d = generator(random.split(), 50).value();
+    for (const kinematics::Link& l : d.links) {
+      floating += l.floating ? 1 : 0;
+      massless += l.inertia ? 0 : 1;
+      if (!l.inertia) continue;
+      references += l.inertia->reference ? 1 : 0;
+      count(l.inertia->mass);
+    }
+    for (const kinematics::Joint& j : d.joints) count(j.placement.rotation[1]);
+  }
+  EXPECT_EQ(kinds.size(), 13u);
+  for (const int occurrences : {references, massless, floating, defaults, escaped}) EXPECT_GT(occurrences, 5);
+}
+
+}  // namespace
+}  // namespace robcogen::language

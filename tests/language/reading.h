@@ -1,0 +1,68 @@
+// Documents from texts and files, and what is said of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "language/desired/document.h"
+#include "language/kinematics/document.h"
+
+namespace robcogen::test {
+
+inline std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline std::shared_ptr<const Source> source(std::string text) {
+  return std::make_shared<Source>("test", std::move(text));
+}
+
+// A source that messages call by the file's name alone.
+inline std::shared_ptr<const Source> source_of_file(const std::filesystem::path& path) {
+  return std::make_shared<Source>(path.filename().string(), contents(path));
+}
+
+inline std::vector<std::string> codes(const Diagnostics& diagnostics) {
+  std::vector<std::string> result;
+  for (const Diagnostic& d : diagnostics.all()) result.push_back(d.code);
+  return result;
+}
+
+// A document that must be fine.
+inline language::kinematics::Document read_robot(const std::string& text) {
+  Diagnostics diagnostics;
+  language::kinematics::Document document = language::kinematics::parse(source(text), diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render() << text;
+  return document;
+}
+
+inline language::desired::Document read_desired(const std::string& text) {
+  Diagnostics diagnostics;
+  language::desired::Document document = language::desired::parse(source(text), diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render() << text;
+  return document;
+}
+
+// The codes of all diagnostics of a document, in the order in which they were found.
+inline std::vector<std::string> robot_codes(const std::string& text) {
+  Diagnostics diagnostics;
+  language::kinematics::parse(source(text), diagnostics);
+  return codes(diagnostics);
+}
+
+inline std::vector<std::string> desired_codes(const std::string& text) {
+  Diagnostics diagnostics;
+  language::desired::parse(source(text), diagnostics);
+  return codes(diagnostics);
+}
+
+using Codes = std::vector<std::string>;
+
+}  // namespace robcogen::test
