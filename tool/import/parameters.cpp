@@ -27,6 +27,22 @@ const char* kind_name(ParameterKind kind) {
   return "a mass property";
 }
 
+// Nothing of a robot is as large as this, in SI units: beyond it, products of a few quantities would overflow.
+constexpr double kTooLarge = 1e15;
+
+// The least magnitude that a quantity takes for parameters of many magnitudes and either sign, no two of them equal;
+// infinite when it has none.
+double least_magnitude(const Quantity& q, std::size_t parameter_count) {
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<double> values(parameter_count);
+  for (const double scale : {1.4, -1.4, 0.01, -0.01, 1e2, -1e2, 1e4, -1e4, 1e6, -1e6}) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = scale * (1.0 + 0.37 * static_cast<double>(i));
+    const double magnitude = std::abs(evaluate(q, values));
+    if (magnitude < least) least = magnitude;  // never so when it is no number
+  }
+  return least;
+}
+
 }  // namespace
 
 void QuantityReader::declare_constants(const Expression& expression) {
@@ -48,6 +64,22 @@ void QuantityReader::declare_constants(const Expression& expression) {
 
 Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) {
   const int faults_before = faults_;
+  const Quantity result = finite(expression, kind);
+  if (faults_ > faults_before) return result;
+  const double least = least_magnitude(result, parameters_.size());
+  if (least < kTooLarge) return result;
+  if (std::isinf(least))
+    return fault(diagnostics_.error(
+        "not-finite", place(expression), "this expression has no finite value, whatever its parameters are"));
+  const std::string what =
+      result.is_constant() ? print_double(result.number().value()) : "whatever its parameters are, this expression";
+  return fault(diagnostics_.error(
+      "too-large", place(expression),
+      fmt::format("{} is too large: what a robot has is below {} in SI units", what, print_double(kTooLarge))));
+}
+
+Quantity QuantityReader::finite(const Expression& expression, ParameterKind kind) {
+  const int faults_before = faults_;
   const Quantity result = operate(expression, kind);
   const bool is_finite = !result.is_constant() || std::isfinite(result.number().value());
   // Only the innermost expression that fails is to blame.
@@ -62,8 +94,8 @@ Quantity QuantityReader::fault(const Diagnostic&) {
 }
 
 Quantity QuantityReader::operate(const Expression& expression, ParameterKind kind) {
-  const auto left = [&] { return read(*expression.left, kind); };
-  const auto right = [&] { return read(*expression.right, kind); };
+  const auto left = [&] { return finite(*expression.left, kind); };
+  const auto right = [&] { return finite(*expression.right, kind); };
   switch (expression.kind) {
     case Expression::Kind::number:
       return Quantity(expression.number);
@@ -152,7 +184,10 @@ Quantity QuantityReader::parameter(const Expression& expression, ParameterKind k
 
 Quantity QuantityReader::constant(const Expression& expression) {
   const auto found = constants_.find(expression.name);
-  if (found != constants_.end()) return found->second.value;
+  if (found != constants_.end()) {
+    if (!std::isfinite(found->second.value.number().value())) ++faults_;  // reported where it was declared
+    return found->second.value;
+  }
   std::vector<std::string> names;
   for (const auto& [name, value] : constants_) names.push_back(name);
   Diagnostic& error = diagnostics_.error(

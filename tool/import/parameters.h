@@ -23,13 +23,15 @@ class QuantityReader {
   void declare_constants(const language::Expression& expression);
 
   // `kind` is what a parameter would be in this place. Reports a parameter of two kinds or with two defaults, an
-  // unknown constant, and an operation on constants that has no finite value.
+  // unknown constant, and what has no finite value, or none that a robot can have: for constants as such, with
+  // parameters whatever values they take.
   model::Quantity read(const language::Expression& expression, model::ParameterKind kind);
 
   // In the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
 
  private:
+  model::Quantity finite(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity operate(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity parameter(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity constant(const language::Expression& expression);
