@@ -76,7 +76,8 @@ TEST_F(Corpus, RefusesWhatIsMalformedForItsReason) {
     }
     ASSERT_TRUE(diagnostics.has_errors()) << name;
     const auto& all = diagnostics.all();
-    const bool named = std::any_of(all.begin(), all.end(), [wanted = code](const Diagnostic& d) { return d.code == wanted; });
+    const bool named =
+        std::any_of(all.begin(), all.end(), [wanted = code](const Diagnostic& d) { return d.code == wanted; });
     EXPECT_TRUE(named || code.empty()) << diagnostics.render();
   }
 }

@@ -1,5 +1,7 @@
 #include "model/quantity.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -200,7 +202,7 @@ class Printer {
       case Quantity::Op::variable:
         return {variables_[static_cast<std::size_t>(q.index())], Binding::atom};
       case Quantity::Op::negate:
-        return {"-" + enclose(q.left(), Binding::atom), Binding::sign};
+        return {fmt::format("-{}", enclose(q.left(), Binding::atom)), Binding::sign};
       case Quantity::Op::add:
         return {enclose(q.left(), Binding::sum) + " + " + right(q.right(), Binding::product), Binding::sum};
       case Quantity::Op::subtract:
@@ -230,7 +232,7 @@ class Printer {
     return {std::move(text), binding};
   }
 
-  static std::string parenthesise(const Text& t) { return "(" + t.text + ")"; }
+  static std::string parenthesise(const Text& t) { return fmt::format("({})", t.text); }
 
   std::string enclose(const Quantity& q, Binding at_least) const {
     const Text t = print(q);

@@ -16,8 +16,11 @@ std::string text(const CoordinateTransform& transform, const RigidMotions& motio
   std::string result;
   for (const PrimitiveTransform& p : transform.primitives) {
     if (!result.empty()) result += " ";
-    result += std::string(p.rotation ? "R" : "T") + "xyz"[static_cast<int>(p.axis)];
-    result += "(" + print(p.amount, motions.parameters, motions.variables) + ")";
+    result += p.rotation ? "R" : "T";
+    result += "xyz"[static_cast<int>(p.axis)];
+    result += "(";
+    result += print(p.amount, motions.parameters, motions.variables);
+    result += ")";
   }
   return result;
 }
