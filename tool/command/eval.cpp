@@ -140,11 +140,13 @@ symbolic::Arrays<double> arguments(const json& given, const Robot& robot, const 
     if (std::find(known.begin(), known.end(), name) == known.end())
       refuse(fmt::format("'{}' is no argument; arguments are {}", name, fmt::join(known, ", ")));
 
+  const std::vector<double> parameters = parameter_values(given.value("parameters", json::object()), robot.tree);
+
   symbolic::Arrays<double> inputs;
   for (const symbolic::InputArray& array : program.inputs) {
     const std::string& name = array.name;
     if (array.role == Role::parameters)
-      inputs[name] = parameter_values(given.value("parameters", json::object()), robot.tree);
+      inputs[name] = parameters;
     else if (array.role == Role::link_wrenches)
       inputs[name] = link_wrenches(given.value("external", json::object()), robot.tree);
     else if (given.contains(name))

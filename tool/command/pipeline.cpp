@@ -13,8 +13,7 @@ namespace {
 
 // Warnings that `--strict` turns into errors: what the original tool refused in desired-transforms documents.
 const std::vector<std::string> kStrictCodes = {
-    "desired-unknown-frame", "desired-unlisted-frame", "desired-robot-name", "desired-duplicate-frame",
-    "desired-duplicate-pair"};
+    "frame-not-listed", "repeated-frame", "repeated-pair", "robot-name-differs", "unknown-frame"};
 
 std::array<double, 3> values(const std::array<model::Quantity, 3>& q) {
   return {model::evaluate(q[0]), model::evaluate(q[1]), model::evaluate(q[2])};

@@ -18,10 +18,10 @@ std::map<std::string, std::string> files_below(const fs::path& folder) {
 }
 
 TEST(Command, SaysItsVersionAndHelp) {
-  const Run version = run_tool("--version");
+  const Outcome version = run_tool("--version");
   EXPECT_EQ(version.status, 0);
   EXPECT_EQ(version.output.rfind("robcogen ", 0), 0U) << version.output;
-  const Run help = run_tool("--help");
+  const Outcome help = run_tool("--help");
   EXPECT_EQ(help.status, 0);
   for (const char* word : {"generate", "check", "print", "ops", "eval"})
     EXPECT_NE(help.output.find(word), std::string::npos) << word;
@@ -32,7 +32,7 @@ TEST(Command, UsageFaultsExitWithTwo) {
        {"", "no-such-command", "check", "generate --name x", "ops no-such-file.kindsl", "generate a b c",
         "print --error-format pretty x.kindsl", "generate m.kindsl -o d --name 1x",
         "generate m.kindsl -o d --name x --namespace 'a:b'", "generate m.kindsl -o d --name x --algorithms nonsense"}) {
-    const Run run = run_tool(arguments);
+    const Outcome run = run_tool(arguments);
     EXPECT_EQ(run.status, 2) << arguments << "\n" << run.errors;
     EXPECT_NE(run.errors.find("error"), std::string::npos) << arguments;
     EXPECT_EQ(run.output, "") << arguments;
@@ -44,11 +44,11 @@ TEST(Command, WrongInputExitsWithOneAndWritesNothing) {
   const fs::path model = scratch.path / "bad.kindsl";
   write_text(model, "Robot R { RobotBase b { children { l via j } } }");
   const fs::path out = scratch.path / "out";
-  const Run run = run_tool(
+  const Outcome run = run_tool(
       "generate " + quoted(model) + " -o " + quoted(out) + " --name r --depfile " + quoted(scratch.path / "r.d") +
       " --stamp " + quoted(scratch.path / "r.stamp"));
   EXPECT_EQ(run.status, 1);
-  EXPECT_NE(run.errors.find("bad.kindsl:1:38: error:"), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find("bad.kindsl:1:36: error:"), std::string::npos) << run.errors;
   EXPECT_FALSE(fs::exists(out));
   EXPECT_FALSE(fs::exists(scratch.path / "r.d"));
   EXPECT_FALSE(fs::exists(scratch.path / "r.stamp"));
@@ -70,7 +70,7 @@ TEST(Command, AnErrorLeavesEarlierOutputAlone) {
 TEST(Command, UnwritableOutputExitsWithTwo) {
   const Scratch scratch("unwritable");
   write_text(scratch.path / "file", "");
-  const Run run =
+  const Outcome run =
       run_tool("generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "file" / "out") + " --name hyl");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.errors.find("error"), std::string::npos);
@@ -80,7 +80,7 @@ TEST(Command, WritesWhatItListsAndNothingElse) {
   const Scratch scratch("list");
   for (const std::string algorithms : {"", " --algorithms jacobians inverse_dynamics"}) {
     const fs::path out = scratch.path / ("out" + std::to_string(algorithms.size()));
-    const Run list = run_tool("generate --list-outputs --name hyl" + algorithms);
+    const Outcome list = run_tool("generate --list-outputs --name hyl" + algorithms);
     ASSERT_EQ(list.status, 0) << list.errors;
     ASSERT_EQ(
         run_tool("generate " + quoted(robot("hyl")) + " -o " + quoted(out) + " --name hyl" + algorithms).status, 0);
@@ -128,7 +128,7 @@ TEST(Command, ACommentChangesNothing) {
 TEST(Command, PrintsCanonicalDocumentsThatPrintTheSame) {
   const Scratch scratch("print");
   for (const char* name : {"hyl", "humanoid"}) {
-    const Run first = run_tool("print " + quoted(robot(name)));
+    const Outcome first = run_tool("print " + quoted(robot(name)));
     ASSERT_EQ(first.status, 0);
     const fs::path copy = scratch.path / "copy.kindsl";
     write_text(copy, first.output);
@@ -141,7 +141,7 @@ TEST(Command, StrictRefusesWhatIsLenientOtherwise) {
   const fs::path list = scratch.path / "list.dtdsl";
   write_text(list, "Robot HyL Frames { fr_base } Transforms { fr_base <- fr_foot fr_base <- fr_nothing }");
   const std::string files = quoted(robot("hyl")) + " " + quoted(list);
-  const Run lenient = run_tool("check " + files), strict = run_tool("check --strict " + files);
+  const Outcome lenient = run_tool("check " + files), strict = run_tool("check --strict " + files);
   EXPECT_EQ(lenient.status, 0);
   EXPECT_NE(lenient.errors.find("warning"), std::string::npos);
   EXPECT_EQ(strict.status, 1);
@@ -151,7 +151,7 @@ TEST(Command, ChecksOurRobotsWithoutAWord) {
   for (const auto& entry : fs::directory_iterator(ROBCOGEN_ROBOTS_DIR)) {
     const std::string name = entry.path().filename().string();
     if (!fs::exists(robot(name))) continue;
-    const Run run = run_tool(
+    const Outcome run = run_tool(
         "check --strict " + quoted(robot(name)) + " " + quoted(fs::path(robot(name)).replace_extension(".dtdsl")));
     EXPECT_EQ(run.status, 0) << name;
     EXPECT_EQ(run.errors, "") << name;
@@ -176,7 +176,7 @@ TEST(Command, RobotsBeyondAllMeasureAreCheckedButNotTraced) {
   for (const std::string& command :
        {"ops " + file, "eval " + file + " inverse_dynamics",
         "generate " + file + " --name c -o " + quoted(scratch.path / "o")}) {
-    const Run run = run_tool(command, "{}");
+    const Outcome run = run_tool(command, "{}");
     EXPECT_EQ(run.status, 1) << command;
     EXPECT_NE(run.errors.find("[too-many-joints]"), std::string::npos) << run.errors;
   }
@@ -190,11 +190,11 @@ TEST(Command, ParametricRobotsAreEvaluatedButNotGenerated) {
     link l { id = 1 inertia_params { mass = m CoM = (0.5 len, 0.0, 0.0)
       Ix = 0.0 Iy = 0.1 Iz = 0.1 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }
     r_joint j { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (PI/2.0, 0.0, 0.0) } } })");
-  const Run generate = run_tool("generate " + quoted(model) + " -o " + quoted(scratch.path / "o") + " --name p");
+  const Outcome generate = run_tool("generate " + quoted(model) + " -o " + quoted(scratch.path / "o") + " --name p");
   EXPECT_EQ(generate.status, 1);
   EXPECT_NE(generate.errors.find("parameters"), std::string::npos) << generate.errors;
   EXPECT_FALSE(fs::exists(scratch.path / "o"));
-  const Run eval =
+  const Outcome eval =
       run_tool("eval " + quoted(model) + " gravity_forces", R"({"q": [0], "parameters": {"m": 2, "len": 3}})");
   EXPECT_EQ(eval.status, 0) << eval.errors;
   // The rod lies along x and turns about -y of the base: m g len / 2.

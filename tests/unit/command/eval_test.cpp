@@ -27,11 +27,11 @@ class Eval : public testing::Test {
  protected:
   Eval() { write_text(model_, kPendulum); }
   json eval(const std::string& function, const json& arguments) {
-    const Run run = run_tool("eval " + quoted(model_) + " " + function, arguments.dump());
+    const Outcome run = run_tool("eval " + quoted(model_) + " " + function, arguments.dump());
     EXPECT_EQ(run.status, 0) << run.errors;
     return json::parse(run.output);
   }
-  Run run(const std::string& function, const std::string& arguments) {
+  Outcome run(const std::string& function, const std::string& arguments) {
     return run_tool("eval " + quoted(model_) + " " + function, arguments);
   }
   Scratch scratch_{"eval"};
@@ -82,12 +82,12 @@ TEST_F(Eval, RefusesWhatMakesNoSense) {
        {"", "[1]", "{\"q\": 1}", "{\"q\": [1, 2]}", "{\"q\": [\"a\"]}", "{\"Q\": [1]}", "{\"gravity\": [1]}",
         "{\"external\": {\"rood\": [0,0,0,0,0,0]}}", "{\"external\": {\"rod\": [0]}}", "{\"parameters\": {\"x\": 1}}",
         "{\"q\": [1}"}) {
-    const Run result = run("inverse_dynamics", input);
+    const Outcome result = run("inverse_dynamics", input);
     EXPECT_EQ(result.status, 1) << input;
     EXPECT_NE(result.errors.find("error: "), std::string::npos) << input;
     EXPECT_EQ(result.output, "") << input;
   }
-  const Run typo = run("inverse_dynamic", "{}");
+  const Outcome typo = run("inverse_dynamic", "{}");
   EXPECT_EQ(typo.status, 2);
   EXPECT_NE(typo.errors.find("did you mean 'inverse_dynamics'?"), std::string::npos) << typo.errors;
   EXPECT_EQ(run("transforms.homogeneous.fr_base_X_nothing", "{}").status, 2);

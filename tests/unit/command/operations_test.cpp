@@ -14,7 +14,7 @@ struct Bound {
 };
 
 void expect_within(const std::filesystem::path& model, const std::vector<Bound>& bounds) {
-  const Run run = run_tool("ops --json " + quoted(model));
+  const Outcome run = run_tool("ops --json " + quoted(model));
   ASSERT_EQ(run.status, 0) << run.errors;
   const nlohmann::json functions = nlohmann::json::parse(run.output)["functions"];
   for (const Bound& bound : bounds) {

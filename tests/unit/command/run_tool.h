@@ -14,7 +14,7 @@
 
 namespace robcogen::test {
 
-struct Run {
+struct Outcome {
   int status = -1;
   std::string output;  // standard output
   std::string errors;  // standard error
@@ -45,7 +45,7 @@ class Scratch {
 };
 
 // `arguments` as in a shell; `prefix` may set environment variables.
-inline Run run_tool(const std::string& arguments, const std::string& input = "", const std::string& prefix = "") {
+inline Outcome run_tool(const std::string& arguments, const std::string& input = "", const std::string& prefix = "") {
   const Scratch scratch("run");
   write_text(scratch.path / "input", input);
   const std::string command = prefix + " '" ROBCOGEN_TOOL "' " + arguments + " < '" +
