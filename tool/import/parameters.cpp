@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -30,17 +31,12 @@ const char* kind_name(ParameterKind kind) {
 // Nothing of a robot is as large as this, in SI units: beyond it, products of a few quantities would overflow.
 constexpr double kTooLarge = 1e15;
 
-// The least magnitude that a quantity takes for parameters of many magnitudes and either sign, no two of them equal;
-// infinite when it has none.
-double least_magnitude(const Quantity& q, std::size_t parameter_count) {
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<double> values(parameter_count);
-  for (const double scale : {1.4, -1.4, 0.01, -0.01, 1e2, -1e2, 1e4, -1e4, 1e6, -1e6}) {
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = scale * (1.0 + 0.37 * static_cast<double>(i));
-    const double magnitude = std::abs(evaluate(q, values));
-    if (magnitude < least) least = magnitude;  // never so when it is no number
-  }
-  return least;
+// What a parameter is tried with: many magnitudes of either sign.
+constexpr std::array<double, 10> kTrialScales = {1.4, -1.4, 0.01, -0.01, 1e2, -1e2, 1e4, -1e4, 1e6, -1e6};
+
+// No two parameters are tried with equal values.
+double trial_value(double scale, std::size_t parameter) {
+  return scale * (1.0 + 0.37 * static_cast<double>(parameter));
 }
 
 }  // namespace
@@ -66,7 +62,7 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   const int faults_before = faults_;
   const Quantity result = finite(expression, kind);
   if (faults_ > faults_before) return result;
-  const double least = least_magnitude(result, parameters_.size());
+  const double least = least_magnitude(result);
   if (least < kTooLarge) return result;
   if (std::isinf(least))
     return fault(diagnostics_.error(
@@ -76,6 +72,16 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   return fault(diagnostics_.error(
       "too-large", place(expression),
       fmt::format("{} is too large: what a robot has is below {} in SI units", what, print_double(kTooLarge))));
+}
+
+double QuantityReader::least_magnitude(const Quantity& q) const {
+  if (q.is_constant()) return std::abs(q.number().value());
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>& values : trials_) {
+    const double magnitude = std::abs(evaluate(q, values));
+    if (magnitude < least) least = magnitude;  // never so when it is no number
+  }
+  return least;
 }
 
 Quantity QuantityReader::finite(const Expression& expression, ParameterKind kind) {
@@ -155,6 +161,10 @@ Quantity QuantityReader::parameter(const Expression& expression, ParameterKind k
                   "of the kinematics",
                   name, kind_name(kind), kind_name(earlier.kind)))
           .notes.push_back({earlier.place, "first used here"});
+    }
+    trials_.resize(kTrialScales.size());
+    for (std::size_t i = 0; i < trials_.size(); ++i) {
+      trials_[i].push_back(trial_value(kTrialScales[i], parameters_.size()));
     }
     parameters_.push_back({name, kind, std::nullopt, place(expression)});
   }

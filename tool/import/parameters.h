@@ -35,6 +35,8 @@ class QuantityReader {
   model::Quantity operate(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity parameter(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity constant(const language::Expression& expression);
+  // The least magnitude that it takes for the values that parameters are tried with; infinite when it has none.
+  double least_magnitude(const model::Quantity& q) const;
   // What an expression is taken to be once its fault was reported.
   model::Quantity fault(const Diagnostic& reported);
   Place place(const language::Expression& expression) const { return {source_, expression.span}; }
@@ -47,6 +49,7 @@ class QuantityReader {
   std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
   std::vector<model::Parameter> parameters_;
+  std::vector<std::vector<double>> trials_;  // sets of values of all parameters
   int faults_ = 0;
   std::map<std::string, int> kinematics_parameters_;
   std::map<std::string, int> dynamics_parameters_;
