@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "backend/cpp/lower.h"
 #include "backend/cpp/names.h"
 
 namespace robcogen::backend::cpp {
@@ -79,9 +80,11 @@ std::vector<Role> signature(const Program& program, bool with_gravity) {
 
 Overload overload(const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
+  const std::vector<Parameter> names = parameters(program);
   Overload result{&callable, result_type(program), {}, !with_gravity};
-  for (const InputArray& input : program.inputs)
-    if (with_gravity || input.role != Role::gravity) result.arguments.push_back({type_of(input), input.name, ""});
+  for (std::size_t i = 0; i < program.inputs.size(); ++i)
+    if (with_gravity || program.inputs[i].role != Role::gravity)
+      result.arguments.push_back({type_of(program.inputs[i]), names[i].name, ""});
   return result;
 }
 

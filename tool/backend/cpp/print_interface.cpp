@@ -44,21 +44,19 @@ std::vector<std::string> passed_on(const Overload& overload) {
   return arguments;
 }
 
-std::string documentation(const Overload& overload, std::size_t indent) {
-  if (overload.adds_standard_gravity) return comment("As above, under standard gravity.", indent);
+std::string documentation(const Overload& overload) {
+  if (overload.adds_standard_gravity) return comment("As above, under standard gravity.");
   std::string result;
-  for (const std::string& line : overload.callable->function->summary) result += comment(line, indent);
+  for (const std::string& line : overload.callable->function->summary) result += comment(line);
   return result;
 }
 
 std::string function(const Overload& overload) {
-  std::string result =
-      declaration("inline " + overload.result + " " + overload.callable->name, parameter_list(overload), " noexcept {");
-  if (overload.adds_standard_gravity)
-    result += call("return " + overload.callable->name, passed_on(overload), 2);
-  else
-    result += call_of_kernel(*overload.callable);
-  return result + "}\n";
+  const std::string head = "inline " + overload.result + " " + overload.callable->name;
+  const std::string body = overload.adds_standard_gravity
+                               ? call("return " + overload.callable->name, passed_on(overload), 2)
+                               : call_of_kernel(*overload.callable);
+  return declaration(head, parameter_list(overload), " noexcept {") + body + "}\n";
 }
 
 std::string columns_constant(const Api& api, const Callable& callable) {
@@ -79,7 +77,7 @@ std::string scope_text(const Api& api, const std::string& group, const std::stri
       continue;
     }
     parts.push_back(columns_constant(api, *o.callable));
-    parts.push_back(documentation(o, 0) + function(o));
+    parts.push_back(documentation(o) + function(o));
   }
   const std::string prefix = single_precision ? (scope.empty() ? "f32" : "f32::") : "";
   if (prefix.empty() && scope.empty()) return paragraphs(parts);
@@ -88,14 +86,17 @@ std::string scope_text(const Api& api, const std::string& group, const std::stri
 
 std::string member_function(const Overload& overload, const std::string& space) {
   const std::string head = "static " + overload.result + " " + overload.callable->name;
+  const std::vector<std::string> parameters = parameter_list(overload);
   std::vector<std::string> names;
   for (const Argument& a : overload.arguments) names.push_back(a.name);
-  const std::string body = call("return " + space + "::" + overload.callable->name, names, 0);
+  const auto body = [&](std::size_t indent) {
+    return call("return " + space + "::" + overload.callable->name, names, indent);
+  };
+  const std::string statement = body(0);
   const std::string line =
-      declaration(head, parameter_list(overload), " noexcept { " + body.substr(0, body.size() - 1) + " }", 2);
-  if (line.size() <= kColumns + 1) return line;
-  return declaration(head, parameter_list(overload), " noexcept {", 2) +
-         call("return " + space + "::" + overload.callable->name, names, 4) + "  }\n";
+      declaration(head, parameters, " noexcept { " + statement.substr(0, statement.size() - 1) + " }", 2);
+  const bool fits = line.size() <= kColumns + 1 && line.find('\n') == line.size() - 1;
+  return fits ? line : declaration(head, parameters, " noexcept {", 2) + body(4) + "  }\n";
 }
 
 std::string robot_type(const Api& api, const std::string& scalar, const std::string& space) {
