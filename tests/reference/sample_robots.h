@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robcogen/reference/energy.h"
+#include "robcogen/reference/rounding.h"
 #include "robcogen/reference/samples.h"
 #include "tables.h"
 

@@ -71,7 +71,6 @@ int main(int argc, char** argv) {
   const robcogen::reflection::Robot& robot = generated::reflection::robot;
   std::printf("%s: seed %llu, %d samples\n", robot.name, static_cast<unsigned long long>(seed), samples);
   const robcogen::reference::Checks checks = robcogen::reference::selfcheck<generated::Robot>(robot, seed, samples);
-  const int failures = checks.print();
-  std::printf("%d checks, %d failed\n", checks.size(), failures);
-  return failures == 0 ? 0 : 1;
+  std::printf("%s%d checks, %d failed\n", checks.report().c_str(), checks.size(), checks.failures());
+  return checks.failures() == 0 ? 0 : 1;
 }

@@ -62,9 +62,18 @@ class Tables {
     return static_cast<int>(frames_.size()) - 1;
   }
 
+  // By frame indices; without kernels.
+  void add_transform(const std::string& name, int left, int right) {
+    transforms_.push_back({stored(name), left, right, nullptr, nullptr, nullptr});
+  }
+  void add_jacobian(const std::string& name, int left, int right, const std::vector<int>& columns) {
+    const std::vector<int>& kept = columns_.emplace_back(columns);
+    jacobians_.push_back({stored(name), left, right, kept.data(), static_cast<int>(kept.size()), nullptr});
+  }
+
   reflection::Robot robot() const {
-    return {name_,         floating_base_, view(links_), view(joints_),
-            view(frames_), {nullptr, 0},   {nullptr, 0}, {nullptr, 0}};
+    return {name_,         floating_base_,    view(links_),     view(joints_),
+            view(frames_), view(transforms_), view(jacobians_), {nullptr, 0}};
   }
 
  private:
@@ -81,6 +90,9 @@ class Tables {
   std::vector<reflection::Link> links_;
   std::vector<reflection::Joint> joints_;
   std::vector<reflection::Frame> frames_;
+  std::vector<reflection::Transform> transforms_;
+  std::deque<std::vector<int>> columns_;
+  std::vector<reflection::Jacobian> jacobians_;
 };
 
 }  // namespace robcogen::reference

@@ -64,12 +64,13 @@ TEST(ReferenceChecks, CountsFailuresOfTheLargestErrors) {
   checks.record("no number", kTolerance, kNaN, 0);
   checks.record("no number", kTolerance, 0, 1);
   EXPECT_EQ(checks.size(), 3);
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(checks.print(), 2);
-  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(checks.failures(), 2);
+  const std::string text = checks.failure_report();
+  EXPECT_EQ(text.find("passes"), std::string::npos);
   EXPECT_NE(text.find("FAIL  fails once"), std::string::npos);
   EXPECT_NE(text.find("FAIL  no number"), std::string::npos);
   EXPECT_NE(text.find("kTolerance"), std::string::npos);
+  EXPECT_NE(checks.report().find("ok    passes"), std::string::npos);
 }
 
 }  // namespace

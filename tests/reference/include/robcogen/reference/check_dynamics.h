@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robcogen/reference/checks.h"
+#include "robcogen/reference/rounding.h"
 #include "robcogen/reference/samples.h"
 #include "robcogen/reference/subject.h"
 
@@ -69,12 +70,25 @@ inline std::vector<Overload> overloads(const Sample& s) {
       {" (gravity, wrenches)", {&s.gravity, &s.external}, loads<Real>(s.gravity, s.external)}};
 }
 
+// A result, and the sizes of the terms that its elements are sums of.
+struct Expected {
+  Vector<Real> value;
+  Vector<Real> terms;
+};
+
+// (base wrench, tau), or tau.
+inline Expected expected_forces(const Case& c, const Motion<double>& motion, const Loads<Real>& loads) {
+  const Vector<Real> value = generalized_forces(c.robot, cast<Real>(motion), loads);
+  const Vector<Real> terms = force_terms(c.robot, motion, loads.cast<double>()).cast<Real>();
+  return {cut(c.floating, value), cut(c.floating, terms)};
+}
+
 // Base acceleration and joint forces of a free base.
-inline Sum<Real> free_base_dynamics(const Case& c, const Loads<Real>& loads) {
+inline Expected expected_free_motion(const Case& c, const Loads<Real>& loads) {
   const InverseDynamics<Real> free = inverse_dynamics(c.robot, c.motion, loads);
-  Motion<Real> motion = c.motion;
-  motion.base_acceleration = free.base_acceleration;
-  const Vector<Real> force = generalized_forces(c.robot, motion, loads).magnitude;
+  Motion<double> motion = c.sample.motion;
+  motion.base_acceleration = free.base_acceleration.cast<double>();
+  const Vector<Real> force = expected_forces(c, motion, loads).terms;
   const int n = c.motion.q.rows();
   const Matrix<Real> composite = c.H.block(0, 0, 6, 6);
   const Vector<Real> acceleration = magnitude(solve(composite, Matrix<Real>::identity(6))) * force.head(6);
@@ -82,43 +96,51 @@ inline Sum<Real> free_base_dynamics(const Case& c, const Loads<Real>& loads) {
   return {stacked(free.base_acceleration, free.tau), stacked(acceleration, joints)};
 }
 
+// (base acceleration, qdd), or qdd.
+inline Expected expected_accelerations(const Case& c, const Vector<double>& tau, const Loads<Real>& loads) {
+  const Accelerations<Real> result = forward_dynamics(c.robot, c.motion, tau.cast<Real>(), loads);
+  Motion<double> motion = c.sample.motion;
+  motion.qdd = result.qdd.cast<double>();
+  motion.base_acceleration = result.base_acceleration.cast<double>();
+  return {
+      coordinates(c.floating, result.base_acceleration, result.qdd),
+      c.inverse_magnitude * expected_forces(c, motion, loads).terms};
+}
+
+inline Real error_of(const Case& c, const Vector<double>& actual, const Expected& expected) {
+  return blockwise_error(c.floating, actual, expected.value, expected.terms);
+}
+
 template <class Subject>
 void check_inverse_dynamics(const Subject& subject, const Case& c, Checks& checks) {
+  const Motion<double>& motion = c.sample.motion;
   for (const Overload& o : overloads(c.sample)) {
-    if (c.floating) {
-      const Sum<Real> expected = free_base_dynamics(c, o.loads);
-      const Vector<double> actual = subject.inverse_dynamics(c.sample.motion, o.arguments);
+    if (c.floating)
       checks.record(
-          "inverse_dynamics" + o.suffix, kForce, blockwise_error(true, actual, expected.value, expected.magnitude),
-          c.index);
-    }
-    const Sum<Real> expected = generalized_forces(c.robot, c.motion, o.loads);
-    const Vector<double> actual = subject.inverse_dynamics_fully_actuated(c.sample.motion, o.arguments);
+          "inverse_dynamics" + o.suffix, kForce,
+          error_of(c, subject.inverse_dynamics(motion, o.arguments), expected_free_motion(c, o.loads)), c.index);
     checks.record(
         (c.floating ? "inverse_dynamics_fully_actuated" : "inverse_dynamics") + o.suffix, kForce,
-        blockwise_error(c.floating, actual, cut(c.floating, expected.value), cut(c.floating, expected.magnitude)),
+        error_of(c, subject.inverse_dynamics_fully_actuated(motion, o.arguments), expected_forces(c, motion, o.loads)),
         c.index);
   }
 }
 
 template <class Subject>
 void check_bias_forces(const Subject& subject, const Case& c, Checks& checks) {
-  const auto compare = [&](const std::string& name, const Vector<double>& actual, const Motion<Real>& motion,
-                           const Loads<Real>& loads) {
-    const Sum<Real> forces = generalized_forces(c.robot, motion, loads);
-    checks.record(
-        name, kForce,
-        blockwise_error(c.floating, actual, cut(c.floating, forces.value), cut(c.floating, forces.magnitude)), c.index);
-  };
   const Sample& s = c.sample;
-  const Motion<Real> rest = at_rest(c.motion.q);
-  Motion<Real> steady = rest;
-  steady.qd = c.motion.qd;
-  steady.base_velocity = c.motion.base_velocity;
+  const Motion<double> rest = at_rest(s.motion.q);
+  Motion<double> steady = rest;
+  steady.qd = s.motion.qd;
+  steady.base_velocity = s.motion.base_velocity;
+  const auto compare = [&](const std::string& name, const Vector<double>& actual, const Motion<double>& motion,
+                           const Loads<Real>& loads) {
+    checks.record(name, kForce, error_of(c, actual, expected_forces(c, motion, loads)), c.index);
+  };
   for (const Overload& o : overloads(s))
     compare("bias_forces" + o.suffix, subject.bias_forces(s.motion, o.arguments), steady, o.loads);
   const Arguments gravity{&s.gravity, nullptr};
-  compare("gravity_forces", subject.gravity_forces(s.motion.q, {}), rest, Loads<Real>{});
+  compare("gravity_forces", subject.gravity_forces(s.motion.q, {}), rest, {});
   compare("gravity_forces (gravity)", subject.gravity_forces(s.motion.q, gravity), rest, loads<Real>(s.gravity));
   compare("coriolis_forces", subject.coriolis_forces(s.motion), steady, loads<Real>(Vector<double>(3)));
 }
@@ -128,17 +150,9 @@ void check_forward_dynamics(const Subject& subject, const Case& c, Checks& check
   for (const Overload& o : overloads(c.sample)) {
     // Joint forces that the sample's motion takes, so that accelerations stay moderate for light robots too.
     const Vector<double> tau = inverse_dynamics(c.robot, c.motion, o.loads).tau.cast<double>();
-    const Accelerations<Real> expected = forward_dynamics(c.robot, c.motion, tau.cast<Real>(), o.loads);
-    Motion<Real> motion = c.motion;
-    motion.qdd = expected.qdd;
-    motion.base_acceleration = expected.base_acceleration;
-    const Vector<Real> forces = cut(c.floating, generalized_forces(c.robot, motion, o.loads).magnitude);
     const Vector<double> actual = subject.forward_dynamics(c.sample.motion, tau, o.arguments);
     checks.record(
-        "forward_dynamics" + o.suffix, kAcceleration,
-        blockwise_error(
-            c.floating, actual, coordinates(c.floating, expected.base_acceleration, expected.qdd),
-            c.inverse_magnitude * forces),
+        "forward_dynamics" + o.suffix, kAcceleration, error_of(c, actual, expected_accelerations(c, tau, o.loads)),
         c.index);
   }
 }

@@ -21,21 +21,18 @@ void check_round_trips(const Subject& subject, const Case& c, Checks& checks) {
   for (const Overload& o : overloads(c.sample)) {
     const Vector<double> forces = subject.inverse_dynamics(given, o.arguments);
     const Vector<double> tau = forces.tail(n);
-    Motion<Real> motion = c.motion;
-    motion.base_acceleration = c.floating ? forces.head(6).cast<Real>() : Vector<Real>(6);
-    const Vector<Real> terms = generalized_forces(c.robot, motion, o.loads).magnitude;
+    Motion<double> motion = given;
+    if (c.floating) motion.base_acceleration = forces.head(6);
+    const Vector<Real> terms = expected_forces(c, motion, o.loads).terms;
 
     const Vector<double> back = subject.forward_dynamics(given, tau, o.arguments);
+    const Vector<double> wanted = coordinates(c.floating, motion.base_acceleration, motion.qdd);
     checks.record(
         "P1: FD(ID(qdd)) = qdd" + o.suffix, kRoundTrip,
-        blockwise_error(
-            c.floating, back, coordinates(c.floating, motion.base_acceleration, motion.qdd),
-            c.inverse_magnitude * cut(c.floating, terms)),
-        c.index);
+        error_of(c, back, {wanted.cast<Real>(), c.inverse_magnitude * terms}), c.index);
 
-    Motion<double> found = given;
-    found.qdd = back.tail(n);
-    const Vector<double> again = subject.inverse_dynamics(found, o.arguments).tail(n);
+    motion.qdd = back.tail(n);
+    const Vector<double> again = subject.inverse_dynamics(motion, o.arguments).tail(n);
     checks.record(
         "P1: ID(FD(tau)) = tau" + o.suffix, kRoundTrip,
         relative_error(again.cast<Real>(), tau.cast<Real>(), terms.tail(n)), c.index);
@@ -139,7 +136,7 @@ void check_gravity_gradient(const Subject& subject, const Case& c, Checks& check
     slope(j) = (8 * (energy(1) - energy(-1)) - (energy(2) - energy(-2))) / (12 * step);
   }
   const Vector<double> forces = subject.gravity_forces(c.sample.motion.q, {&c.sample.gravity, nullptr}).tail(n);
-  const Vector<Real> terms = generalized_forces(c.robot, at_rest(c.motion.q), gravity).magnitude.tail(n);
+  const Vector<Real> terms = expected_forces(c, at_rest(c.sample.motion.q), gravity).terms.tail(n);
   checks.record(
       "P3: gravity_forces = gradient of potential energy", kDifference,
       relative_error(forces.cast<Real>(), slope, terms), c.index);

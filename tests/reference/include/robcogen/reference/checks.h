@@ -30,22 +30,16 @@ class Checks {
     }
   }
 
-  // One line a check. Returns how many failed.
-  int print() const {
-    int failures = 0;
-    for (const Entry& e : entries_) {
-      const bool passed = e.error <= static_cast<Real>(e.tolerance.value);
-      failures += passed ? 0 : 1;
-      std::printf(
-          "%-4s  %-52s  error %9.2Le  tolerance %.0e (%s)", passed ? "ok" : "FAIL", e.name.c_str(), e.error,
-          e.tolerance.value, e.tolerance.name);
-      if (!passed) std::printf("  worst in sample %d; %s", e.sample, e.tolerance.reason);
-      std::printf("\n");
-    }
-    return failures;
+  int size() const { return static_cast<int>(entries_.size()); }
+  int failures() const {
+    return static_cast<int>(std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return failed(e); }));
   }
 
-  int size() const { return static_cast<int>(entries_.size()); }
+  // One line a check; all of them, or those that failed.
+  std::string report() const {
+    return lines([](const Entry&) { return true; });
+  }
+  std::string failure_report() const { return lines(failed); }
 
  private:
   struct Entry {
@@ -54,6 +48,27 @@ class Checks {
     Real error;
     int sample;
   };
+
+  static bool failed(const Entry& e) { return !(e.error <= static_cast<Real>(e.tolerance.value)); }
+
+  static std::string line(const Entry& e) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text, "%-4s  %-52s  error %9.2Le  tolerance %.0e (%s)", failed(e) ? "FAIL" : "ok", e.name.c_str(),
+        e.error, e.tolerance.value, e.tolerance.name);
+    std::string result = text;
+    if (failed(e)) result += "  worst in sample " + std::to_string(e.sample) + "; " + e.tolerance.reason;
+    return result + "\n";
+  }
+
+  template <class Condition>
+  std::string lines(const Condition& condition) const {
+    std::string text;
+    for (const Entry& e : entries_) {
+      if (condition(e)) text += line(e);
+    }
+    return text;
+  }
 
   Entry& entry_of(const std::string& name, const Tolerance& tolerance) {
     for (Entry& e : entries_) {

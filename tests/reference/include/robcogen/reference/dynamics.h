@@ -16,6 +16,13 @@ template <class Scalar>
 struct Loads {
   Vector<Scalar> gravity = {Scalar(0), Scalar(0), Scalar(-9.81)};
   std::vector<Vector<Scalar>> external;  // one for each link, base first; empty: none
+
+  template <class Other>
+  Loads<Other> cast() const {
+    Loads<Other> result{gravity.template cast<Other>(), {}};
+    for (const Vector<Scalar>& wrench : external) result.external.push_back(wrench.template cast<Other>());
+    return result;
+  }
 };
 
 template <class Scalar>
@@ -91,16 +98,9 @@ Vector<Scalar> wrench_at_center_of_mass(
   return stacked(R * (wrench.head(3) - cross(center_of_mass<Scalar>(link), force)), R * force);
 }
 
-// A sum, and the sum of the magnitudes of its terms: the yardstick for its rounding errors.
-template <class Scalar>
-struct Sum {
-  Vector<Scalar> value;
-  Vector<Scalar> magnitude;
-};
-
 // The wrench that all constraints and actuators together exert on a link, at its centre of mass, in base axes.
 template <class Scalar>
-Sum<Scalar> required_wrench(
+Vector<Scalar> required_wrench(
     const Robot& robot,
     int link,
     const LinkMotion<Scalar>& motion,
@@ -109,30 +109,22 @@ Sum<Scalar> required_wrench(
   const Matrix<Scalar> R = rotation_of(motion.pose);
   const Matrix<Scalar> inertia = R * central_inertia<Scalar>(body) * transpose(R);
   const Vector<Scalar> w = motion.angular_velocity();
-  const Vector<Scalar> spin = inertia * motion.angular_acceleration();
-  const Vector<Scalar> gyroscopic = cross(w, inertia * w);
-  const Vector<Scalar> inertial = Scalar(body.mass) * motion.acceleration(center_of_mass<Scalar>(body));
-  const Vector<Scalar> weight = Scalar(body.mass) * loads.gravity;
-  Vector<Scalar> external(6);
-  if (!loads.external.empty())
-    external = wrench_at_center_of_mass(body, motion.pose, loads.external[static_cast<std::size_t>(link)]);
-  return {
-      stacked(spin + gyroscopic, inertial - weight) - external,
-      stacked(magnitude(spin) + magnitude(gyroscopic), magnitude(inertial) + magnitude(weight)) + magnitude(external)};
+  const Vector<Scalar> moment = inertia * motion.angular_acceleration() + cross(w, inertia * w);
+  const Vector<Scalar> force = Scalar(body.mass) * (motion.acceleration(center_of_mass<Scalar>(body)) - loads.gravity);
+  if (loads.external.empty()) return stacked(moment, force);
+  const Vector<Scalar>& external = loads.external[static_cast<std::size_t>(link)];
+  return stacked(moment, force) - wrench_at_center_of_mass(body, motion.pose, external);
 }
 
 // (base wrench, tau) of a motion.
 template <class Scalar>
-Sum<Scalar> generalized_forces(const Robot& robot, const Motion<Scalar>& motion, const Loads<Scalar>& loads) {
+Vector<Scalar> generalized_forces(const Robot& robot, const Motion<Scalar>& motion, const Loads<Scalar>& loads) {
   const std::vector<LinkMotion<Scalar>> links = link_motions(robot, motion);
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, motion.q);
-  const int size = 6 + motion.q.rows();
-  Sum<Scalar> forces{Vector<Scalar>(size), Vector<Scalar>(size)};
+  Vector<Scalar> forces(6 + motion.q.rows());
   for (int i = 0; i < robot.links.size; ++i) {
-    const Sum<Scalar> wrench = required_wrench(robot, i, links[static_cast<std::size_t>(i)], loads);
     const Matrix<Scalar> J = body_jacobian(robot, poses, i, center_of_mass<Scalar>(robot.links[i]));
-    forces.value += transpose(J) * wrench.value;
-    forces.magnitude += transpose(magnitude(J)) * wrench.magnitude;
+    forces += transpose(J) * required_wrench(robot, i, links[static_cast<std::size_t>(i)], loads);
   }
   return forces;
 }
@@ -148,7 +140,7 @@ Forces<Scalar> inverse_dynamics_fully_actuated(
     const Robot& robot,
     const Motion<Scalar>& motion,
     const Loads<Scalar>& loads) {
-  return split(generalized_forces(robot, motion, loads).value);
+  return split(generalized_forces(robot, motion, loads));
 }
 
 // Joint forces for given joint accelerations. A floating base is free: its acceleration follows, and what `motion` says
@@ -157,7 +149,7 @@ template <class Scalar>
 InverseDynamics<Scalar> inverse_dynamics(const Robot& robot, Motion<Scalar> motion, const Loads<Scalar>& loads) {
   motion.base_acceleration = Vector<Scalar>(6);
   if (robot.floating_base) {
-    const Vector<Scalar> wrench = generalized_forces(robot, motion, loads).value.head(6);
+    const Vector<Scalar> wrench = generalized_forces(robot, motion, loads).head(6);
     const Matrix<Scalar> composite = full_inertia(robot, motion.q).block(0, 0, 6, 6);
     motion.base_acceleration = -solve(composite, wrench);
   }
@@ -170,7 +162,7 @@ template <class Scalar>
 Forces<Scalar> bias_forces(const Robot& robot, Motion<Scalar> motion, const Loads<Scalar>& loads) {
   motion.qdd = Vector<Scalar>(motion.q.rows());
   motion.base_acceleration = Vector<Scalar>(6);
-  return split(generalized_forces(robot, motion, loads).value);
+  return split(generalized_forces(robot, motion, loads));
 }
 
 // Joint forces and base wrench that hold the robot still; no external wrenches.

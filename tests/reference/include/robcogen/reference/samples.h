@@ -52,9 +52,7 @@ Motion<Scalar> cast(const Motion<double>& m) {
 
 template <class Scalar>
 Loads<Scalar> loads(const Vector<double>& gravity, const std::vector<Vector<double>>& external = {}) {
-  Loads<Scalar> result{gravity.cast<Scalar>(), {}};
-  for (const Vector<double>& wrench : external) result.external.push_back(wrench.cast<Scalar>());
-  return result;
+  return Loads<double>{gravity, external}.cast<Scalar>();
 }
 
 }  // namespace robcogen::reference

@@ -1,0 +1,173 @@
+#include "interpreted_robot.h"
+
+#include <algorithm>
+
+namespace robcogen::numeric {
+namespace {
+
+using reference::Arguments;
+using reference::Matrix;
+using reference::Vector;
+
+std::vector<double> elements(const Matrix<double>& m) {
+  return {m.data(), m.data() + m.rows() * m.cols()};
+}
+
+Matrix<double> matrix(const std::vector<double>& values, int rows) {
+  Matrix<double> m(rows, rows == 0 ? 0 : static_cast<int>(values.size()) / rows);
+  std::copy(values.begin(), values.end(), m.data());
+  return m;
+}
+
+Vector<double> vector(const std::vector<double>& values) {
+  Vector<double> v(static_cast<int>(values.size()));
+  std::copy(values.begin(), values.end(), v.data());
+  return v;
+}
+
+std::string pair_name(const std::string& left, const std::string& letter, const std::string& right) {
+  return left + "_" + letter + "_" + right;
+}
+
+}  // namespace
+
+InterpretedRobot::InterpretedRobot(
+    const model::KinematicTree& robot,
+    const model::DesiredTransforms& desired,
+    const std::vector<std::string>& passes,
+    std::vector<double> parameters)
+    : floating_(robot.floating_base),
+      dof_(robot.dof()),
+      parameters_(std::move(parameters)),
+      tables_(reference_tables(robot, parameters_)) {
+  for (const model::FramePair& pair : desired.transforms)
+    tables_.add_transform(
+        pair_name(pair.left.name, "X", pair.right.name), frame_index(robot, pair.left), frame_index(robot, pair.right));
+  for (const std::string& group : algorithm::groups()) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group)) {
+      if (group == "jacobians")
+        tables_.add_jacobian(f.name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
+      const std::string name = f.program.name;
+      programs_.emplace(name, pass::run(std::move(f.program), passes));
+    }
+  }
+}
+
+symbolic::Arrays<double> InterpretedRobot::run(
+    const std::string& function,
+    const Arguments& arguments,
+    symbolic::Arrays<double> inputs) const {
+  // The overloads: standard gravity folded (fixed base only), gravity, gravity and external wrenches.
+  const std::string gravity_only = floating_ ? "" : "_gravity";
+  std::string name = function;
+  if (arguments.gravity != nullptr) name = function + gravity_only;
+  if (arguments.external != nullptr) name = function + "_external";
+  inputs["gravity"] = arguments.gravity != nullptr ? elements(*arguments.gravity) : std::vector<double>{0, 0, -9.81};
+  if (arguments.external != nullptr) {
+    std::vector<double>& flat = inputs["external"];
+    for (const Vector<double>& wrench : *arguments.external) {
+      for (int k = 0; k < 6; ++k) flat.push_back(wrench(k));
+    }
+  }
+  inputs["parameters"] = parameters_;
+  const symbolic::Program& program = programs_.at(name);
+  std::erase_if(inputs, [&](const auto& given) {
+    return std::none_of(program.inputs.begin(), program.inputs.end(), [&](const symbolic::InputArray& array) {
+      return array.name == given.first;
+    });
+  });
+  return symbolic::interpret(program, inputs);
+}
+
+symbolic::Arrays<double> InterpretedRobot::inputs_of(const State& m) const {
+  return {
+      {"q", elements(m.q)},
+      {"qd", elements(m.qd)},
+      {"qdd", elements(m.qdd)},
+      {"base_velocity", elements(m.base_velocity)},
+      {"base_acceleration", elements(m.base_acceleration)}};
+}
+
+namespace {
+
+Vector<double> base_and_joints(
+    bool floating,
+    const symbolic::Arrays<double>& results,
+    const std::string& base,
+    const std::string& joints) {
+  const Vector<double> found = vector(results.at(joints));
+  return floating ? stacked(vector(results.at(base)), found) : found;
+}
+
+}  // namespace
+
+Vector<double> InterpretedRobot::inverse_dynamics(const State& m, const Arguments& arguments) const {
+  return base_and_joints(floating_, run("inverse_dynamics", arguments, inputs_of(m)), "base_acceleration", "tau");
+}
+
+Vector<double> InterpretedRobot::inverse_dynamics_fully_actuated(const State& m, const Arguments& arguments) const {
+  if (!floating_) return inverse_dynamics(m, arguments);
+  return base_and_joints(
+      floating_, run("inverse_dynamics_fully_actuated", arguments, inputs_of(m)), "base_wrench", "tau");
+}
+
+Vector<double> InterpretedRobot::forward_dynamics(const State& m, const Vector<double>& tau, const Arguments& arguments)
+    const {
+  symbolic::Arrays<double> inputs = inputs_of(m);
+  inputs["tau"] = elements(tau);
+  return base_and_joints(floating_, run("forward_dynamics", arguments, inputs), "base_acceleration", "qdd");
+}
+
+Vector<double> InterpretedRobot::bias_forces(const State& m, const Arguments& arguments) const {
+  return base_and_joints(floating_, run("bias_forces", arguments, inputs_of(m)), "base_wrench", "tau");
+}
+
+Vector<double> InterpretedRobot::gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
+  const Arguments gravity{arguments.gravity, nullptr};
+  return base_and_joints(floating_, run("gravity_forces", gravity, {{"q", elements(q)}}), "base_wrench", "tau");
+}
+
+Vector<double> InterpretedRobot::coriolis_forces(const State& m) const {
+  return base_and_joints(floating_, run("coriolis_forces", {}, inputs_of(m)), "base_wrench", "tau");
+}
+
+Matrix<double> InterpretedRobot::joint_space_inertia(const Vector<double>& q) const {
+  return matrix(run("joint_space_inertia", {}, {{"q", elements(q)}}).at("H"), floating_ ? 6 + dof_ : dof_);
+}
+
+reference::TransformForms InterpretedRobot::transform(int index, const Vector<double>& q) const {
+  const std::string name = tables_.robot().transforms[index].name;
+  const auto form = [&](const std::string& prefix, int rows) {
+    return matrix(run(prefix + name, {}, {{"q", elements(q)}}).at("X"), rows);
+  };
+  return {form("homogeneous_", 4), form("motion_", 6), form("force_", 6)};
+}
+
+Matrix<double> InterpretedRobot::jacobian(int index, const Vector<double>& q) const {
+  return matrix(run(tables_.robot().jacobians[index].name, {}, {{"q", elements(q)}}).at("J"), 6);
+}
+
+reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, int samples) {
+  const reflection::Robot tables = robot.tables();
+  reference::Checks checks;
+  std::mt19937_64 engine(seed);
+  for (int i = 0; i < samples; ++i) {
+    const reference::Sample sample = reference::random_sample(engine, tables);
+    const reference::Case c(tables, sample, i);
+    check_inverse_dynamics(robot, c, checks);
+    check_bias_forces(robot, c, checks);
+    check_gravity_gradient(robot, c, checks);
+    check_forward_dynamics(robot, c, checks);
+    check_round_trips(robot, c, checks);
+    check_inertia_matrix(robot, c, checks);
+    check_inertia_structure(robot, c, checks);
+    check_inertia_columns(robot, c, checks);
+    check_energy(robot, c, checks);
+    check_power(robot, c, checks);
+    check_transforms(robot, c, checks);
+    check_jacobians(robot, c, checks);
+  }
+  return checks;
+}
+
+}  // namespace robcogen::numeric

@@ -1,0 +1,65 @@
+// The programs of a robot, run by the interpreter, as the subject of checks (robcogen/reference/subject.h).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "algorithm/robot_programs.h"
+#include "pass/passes.h"
+#include "reference_tables.h"
+#include "robcogen/reference/check_identities.h"
+#include "robcogen/reference/check_kinematics.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::numeric {
+
+class InterpretedRobot {
+ public:
+  using State = reference::Motion<double>;
+  template <class Scalar>
+  using Vector = reference::Vector<Scalar>;
+
+  // Traces all functions and runs them through `passes`.
+  InterpretedRobot(
+      const model::KinematicTree& robot,
+      const model::DesiredTransforms& desired,
+      const std::vector<std::string>& passes = pass::names(),
+      std::vector<double> parameters = {});
+
+  // The robot and its desired transforms and Jacobians; valid as long as this object.
+  reflection::Robot tables() const { return tables_.robot(); }
+  const std::map<std::string, symbolic::Program>& programs() const { return programs_; }
+
+  // The members that checks call: see CompiledRobot.
+  Vector<double> inverse_dynamics(const State& m, const reference::Arguments& arguments) const;
+  Vector<double> inverse_dynamics_fully_actuated(const State& m, const reference::Arguments& arguments) const;
+  Vector<double> forward_dynamics(const State& m, const Vector<double>& tau, const reference::Arguments& arguments)
+      const;
+  Vector<double> bias_forces(const State& m, const reference::Arguments& arguments) const;
+  Vector<double> gravity_forces(const Vector<double>& q, const reference::Arguments& arguments) const;
+  Vector<double> coriolis_forces(const State& m) const;
+  reference::Matrix<double> joint_space_inertia(const Vector<double>& q) const;
+  reference::TransformForms transform(int index, const Vector<double>& q) const;
+  reference::Matrix<double> jacobian(int index, const Vector<double>& q) const;
+
+  // Runs the overload that takes these optional arguments; `inputs` beyond those of the program are left out.
+  symbolic::Arrays<double> run(
+      const std::string& function,
+      const reference::Arguments& arguments,
+      symbolic::Arrays<double> inputs) const;
+
+ private:
+  symbolic::Arrays<double> inputs_of(const State& m) const;
+
+  bool floating_;
+  int dof_;
+  std::vector<double> parameters_;
+  reference::Tables tables_;
+  std::map<std::string, symbolic::Program> programs_;  // by their unique names
+};
+
+// All checks of all samples: P1 to P5 of the dynamics and kinematics, and all results against the reference.
+reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, int samples);
+
+}  // namespace robcogen::numeric

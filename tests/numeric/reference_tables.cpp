@@ -1,0 +1,93 @@
+#include "reference_tables.h"
+
+#include <algorithm>
+
+#include "robcogen/reference/algebra.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using Real = long double;
+using reference::Matrix;
+using reference::Triple;
+using reference::Vector;
+
+Triple values(const std::array<model::Quantity, 3>& v, std::span<const double> parameters) {
+  return {model::evaluate(v[0], parameters), model::evaluate(v[1], parameters), model::evaluate(v[2], parameters)};
+}
+
+// The integral of r r' dm about the origin, whose trace and elements make the inertia tensor.
+Matrix<Real> second_moments(const model::Inertia& inertia, std::span<const double> parameters) {
+  const auto value = [&](const model::Quantity& q) { return static_cast<Real>(model::evaluate(q, parameters)); };
+  const Real xx = value(inertia.ixx), yy = value(inertia.iyy), zz = value(inertia.izz);
+  Matrix<Real> m(3, 3);
+  m(0, 0) = (yy + zz - xx) / 2;
+  m(1, 1) = (xx + zz - yy) / 2;
+  m(2, 2) = (xx + yy - zz) / 2;
+  m(0, 1) = m(1, 0) = value(inertia.ixy);
+  m(0, 2) = m(2, 0) = value(inertia.ixz);
+  m(1, 2) = m(2, 1) = value(inertia.iyz);
+  return m;
+}
+
+reference::Tables::Body body(const model::Inertia& inertia, std::span<const double> parameters) {
+  const Real mass = static_cast<Real>(model::evaluate(inertia.mass, parameters));
+  const Triple com = values(inertia.com, parameters);
+  Vector<Real> c{com[0], com[1], com[2]};
+  Matrix<Real> moments = second_moments(inertia, parameters);
+  if (inertia.reference) {
+    // r = t + R s, with s in the user frame: substitute in the integrals of r dm and r r' dm.
+    const Triple t = values(inertia.reference->translation, parameters);
+    const Triple r = values(inertia.reference->rotation, parameters);
+    const double translation[3] = {t[0], t[1], t[2]};
+    const double rotation[3] = {r[0], r[1], r[2]};
+    const Matrix<Real> pose = reference::placement<Real>(translation, rotation);
+    const Matrix<Real> R = reference::rotation_of(pose);
+    const Vector<Real> p = reference::origin_of(pose);
+    const Matrix<Real> cross = p * transpose(R * c);
+    moments = R * moments * transpose(R) + mass * (cross + transpose(cross) + p * transpose(p));
+    c = p + R * c;
+  }
+  reference::Tables::Body result;
+  result.mass = static_cast<double>(mass);
+  const Real trace = moments(0, 0) + moments(1, 1) + moments(2, 2);
+  for (int k = 0; k < 3; ++k) {
+    result.com[static_cast<std::size_t>(k)] = static_cast<double>(c(k));
+    result.inertia[static_cast<std::size_t>(k)] = static_cast<double>(trace - moments(k, k));
+  }
+  result.inertia[3] = static_cast<double>(moments(0, 1));
+  result.inertia[4] = static_cast<double>(moments(0, 2));
+  result.inertia[5] = static_cast<double>(moments(1, 2));
+  return result;
+}
+
+}  // namespace
+
+reference::Tables reference_tables(const model::KinematicTree& robot, std::span<const double> parameters) {
+  reference::Tables tables(robot.name, robot.floating_base);
+  for (const model::Link& link : robot.links)
+    tables.add_link(link.name, link.inertia ? body(*link.inertia, parameters) : reference::Tables::Body{});
+  for (const model::Joint& joint : robot.joints)
+    tables.add_joint(
+        joint.name, joint.type == model::JointType::revolute, joint.parent, joint.child,
+        values(joint.placement.translation, parameters), values(joint.placement.rotation, parameters));
+  for (const model::Frame& frame : robot.frames()) {
+    const auto index = static_cast<std::size_t>(frame.index);
+    model::Placement placement;
+    if (frame.kind == model::Frame::Kind::joint) placement = robot.joints[index].placement;
+    if (frame.kind == model::Frame::Kind::user) placement = robot.user_frames[index].placement;
+    tables.add_frame(
+        frame.name, robot.link_of(frame), values(placement.translation, parameters),
+        values(placement.rotation, parameters));
+  }
+  return tables;
+}
+
+int frame_index(const model::KinematicTree& robot, const model::Frame& frame) {
+  const std::vector<model::Frame> frames = robot.frames();
+  const auto found =
+      std::find_if(frames.begin(), frames.end(), [&](const model::Frame& f) { return f.name == frame.name; });
+  return static_cast<int>(found - frames.begin());
+}
+
+}  // namespace robcogen::numeric
