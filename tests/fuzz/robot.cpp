@@ -1,0 +1,37 @@
+// Any robot document: from text to model, from model to programs, through all passes, into the interpreter.
+#include "algorithm/robot_programs.h"
+#include "check.h"
+#include "import/kinematics.h"
+#include "pass/passes.h"
+
+namespace robcogen::fuzz {
+namespace {
+
+// Larger robots take their time, and find nothing that these do not.
+constexpr int kMostJoints = 8;
+constexpr std::size_t kMostFrames = 30;
+
+void check_robot(const std::shared_ptr<const Source>& text) {
+  Diagnostics diagnostics;
+  const language::kinematics::Document document = language::kinematics::parse(text, diagnostics);
+  if (diagnostics.has_errors()) return;
+  const std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
+  check_messages(diagnostics);
+  require(tree.has_value() != diagnostics.has_errors(), "a robot is built, or errors say why not");
+  if (!tree || tree->dof() > kMostJoints || tree->frames().size() > kMostFrames) return;
+  const model::DesiredTransforms desired = model::default_desired(*tree);
+  for (const std::string& group : algorithm::groups()) {
+    for (const algorithm::RobotFunction& f : algorithm::functions(*tree, desired, group)) {
+      check_program(f.program);
+      check_program(pass::run(f.program));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  robcogen::fuzz::check_robot(robcogen::fuzz::source(data, size));
+  return 0;
+}
