@@ -30,6 +30,8 @@ const char* kind_name(ParameterKind kind) {
 
 // Nothing of a robot is as large as this, in SI units: beyond it, products of a few quantities would overflow.
 constexpr double kTooLarge = 1e15;
+// Nor is anything but zero as small as this: its reciprocal would overflow as well.
+constexpr double kNothing = 1e-60;
 
 // What a parameter is tried with: many magnitudes of either sign.
 constexpr std::array<double, 10> kTrialScales = {1.4, -1.4, 0.01, -0.01, 1e2, -1e2, 1e4, -1e4, 1e6, -1e6};
@@ -63,6 +65,7 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   const Quantity result = finite(expression, kind);
   if (faults_ > faults_before) return result;
   const double least = least_magnitude(result);
+  if (least < kNothing && result.is_constant()) return Quantity();
   if (least < kTooLarge) return result;
   if (std::isinf(least))
     return fault(diagnostics_.error(

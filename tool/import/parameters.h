@@ -24,7 +24,7 @@ class QuantityReader {
 
   // `kind` is what a parameter would be in this place. Reports a parameter of two kinds or with two defaults, an
   // unknown constant, and what has no finite value, or none that a robot can have: for constants as such, with
-  // parameters whatever values they take.
+  // parameters whatever values they take. A constant next to nothing is zero.
   model::Quantity read(const language::Expression& expression, model::ParameterKind kind);
 
   // In the order of their first use.

@@ -156,7 +156,7 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
   }
   if (tree.floating_base) {
     add_in_proportion(articulated[0], addition);
-    for (std::size_t i = 0; i < 6; ++i) pivots.base.push_back(eliminate(articulated[0], i));
+    for (std::size_t i = 6; i-- > 0;) pivots.base.push_back(eliminate(articulated[0], i));
   }
   return pivots;
 }
@@ -190,7 +190,6 @@ bool any(const std::vector<bool>& flags) {
 
 void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics) {
   const Zeros free = zero_pivots(tree, Beyond::free);
-  if (!any(free.joints) && !any(free.base)) return;
   const Zeros locked = zero_pivots(tree, Beyond::locked);
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     if (!free.joints[i]) continue;
@@ -209,6 +208,13 @@ void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics) {
         fmt::format(
             "floating base '{}' meets no inertia in some direction while the joints are free: the joint-space inertia "
             "matrix is singular in every position",
+            tree.links[0].name));
+  } else if (any(locked.base)) {
+    // Masses of either sign that cancel: no acceleration of the base answers the joints' motion.
+    diagnostics.error(
+        "singular-base-inertia", tree.links[0].place,
+        fmt::format(
+            "floating base '{}' and all that it carries have no inertia in some direction in any position",
             tree.links[0].name));
   }
 }
