@@ -1,11 +1,15 @@
-// Calls a fuzz target with every file in the folders that are given: the seeds stay sound without libFuzzer.
+// Calls a fuzz target with every file in the folders that are given: without libFuzzer, the seeds and what was found
+// stay sound.
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <vector>
 
-#include "check.h"
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 int main(int count, char** arguments) {
   std::vector<std::filesystem::path> files;
@@ -20,6 +24,5 @@ int main(int count, char** arguments) {
     std::fflush(stdout);  // the last line names the file that ended the program
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   }
-  robcogen::fuzz::require(!files.empty(), "there are seeds");
-  return 0;
+  return files.empty() ? 1 : 0;
 }

@@ -2,7 +2,6 @@
 #include "algorithm/robot_programs.h"
 #include "check.h"
 #include "import/kinematics.h"
-#include "pass/passes.h"
 
 namespace robcogen::fuzz {
 namespace {
@@ -16,22 +15,20 @@ void check_robot(const std::shared_ptr<const Source>& text) {
   const language::kinematics::Document document = language::kinematics::parse(text, diagnostics);
   if (diagnostics.has_errors()) return;
   const std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
-  check_messages(diagnostics);
-  require(tree.has_value() != diagnostics.has_errors(), "a robot is built, or errors say why not");
+  const std::string messages = diagnostics.render();
+  require(tree.has_value() != diagnostics.has_errors(), "neither a robot nor an error, or both", messages);
   if (!tree || tree->dof() > kMostJoints || tree->frames().size() > kMostFrames) return;
   const model::DesiredTransforms desired = model::default_desired(*tree);
-  for (const std::string& group : algorithm::groups()) {
-    for (const algorithm::RobotFunction& f : algorithm::functions(*tree, desired, group)) {
-      check_program(f.program);
-      check_program(pass::run(f.program));
-    }
-  }
+  for (const std::string& group : algorithm::groups())
+    for (const algorithm::RobotFunction& f : algorithm::functions(*tree, desired, group))
+      is_sound_through_passes(f.program);
 }
 
 }  // namespace
 }  // namespace robcogen::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  robcogen::fuzz::check_robot(robcogen::fuzz::source(data, size));
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using robcogen::Source;
+  robcogen::fuzz::check_robot(std::make_shared<Source>("fuzz", std::string(reinterpret_cast<const char*>(data), size)));
   return 0;
 }
