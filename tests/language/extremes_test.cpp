@@ -1,5 +1,6 @@
 // Input beyond all measure: it is read or refused, in bounded time and memory.
 #include <ctime>
+#include <sstream>
 
 #include "reading.h"
 
@@ -23,7 +24,7 @@ std::string robot_with_rotation(const std::string& expression) {
 }
 
 TEST(Extremes, ALineOfTenMegabytes) {
-  const std::string blanks(10'000'000, ' ');
+  const std::string blanks = repeated(" ", 10'000'000);
   EXPECT_EQ(robot_codes("Robot A {" + blanks + "RobotBase b { children {} } }"), Codes{});
   Diagnostics diagnostics;
   language::kinematics::parse(
@@ -39,18 +40,17 @@ TEST(Extremes, ALineOfTenMegabytes) {
 
 TEST(Extremes, ANameOfTenMegabytes) {
   EXPECT_EQ(
-      robot_codes("Robot " + std::string(10'000'000, 'a') + " { RobotBase b { children {} } }"),
-      Codes{"name-too-long"});
+      robot_codes("Robot " + repeated("a", 10'000'000) + " { RobotBase b { children {} } }"), Codes{"name-too-long"});
 }
 
 TEST(Extremes, ANumberOfAMillionDigits) {
-  const std::string digits(1'000'000, '7');
+  const std::string digits = repeated("7", 1'000'000);
   EXPECT_EQ(robot_codes(robot_with_rotation(digits)), Codes{"number-too-large"});
   EXPECT_EQ(robot_codes(robot_with_rotation("0." + digits)), Codes{});
 }
 
 TEST(Extremes, ACommentOfTenMegabytes) {
-  EXPECT_EQ(robot_codes("Robot A { /*" + std::string(10'000'000, '*') + "*/ RobotBase b { children {} } }"), Codes{});
+  EXPECT_EQ(robot_codes("Robot A { /*" + repeated("*", 10'000'000) + "*/ RobotBase b { children {} } }"), Codes{});
 }
 
 TEST(Extremes, NestingOfTenThousandLevels) {
@@ -113,16 +113,18 @@ TEST(Extremes, EveryBeginning) {
 
 // Processor time, for machines have other things to do.
 double seconds_for_links(int links) {
-  std::string text = "Robot Chain { RobotBase base { children { l0 via j0 } }\n";
+  std::ostringstream text;
+  text << "Robot Chain { RobotBase base { children { l0 via j0 } }\n";
   for (int i = 0; i < links; ++i) {
-    const std::string n = std::to_string(i), next = std::to_string(i + 1);
-    text += "link l" + n + " { id = " + next +
-            "\n inertia_params { mass = 1.25 CoM = (0.1, -0.2, 0.3) Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }\n"
-            " children { " +
-            (i + 1 < links ? "l" + next + " via j" + next : "") + " } } // link " + n + "\n" + "r_joint j" + n +
-            " { ref_frame { translation = (0.0, 0.0, 0.5) rotation = (PI/2.0, 0.0, 0.0) } }\n";
+    text << "link l" << i << " { id = " << i
+         << "\n inertia_params { mass = 1.25 CoM = (0.1, -0.2, 0.3) Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }\n"
+         << " children { ";
+    if (i + 1 < links) text << "l" << i + 1 << " via j" << i + 1;
+    text << " } } // link " << i << "\nr_joint j" << i
+         << " { ref_frame { translation = (0.0, 0.0, 0.5) rotation = (PI/2.0, 0.0, 0.0) } }\n";
   }
-  const auto source = test::source(text + "}\n");
+  text << "}\n";
+  const auto source = test::source(text.str());
   Diagnostics diagnostics;
   const std::clock_t begin = std::clock();
   const auto document = language::kinematics::parse(source, diagnostics);

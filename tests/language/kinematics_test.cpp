@@ -308,8 +308,8 @@ TEST(Kinematics, TellsAllErrorsOfAFileAndNoOthers) {
 TEST(Kinematics, MayBePrintedAfterErrors) {
   for (const char* text :
        {"", "Robot", "Robot A {", "Robot A { RobotBase b { inertia_params { mass = 1.0 } children {} } }",
-        "Robot A { RobotBase b { frames { f { } } children {} } link c { id = 1 }"
-        " r_joint j { ref_frame { translation = (0.0, 0.0, 0.0) } } }"}) {
+        "Robot A { RobotBase b { frames { f { } } children {} } link c { id = 1 } }",
+        "Robot A { r_joint j { ref_frame { translation = (0.0, 0.0, 0.0) } } }"}) {
     Diagnostics diagnostics;
     const Document document = parse(test::source(text), diagnostics);
     EXPECT_TRUE(diagnostics.has_errors()) << text;

@@ -14,7 +14,8 @@
 
 namespace robcogen::language {
 
-// How a failing case is shown; found by name lookup in the namespaces of the types.
+// How RapidCheck shows a failing case: it looks for functions of this name.
+// NOLINTBEGIN(readability-identifier-naming)
 namespace kinematics {
 void showValue(const Document& document, std::ostream& stream) {
   stream << print(document);
@@ -25,6 +26,7 @@ void showValue(const Document& document, std::ostream& stream) {
   stream << print(document);
 }
 }  // namespace desired
+// NOLINTEND(readability-identifier-naming)
 
 namespace {
 

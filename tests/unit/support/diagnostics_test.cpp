@@ -122,7 +122,9 @@ TEST(Diagnostics, NeverSplitACharacter) {
   std::string filler;
   for (int i = 0; i < 1000; ++i) filler += "€";
   for (const char* shift : {"", "x", "xx"}) {
-    const auto [line, carets] = excerpt(error_at(shift + filler + "here" + filler, "here"));
+    std::string text = shift;
+    text.append(filler).append("here").append(filler);
+    const auto [line, carets] = excerpt(error_at(text, "here"));
     EXPECT_EQ(line.find('?'), std::string::npos) << line;
     EXPECT_NE(line.find("here"), std::string::npos);
     EXPECT_EQ(columns(line.substr(0, line.find("here"))), carets.find('^'));

@@ -55,7 +55,7 @@ struct Link {
   std::optional<Inertia> inertia;
   std::vector<Child> children;
   std::vector<Frame> frames;
-  std::vector<std::string> comments;  // those before this element, in order, with their delimiters
+  std::vector<std::string> comments;  // those before this element and in it, in order, with their delimiters
   Span span;
 };
 
@@ -78,7 +78,8 @@ struct Document {
   std::vector<Joint> joints;                   // in declaration order
 };
 
-// Reads as far as it can and reports every error it finds; the document is meaningful only when no error was added.
+// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
+// can be printed in any case.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 // The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
