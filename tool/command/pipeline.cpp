@@ -11,10 +11,6 @@
 namespace robcogen::command {
 namespace {
 
-// Warnings that `--strict` turns into errors: what the original tool refused in desired-transforms documents.
-const std::vector<std::string> kStrictCodes = {
-    "frame-not-listed", "repeated-frame", "repeated-pair", "robot-name-differs", "unknown-frame"};
-
 std::array<double, 3> values(const std::array<model::Quantity, 3>& q) {
   return {model::evaluate(q[0]), model::evaluate(q[1]), model::evaluate(q[2])};
 }
@@ -98,7 +94,7 @@ std::optional<Robot> load_robot(
 }
 
 void promote_desired_warnings(Diagnostics& diagnostics) {
-  diagnostics.promote_warnings(kStrictCodes);
+  diagnostics.promote_warnings(import::lenient_codes());
 }
 
 void require_traceable(const Robot& robot) {
