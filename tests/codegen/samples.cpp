@@ -282,6 +282,7 @@ const Array kInertia{"H", Role::inertia_matrix};
 Library cart_pole() {
   Library result = library("cart_pole", false);
   result.links = {{"base", -1}, {"cart", 0, kCart}, {"pole", 1, kPole, {0, 0, -kLength}}};
+  result.links[2].inertia = {1.0 / 3, 1.0 / 7, 1.0 / 11, -1e-5 / 3, 1e-5 / 7, -1e-5 / 13};
   result.joints = {{"CART", false, 0, 1}, {"POLE", true, 1, 2}};
   result.frames = {{"fr_base", 0}, {"fr_tip", 2, {0, 0, -kLength}}};
   result.groups = kDynamics;

@@ -5,6 +5,8 @@
 namespace robcogen::backend::cpp {
 namespace {
 
+using Texts = std::vector<std::string>;
+
 TEST(Layout, LongCommentsWrapAtBlanks) {
   const std::string text = comment(std::string(100, 'a') + " " + std::string(30, 'b'), 2);
   EXPECT_EQ(text, "  // " + std::string(100, 'a') + "\n  // " + std::string(30, 'b') + "\n");
@@ -36,12 +38,18 @@ TEST(Layout, RemarksOfListsStandInAColumn) {
   EXPECT_EQ(remarked_list("x", {}, {}), "x = {};\n");
 }
 
+TEST(Layout, RowsOfTablesAreNumbered) {
+  EXPECT_EQ(
+      table("x", {{1, "2"}, {3, Field(Texts{"4", "5"})}}),
+      "x = {\n    {1, 2},       // 0\n    {3, {4, 5}},  // 1\n};\n");
+}
+
 TEST(Layout, TablesPutOneFieldALineWhenARowIsTooLong) {
-  EXPECT_EQ(table("x", {{"1", "2"}, {"3", "4"}}), "x = {\n    {1, 2},  // 0\n    {3, 4},  // 1\n};\n");
   const std::string a(60, 'a'), b(60, 'b');
   EXPECT_EQ(
-      table("x", {{a, b}, {"3", "4"}}),
-      "x = {\n    {\n        " + a + ",\n        " + b + ",\n    },\n    {\n        3,\n        4,\n    },\n};\n");
+      table("x", {{a, Field(Texts{"1", "2"})}, {3, Field(Texts{a, b})}}),
+      "x = {\n    {\n        " + a + ",\n        {1, 2},\n    },\n    {\n        3,\n        {\n            " + a +
+          ",\n            " + b + ",\n        },\n    },\n};\n");
 }
 
 TEST(Layout, StringsAreQuoted) {

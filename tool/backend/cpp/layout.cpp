@@ -15,6 +15,18 @@ std::string blanks(std::size_t count) {
   return std::string(count, ' ');
 }
 
+std::string text(const Field& field) {
+  return field.braces ? braced(field.items) : field.items.front();
+}
+
+// The field and a comma, as lines at this indentation.
+std::string lines(const Field& field, std::size_t indent) {
+  const std::string line = blanks(indent) + text(field) + ",\n";
+  if (line.size() <= kColumns + 1 || !field.braces) return line;
+  const std::string separator = ",\n" + blanks(indent + 4);
+  return blanks(indent) + "{\n" + blanks(indent + 4) + joined(field.items, separator) + ",\n" + blanks(indent) + "},\n";
+}
+
 }  // namespace
 
 std::string comment(const std::string& text, std::size_t indent) {
@@ -85,19 +97,24 @@ std::string numbered_list(const std::string& head, const std::vector<std::string
   return remarked_list(head, items, numbers);
 }
 
-std::string table(const std::string& head, const std::vector<std::vector<std::string>>& rows) {
+std::string table(const std::string& head, const std::vector<std::vector<Field>>& rows) {
   std::vector<std::string> items, numbers;
   std::size_t width = 0;
-  for (const std::vector<std::string>& row : rows) {
-    items.push_back(braced(row));
+  for (const std::vector<Field>& row : rows) {
+    std::vector<std::string> fields;
+    for (const Field& field : row) fields.push_back(text(field));
+    items.push_back(braced(fields));
     numbers.push_back(std::to_string(items.size() - 1));
     width = std::max(width, items.back().size());
   }
   const std::size_t around = std::string("    ,  // ").size();
   if (rows.empty() || width + around + numbers.back().size() <= kColumns) return remarked_list(head, items, numbers);
   std::string result = head + " = {\n";
-  for (const std::vector<std::string>& row : rows)
-    result += "    {\n        " + joined(row, ",\n        ") + ",\n    },\n";
+  for (const std::vector<Field>& row : rows) {
+    result += "    {\n";
+    for (const Field& field : row) result += lines(field, 8);
+    result += "    },\n";
+  }
   return result + "};\n";
 }
 

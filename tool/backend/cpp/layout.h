@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace robcogen::backend::cpp {
@@ -32,8 +33,19 @@ std::string remarked_list(
 // `head = {items};` in one line if they fit, else one a line, each with its number.
 std::string numbered_list(const std::string& head, const std::vector<std::string>& items);
 
+// A field of a table: one item, or a list in braces.
+struct Field {
+  Field(const char* text) : items{text} {}
+  Field(const std::string& text) : items{text} {}
+  Field(int number) : items{std::to_string(number)} {}
+  Field(std::vector<std::string> list) : items(std::move(list)), braces(true) {}
+
+  std::vector<std::string> items;
+  bool braces = false;
+};
+
 // `head = {…};` with one row of fields a line, each with its number; one field a line where rows are too long for that.
-std::string table(const std::string& head, const std::vector<std::vector<std::string>>& rows);
+std::string table(const std::string& head, const std::vector<std::vector<Field>>& rows);
 
 // `{0.0, 1.0}`
 std::string braced(const std::vector<std::string>& items);

@@ -13,10 +13,10 @@ namespace {
 using symbolic::Role;
 
 template <std::size_t n>
-std::string numbers(const std::array<double, n>& values) {
+Field numbers(const std::array<double, n>& values) {
   std::vector<std::string> texts;
   for (double v : values) texts.push_back(print_double(v));
-  return braced(texts);
+  return texts;
 }
 
 // The definition of a table, and how the robot's own table refers to it.
@@ -25,7 +25,7 @@ struct Table {
   std::string reference;
 };
 
-Table table(const std::string& type, const std::string& name, const std::vector<std::vector<std::string>>& rows) {
+Table table(const std::string& type, const std::string& name, const std::vector<std::vector<Field>>& rows) {
   if (rows.empty()) return {"", "{nullptr, 0}"};
   return {
       cpp::table("inline constexpr robcogen::reflection::" + type + " " + name + "[]", rows),
@@ -33,26 +33,25 @@ Table table(const std::string& type, const std::string& name, const std::vector<
 }
 
 Table links(const Library& library) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Field>> rows;
   for (const LinkData& l : library.links)
-    rows.push_back(
-        {quoted(l.name), std::to_string(l.parent_joint), print_double(l.mass), numbers(l.com), numbers(l.inertia)});
+    rows.push_back({quoted(l.name), l.parent_joint, print_double(l.mass), numbers(l.com), numbers(l.inertia)});
   return table("Link", "kLinks", rows);
 }
 
 Table joints(const Library& library) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Field>> rows;
   for (const JointData& j : library.joints)
     rows.push_back(
-        {quoted(j.name), j.revolute ? "true" : "false", std::to_string(j.parent), std::to_string(j.child),
-         numbers(j.translation), numbers(j.rotation)});
+        {quoted(j.name), j.revolute ? "true" : "false", j.parent, j.child, numbers(j.translation),
+         numbers(j.rotation)});
   return table("Joint", "kJoints", rows);
 }
 
 Table frames(const Library& library) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Field>> rows;
   for (const FrameData& f : library.frames)
-    rows.push_back({quoted(f.name), std::to_string(f.link), numbers(f.translation), numbers(f.rotation)});
+    rows.push_back({quoted(f.name), f.link, numbers(f.translation), numbers(f.rotation)});
   return table("Frame", "kFrames", rows);
 }
 
@@ -73,19 +72,17 @@ Table transforms(const Api& api) {
     if (is_form(c, Role::spatial_motion)) motion[{c.function->left_frame, c.function->right_frame}] = address(c);
     if (is_form(c, Role::spatial_force)) force[{c.function->left_frame, c.function->right_frame}] = address(c);
   }
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Field>> rows;
   for (const Callable& c : api.callables) {
     const Pair pair(c.function->left_frame, c.function->right_frame);
     if (!is_form(c, Role::homogeneous) || !motion.contains(pair) || !force.contains(pair)) continue;
-    rows.push_back(
-        {quoted(c.function->name), std::to_string(pair.first), std::to_string(pair.second), address(c), motion[pair],
-         force[pair]});
+    rows.push_back({quoted(c.function->name), pair.first, pair.second, address(c), motion[pair], force[pair]});
   }
   return table("Transform", "kTransforms", rows);
 }
 
 Table jacobians(const Api& api) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Field>> rows;
   std::string columns;
   for (const Callable& c : api.callables) {
     if (!is_form(c, Role::jacobian)) continue;
@@ -94,8 +91,8 @@ Table jacobians(const Api& api) {
     const std::string name = indices.empty() ? "nullptr" : c.columns;
     if (!indices.empty()) columns += numbered_list("inline constexpr int " + name + "[]", indices);
     rows.push_back(
-        {quoted(c.function->name), std::to_string(c.function->left_frame), std::to_string(c.function->right_frame),
-         name, std::to_string(indices.size()), address(c)});
+        {quoted(c.function->name), c.function->left_frame, c.function->right_frame, name,
+         static_cast<int>(indices.size()), address(c)});
   }
   Table result = table("Jacobian", "kJacobians", rows);
   result.definition = paragraphs({columns, result.definition});
@@ -103,13 +100,13 @@ Table jacobians(const Api& api) {
 }
 
 Table functions(const Api& api) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<Field>> rows;
   for (const Callable& c : api.callables) {
     const symbolic::OperationCount n = symbolic::count(c.function->program);
     std::vector<std::string> counts;
     for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
       counts.push_back(std::to_string(k));
-    rows.push_back({quoted(c.kernel), braced(counts)});
+    rows.push_back({quoted(c.kernel), counts});
   }
   return table("Function", "kFunctions", rows);
 }
