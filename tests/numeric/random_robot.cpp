@@ -211,8 +211,9 @@ KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options) {
     joint.placement = placement(dice);
     connect(robot, parent_of_next(dice, options.shape, chain_likeness, k), k + 1, joint);
   }
-  // Three axes of revolute joints through one point, or parallel prismatic joints, make H singular at best nearly.
-  for (int trial = 0; !well_conditioned(robot); ++trial) {
+  // Parallel prismatic joints, or axes that coincide, make H singular or nearly so: spread them. Long chains are badly
+  // conditioned whatever their frames.
+  for (int trial = 0; trial < 5 && !well_conditioned(robot); ++trial) {
     for (Joint& joint : robot.joints) {
       for (Quantity& t : joint.placement.translation) t = Quantity(dice.between(-0.5, 0.5));
       if (trial > 0) joint.type = JointType::revolute;

@@ -8,10 +8,10 @@
 
 namespace robcogen::reference {
 
-inline constexpr Tolerance kForce{"kForce", 1e-10, "rounding of a sum over the robot, relative to the sum's terms"};
+inline constexpr Tolerance kForce{"kForce", 1e-12, "rounding of a sum over the robot, relative to the sum's terms"};
 inline constexpr Tolerance kAcceleration{
-    "kAcceleration", 1e-9, "rounding of the forces, carried to accelerations by the inverse of H"};
-inline constexpr Tolerance kInertia{"kInertia", 1e-11, "rounding of a sum of positive terms"};
+    "kAcceleration", 1e-11, "rounding of the forces, carried to accelerations by the inverse of H"};
+inline constexpr Tolerance kInertia{"kInertia", 1e-12, "rounding of a sum of positive terms"};
 
 // A sample, and what all checks of it compare with.
 struct Case {

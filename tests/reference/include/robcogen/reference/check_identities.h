@@ -8,10 +8,10 @@
 namespace robcogen::reference {
 
 inline constexpr Tolerance kExact{"kExact", 0, "structural zeros and symmetry are exact"};
-inline constexpr Tolerance kRoundTrip{"kRoundTrip", 1e-9, "forces to accelerations and back, two roundings"};
-inline constexpr Tolerance kEnergy{"kEnergy", 1e-10, "rounding of sums over all links"};
+inline constexpr Tolerance kRoundTrip{"kRoundTrip", 1e-11, "forces to accelerations and back, two roundings"};
+inline constexpr Tolerance kEnergy{"kEnergy", 1e-12, "rounding of sums over all links"};
 inline constexpr Tolerance kDifference{
-    "kDifference", 1e-7, "truncation and rounding of a fourth-order difference in double"};
+    "kDifference", 1e-8, "truncation and rounding of a fourth-order difference in double"};
 
 // P1: forces to accelerations and back.
 template <class Subject>

@@ -8,7 +8,7 @@ namespace robcogen::reference {
 
 inline constexpr Tolerance kTransform{
     "kTransform", 1e-13, "rounding of a product of rotations, relative to the lengths"};
-inline constexpr Tolerance kJacobian{"kJacobian", 1e-11, "rounding of a product of rotations, twice"};
+inline constexpr Tolerance kJacobian{"kJacobian", 1e-13, "rounding of a product of rotations, twice"};
 
 // Relative to the lengths in the matrix, and to one, which its rotation has.
 template <class Scalar>

@@ -1,0 +1,304 @@
+// The checks themselves: they pass for what is right, and each mistake of a kind that tools like this one have made
+// fails the checks that are there to find it.
+#include <gtest/gtest.h>
+
+#include "robcogen/reference/check_identities.h"
+#include "robcogen/reference/check_kinematics.h"
+#include "sample_robots.h"
+
+namespace robcogen::reference {
+namespace {
+
+// The reference in double precision, as the subject of checks.
+class Right {
+ public:
+  explicit Right(const Robot& robot) : robot_(robot) {}
+
+  Vector<double> inverse_dynamics(const Motion<double>& m, const Arguments& arguments) const {
+    const auto [tau, base_acceleration] = reference::inverse_dynamics(robot_, m, loads(arguments));
+    return coordinates(robot_.floating_base, base_acceleration, tau);
+  }
+  Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const {
+    return joined(reference::inverse_dynamics_fully_actuated(robot_, m, loads(arguments)));
+  }
+  Vector<double> forward_dynamics(const Motion<double>& m, const Vector<double>& tau, const Arguments& arguments)
+      const {
+    const auto [qdd, base_acceleration] = reference::forward_dynamics(robot_, m, tau, loads(arguments));
+    return coordinates(robot_.floating_base, base_acceleration, qdd);
+  }
+  Vector<double> bias_forces(const Motion<double>& m, const Arguments& arguments) const {
+    return joined(reference::bias_forces(robot_, m, loads(arguments)));
+  }
+  Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
+    return joined(reference::gravity_forces(robot_, q, loads(arguments).gravity));
+  }
+  Vector<double> coriolis_forces(const Motion<double>& m) const {
+    return joined(reference::coriolis_forces(robot_, m));
+  }
+  Matrix<double> joint_space_inertia(const Vector<double>& q) const {
+    const Matrix<double> H = reference::joint_space_inertia(robot_, q);
+    return 0.5 * (H + transpose(H));  // generated code writes each element of a pair from one value
+  }
+  TransformForms transform(int index, const Vector<double>& q) const {
+    const reflection::Transform& t = robot_.transforms[index];
+    const Matrix<double> X = reference::transform(robot_, q, t.left, t.right);
+    return {X, motion_form(X), force_form(X)};
+  }
+  Matrix<double> jacobian(int index, const Vector<double>& q) const {
+    return reference::jacobian(robot_, q, robot_.jacobians[index]);
+  }
+
+ protected:
+  static Loads<double> loads(const Arguments& arguments) {
+    Loads<double> result;
+    if (arguments.gravity != nullptr) result.gravity = *arguments.gravity;
+    if (arguments.external != nullptr) result.external = *arguments.external;
+    return result;
+  }
+  Vector<double> joined(const Forces<double>& forces) const {
+    return coordinates(robot_.floating_base, forces.base_wrench, forces.tau);
+  }
+
+  Robot robot_;
+};
+
+Tables sample(bool floating) {
+  Tables tables = crooked_tree(floating);
+  for (int left = 0; left < 3; ++left) {
+    for (int right = 0; right < 3; ++right)
+      tables.add_transform(std::to_string(left) + "_X_" + std::to_string(right), left, right);
+  }
+  tables.add_jacobian("trunk_J_hand", 0, 1, {1, 0, 3});
+  tables.add_jacobian("hand_J_foot", 1, 2, {3, 0, 1, 4, 2});
+  return tables;
+}
+
+// The report of what failed for a subject made of the tables.
+template <class Subject>
+std::string failures(bool floating) {
+  const Tables tables = sample(floating);
+  const Robot robot = tables.robot();
+  const Subject subject(robot);
+  Checks checks;
+  std::mt19937_64 engine(30);
+  for (int i = 0; i < 3; ++i) {
+    const Sample s = random_sample(engine, robot);
+    const Case c(robot, s, i);
+    check_inverse_dynamics(subject, c, checks);
+    check_bias_forces(subject, c, checks);
+    check_gravity_gradient(subject, c, checks);
+    check_forward_dynamics(subject, c, checks);
+    check_round_trips(subject, c, checks);
+    check_inertia_matrix(subject, c, checks);
+    check_inertia_structure(subject, c, checks);
+    check_inertia_columns(subject, c, checks);
+    check_energy(subject, c, checks);
+    check_power(subject, c, checks);
+    check_transforms(subject, c, checks);
+    check_jacobians(subject, c, checks);
+  }
+  return checks.failure_report();
+}
+
+// For both bases, all of the named checks fail.
+template <class Wrong>
+void expect_found(const std::vector<std::string>& names, const std::vector<bool>& bases = {false, true}) {
+  for (const bool floating : bases) {
+    const std::string report = failures<Wrong>(floating);
+    for (const std::string& name : names) EXPECT_NE(report.find("FAIL  " + name), std::string::npos) << report;
+  }
+}
+
+TEST(Checks, PassWhatIsRight) {
+  EXPECT_EQ(failures<Right>(false), "");
+  EXPECT_EQ(failures<Right>(true), "");
+}
+
+TEST(Checks, FindGravityOfTheWrongSign) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
+      return -Right::gravity_forces(q, arguments);
+    }
+  };
+  expect_found<Wrong>({"gravity_forces ", "gravity_forces (gravity)", "P3: gravity_forces = gradient"});
+}
+
+TEST(Checks, FindGravityFixedAtCompileTime) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> bias_forces(const Motion<double>& m, const Arguments& arguments) const {
+      return Right::bias_forces(m, {nullptr, arguments.external});
+    }
+  };
+  expect_found<Wrong>({"bias_forces (gravity)", "bias_forces (gravity, wrenches)"});
+}
+
+TEST(Checks, FindDroppedExternalWrenches) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> inverse_dynamics(const Motion<double>& m, const Arguments& arguments) const {
+      return Right::inverse_dynamics(m, {arguments.gravity, nullptr});
+    }
+    Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const {
+      return Right::inverse_dynamics_fully_actuated(m, {arguments.gravity, nullptr});
+    }
+  };
+  expect_found<Wrong>({"inverse_dynamics", "P1: ID(FD(tau)) = tau (wrenches)", "P1: FD(ID(qdd)) = qdd (wrenches)"});
+}
+
+// The external wrench of one link in the base frame's axes.
+TEST(Checks, FindAnExternalWrenchInTheWrongFrame) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> forward_dynamics(const Motion<double>& m, const Vector<double>& tau, const Arguments& arguments)
+        const {
+      if (arguments.external == nullptr) return Right::forward_dynamics(m, tau, arguments);
+      std::vector<Vector<double>> turned = *arguments.external;
+      const Matrix<double> R = rotation_of(link_poses(robot_, m.q)[2]);
+      turned[2] = stacked(R * turned[2].head(3), R * turned[2].tail(3));
+      return Right::forward_dynamics(m, tau, {arguments.gravity, &turned});
+    }
+  };
+  expect_found<Wrong>({"forward_dynamics (wrenches)", "P1: FD(ID(qdd)) = qdd (gravity, wrenches)"});
+}
+
+// The classical acceleration of the base origin where the spatial one is meant.
+TEST(Checks, FindAClassicalBaseAcceleration) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> forward_dynamics(const Motion<double>& m, const Vector<double>& tau, const Arguments& arguments)
+        const {
+      Vector<double> result = Right::forward_dynamics(m, tau, arguments);
+      const Vector<double> extra = cross(m.base_velocity.head(3), m.base_velocity.tail(3));
+      for (int k = 0; k < 3; ++k) result(3 + k) += extra(k);
+      return result;
+    }
+  };
+  expect_found<Wrong>({"forward_dynamics ", "P1: FD(ID(qdd)) = qdd "}, {true});
+}
+
+TEST(Checks, FindCoriolisForcesOfHalfSize) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> coriolis_forces(const Motion<double>& m) const { return 0.5 * Right::coriolis_forces(m); }
+  };
+  expect_found<Wrong>({"coriolis_forces", "P3: v'C = v'(dH/dt)v/2"});
+}
+
+TEST(Checks, FindAnAsymmetricInertiaMatrix) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> joint_space_inertia(const Vector<double>& q) const {
+      Matrix<double> H = Right::joint_space_inertia(q);
+      H(0, 1) *= 1 + 1e-14;
+      return H;
+    }
+  };
+  expect_found<Wrong>({"P2: H = H'"});
+}
+
+TEST(Checks, FindAStrayElementBetweenBranches) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> joint_space_inertia(const Vector<double>& q) const {
+      Matrix<double> H = Right::joint_space_inertia(q);
+      const int a = H.rows() - 1, b = H.rows() - 2;  // joints B1 and A3
+      H(a, b) = H(b, a) = 1e-17;
+      return H;
+    }
+  };
+  expect_found<Wrong>({"P2: structural zeros"});
+}
+
+TEST(Checks, FindAnIndefiniteInertiaMatrix) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> joint_space_inertia(const Vector<double>& q) const { return -Right::joint_space_inertia(q); }
+  };
+  expect_found<Wrong>(
+      {"joint_space_inertia", "P2: H positive definite", "P2: columns of H", "P3: v'Hv/2 = kinetic energy"});
+}
+
+TEST(Checks, FindSwappedForms) {
+  struct Wrong : Right {
+    using Right::Right;
+    TransformForms transform(int index, const Vector<double>& q) const {
+      TransformForms X = Right::transform(index, q);
+      std::swap(X.motion, X.force);
+      return X;
+    }
+  };
+  expect_found<Wrong>({"transforms::motion", "transforms::force", "P5: motion form of the homogeneous one"});
+}
+
+TEST(Checks, FindAnInverseTransform) {
+  struct Wrong : Right {
+    using Right::Right;
+    TransformForms transform(int index, const Vector<double>& q) const {
+      if (index != 1) return Right::transform(index, q);
+      const Matrix<double> X = inverse_of(Right::transform(index, q).homogeneous);
+      return {X, motion_form(X), force_form(X)};
+    }
+  };
+  expect_found<Wrong>({"transforms::homogeneous", "P5: composition", "P5: inverse pairs"});
+}
+
+TEST(Checks, FindForcesOfNoWrench) {
+  struct Wrong : Right {
+    using Right::Right;
+    TransformForms transform(int index, const Vector<double>& q) const {
+      TransformForms X = Right::transform(index, q);
+      X.force(0, 4) += 1e-9;
+      return X;
+    }
+  };
+  expect_found<Wrong>({"transforms::force", "P5: force = inverse transpose of motion"});
+}
+
+// The columns of an up-going chain have the other sign.
+TEST(Checks, FindAJacobianOfTheWrongSign) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> jacobian(int index, const Vector<double>& q) const {
+      Matrix<double> J = Right::jacobian(index, q);
+      if (index == 1) J.set_block(0, 0, -J.col(0));
+      return J;
+    }
+  };
+  expect_found<Wrong>({"jacobians", "P4: J qd = velocity"});
+}
+
+// A result that is no number is no pass.
+TEST(Checks, FindWhatIsNoNumber) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const {
+      Vector<double> result = Right::inverse_dynamics_fully_actuated(m, arguments);
+      result(result.rows() - 1) = std::nan("");
+      return result;
+    }
+    TransformForms transform(int index, const Vector<double>& q) const {
+      TransformForms X = Right::transform(index, q);
+      X.homogeneous(0, 0) = std::nan("");
+      return X;
+    }
+  };
+  expect_found<Wrong>({"inverse_dynamics", "P2: columns of H", "transforms::homogeneous", "P5: composition"});
+}
+
+// A Jacobian that leaves out a joint of its chain agrees with the columns that it lists, but not with the velocity.
+TEST(Checks, FindAMissingColumn) {
+  Tables tables = crooked_tree(false);
+  tables.add_jacobian("trunk_J_hand", 0, 1, {1, 3});
+  const Robot robot = tables.robot();
+  std::mt19937_64 engine(30);
+  const Sample s = random_sample(engine, robot);
+  Checks checks;
+  check_jacobians(Right(robot), Case(robot, s, 0), checks);
+  EXPECT_EQ(checks.failure_report().find("FAIL  jacobians"), std::string::npos);
+  EXPECT_NE(checks.failure_report().find("FAIL  P4: J qd = velocity"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace robcogen::reference
