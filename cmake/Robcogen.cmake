@@ -68,14 +68,29 @@ function(robcogen_add_robot)
   endif()
 endfunction()
 
+# Sets `result` to the path of a robot's header. A robot may be called like one of them: <name>/<name>.h is the umbrella
+# header, and the other one becomes <stem>_.h.
+function(_robcogen_header name stem result)
+  string(TOLOWER ${name} lower)
+  if(lower STREQUAL stem)
+    string(APPEND stem _)
+  endif()
+  set(${result} ${name}/${stem}.h PARENT_SCOPE)
+endfunction()
+
 # Sets `headers` and `sources` to the files of a robot, relative to its include root. No algorithms means all.
 function(_robcogen_generated_files name algorithms headers sources)
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
-  set(header_list ${name}/model.h ${name}/types.h ${name}/robot.h ${name}/reflection.h ${name}/${name}.h)
+  set(header_list ${name}/${name}.h)
+  foreach(stem model types robot reflection)
+    _robcogen_header(${name} ${stem} header)
+    list(APPEND header_list ${header})
+  endforeach()
   set(source_list "")
   foreach(group IN LISTS groups)
     if(NOT algorithms OR group IN_LIST algorithms)
-      list(APPEND header_list ${name}/${group}.h ${name}/kernel/${group}.h)
+      _robcogen_header(${name} ${group} header)
+      list(APPEND header_list ${header} ${name}/kernel/${group}.h)
       list(APPEND source_list ${name}/${group}.cpp)
     endif()
   endforeach()
@@ -188,10 +203,11 @@ endfunction()
 function(_robcogen_link_harness target harness)
   target_link_libraries(${target} PRIVATE ${robot_TARGET} ${harness})
   string(JOIN "::" qualified ${robot_NAMESPACE} ${robot_NAME})
+  _robcogen_header(${robot_NAME} robot robot_header)
+  _robcogen_header(${robot_NAME} reflection reflection_header)
   target_compile_definitions(
-    ${target}
-    PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_NAME}/robot.h> ROBCOGEN_REFLECTION_HEADER=<${robot_NAME}/reflection.h>
-            ROBCOGEN_ROBOT_NAMESPACE=${qualified})
+    ${target} PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_header}> ROBCOGEN_REFLECTION_HEADER=<${reflection_header}>
+                      ROBCOGEN_ROBOT_NAMESPACE=${qualified})
   foreach(group IN LISTS groups)
     string(TOUPPER ${group} upper)
     set(has 0)

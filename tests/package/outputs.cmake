@@ -25,3 +25,6 @@ expect_same_outputs(r2 jacobians)
 expect_same_outputs(hyl joint_space_inertia inverse_dynamics)
 get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 expect_same_outputs(all_named ${groups})
+# Called like one of its own headers.
+expect_same_outputs(robot)
+expect_same_outputs(Jacobians)
