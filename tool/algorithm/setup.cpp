@@ -9,6 +9,8 @@ Setup::Setup(Trace& t, const std::vector<Expression>& q) : trace(t), poses(joint
     trace.section(link.name, "link " + link.name + ": mass properties");
     masses.push_back(mass_properties(trace, link));
   }
+  const std::string& base = trace.tree.links[0].name;
+  trace.section(base, "base " + base + ": motion");  // what an algorithm does next
 }
 
 std::vector<JointView> Setup::children(int link) const {
