@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "reference_tables.h"
+#include "rewritten_robot.h"
 #include "robcogen/reference/dynamics.h"
 
 namespace robcogen::numeric {
@@ -117,32 +118,6 @@ int parent_of_next(Dice& dice, Shape shape, double chain_likeness, int grown) {
   if (shape == Shape::chain) return grown;
   if (shape == Shape::star) return 0;
   return dice.chance(chain_likeness) ? grown : dice.below(grown + 1);
-}
-
-// The same tree, its links and joints declared in another order.
-KinematicTree reordered(
-    const KinematicTree& robot,
-    const std::vector<int>& link_order,
-    const std::vector<int>& joint_order) {
-  const auto places = [](const std::vector<int>& order) {
-    std::vector<int> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) place[at(order[k])] = static_cast<int>(k);
-    return place;
-  };
-  const std::vector<int> link_place = places(link_order), joint_place = places(joint_order);
-  KinematicTree result = robot;
-  for (std::size_t k = 0; k < link_order.size(); ++k) {
-    Link& link = result.links[k] = robot.links[at(link_order[k])];
-    if (link.parent_joint >= 0) link.parent_joint = joint_place[at(link.parent_joint)];
-    for (int& joint : link.child_joints) joint = joint_place[at(joint)];
-  }
-  for (std::size_t k = 0; k < joint_order.size(); ++k) {
-    Joint& joint = result.joints[k] = robot.joints[at(joint_order[k])];
-    joint.parent = link_place[at(joint.parent)];
-    joint.child = link_place[at(joint.child)];
-  }
-  for (UserFrame& frame : result.user_frames) frame.link = link_place[at(frame.link)];
-  return result;
 }
 
 KinematicTree shuffled(const KinematicTree& robot, Dice& dice) {
