@@ -1,0 +1,12 @@
+// Forces at rest with an acceleration less those without one are the inertia matrix times that acceleration.
+#include <left_leg/left_leg.h>
+#include <right_leg/right_leg.h>
+
+int main() {
+  const right_leg::JointState q(0.1, 0.4, -0.9);
+  const right_leg::JointState rest = right_leg::JointState::Zero();
+  const right_leg::JointState qdd(1.0, 2.0, -3.0);
+  const right_leg::JointState tau =
+      right_leg::inverse_dynamics(q, rest, qdd) - right_leg::inverse_dynamics(q, rest, rest);
+  return (walker::legs::left_leg::joint_space_inertia(q) * qdd - tau).norm() < 1e-9 ? 0 : 1;
+}

@@ -1,0 +1,30 @@
+# The project consumers/keywords, and what its keywords must have done.
+#
+# cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P keywords.cmake
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+set(build_dir ${WORK_DIR}/keywords)
+file(REMOVE_RECURSE ${build_dir})
+run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/keywords -B ${build_dir}
+    -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+    -DROBOTS_DIR=${SOURCE_DIR}/robots)
+expect_words("properties" "${output}" "ROBCOGEN_MODEL ${build_dir}/leg.kindsl")
+expect_words("properties" "${output}" "ROBCOGEN_NAME right_leg")
+
+# Code generation alone makes every file that was announced, and nothing else.
+run(output ${CMAKE_COMMAND} --build ${build_dir} --target left-leg_codegen)
+file(STRINGS ${build_dir}/left_files announced)
+file(GLOB_RECURSE made ${build_dir}/left/left_leg/*)
+list(SORT announced)
+list(SORT made)
+expect_equal("files of left-leg" "${made}" "${announced}")
+
+run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
+run(output ${build_dir}/user/controller)
+run(output ${CMAKE_CTEST_COMMAND} --test-dir ${build_dir} --no-tests=error)
+expect_words("tests" "${output}" "left-leg.selfcheck")
+expect_words("tests" "${output}" "100% tests passed, 0 tests failed out of 1")
+
+run_failing(output ${CMAKE_COMMAND} --build ${build_dir} --target wrong)
+expect_words("robot outside of all" "${output}" "/wrong.kindsl:1:")
