@@ -1,0 +1,153 @@
+// P7: a parametric robot that is fed with values is the constant robot of those values; fed with others, the other one.
+#include <gtest/gtest.h>
+
+#include "interpreted_robot.h"
+#include "random_robot.h"
+#include "volume.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using model::KinematicTree;
+using model::ParameterKind;
+using model::Quantity;
+using reference::Real;
+using reference::Sample;
+using reference::Vector;
+
+// Folding constants rounds in another order than computing with parameters: rounding of both programs.
+constexpr Real kSame = 1e-12L;
+
+struct Parametric {
+  KinematicTree robot;
+  std::vector<double> values;  // with which it is the robot that it was made of
+};
+
+// Applies f(quantity, kind) to every quantity of a robot.
+template <class Function>
+void for_each_quantity(KinematicTree& robot, const Function& f) {
+  const auto placement = [&](model::Placement& p) {
+    for (Quantity& q : p.translation) f(q, ParameterKind::length);
+    for (Quantity& q : p.rotation) f(q, ParameterKind::angle);
+  };
+  for (model::Joint& joint : robot.joints) placement(joint.placement);
+  for (model::UserFrame& frame : robot.user_frames) placement(frame.placement);
+  for (model::Link& link : robot.links) {
+    if (!link.inertia) continue;
+    model::Inertia& I = *link.inertia;
+    for (Quantity* q : {&I.mass, &I.com[0], &I.com[1], &I.com[2], &I.ixx, &I.iyy, &I.izz, &I.ixy, &I.ixz, &I.iyz})
+      f(*q, ParameterKind::inertial);
+    if (I.reference) placement(*I.reference);
+  }
+}
+
+// A share of the numbers become parameters, alone or in expressions; some share one.
+Parametric parametric(const KinematicTree& constant, std::uint64_t seed) {
+  Parametric result{constant, {}};
+  std::mt19937_64 engine(seed);
+  for_each_quantity(result.robot, [&](Quantity& q, ParameterKind kind) {
+    const int choice = static_cast<int>(engine() % 10);
+    if (choice >= 4) return;
+    const double value = model::evaluate(q);
+    const int index = static_cast<int>(result.values.size());
+    const Quantity p = Quantity::parameter(index);
+    switch (choice) {
+      case 0:
+        q = p;
+        break;
+      case 1:
+        q = -p;
+        break;
+      case 2:
+        q = Quantity(2.0) * p;
+        break;
+      default:
+        q = p + Quantity(0.25);
+        break;
+    }
+    const double inverse[] = {value, -value, value / 2, value - 0.25};
+    result.robot.parameters.push_back({"p" + std::to_string(index), kind, {}, {}});
+    result.values.push_back(inverse[choice]);
+  });
+  return result;
+}
+
+// Values of parameters put into the quantities.
+KinematicTree constant_of(const Parametric& p, const std::vector<double>& values) {
+  KinematicTree robot = p.robot;
+  for_each_quantity(robot, [&](Quantity& q, ParameterKind) { q = Quantity(model::evaluate(q, values)); });
+  robot.parameters.clear();
+  return robot;
+}
+
+// Empty when both robots agree with the reference and with each other.
+std::string difference(const Parametric& p, const std::vector<double>& values, std::uint64_t seed) {
+  const KinematicTree constant = constant_of(p, values);
+  const model::DesiredTransforms desired = random_desired(seed, constant);
+  const InterpretedRobot a(p.robot, random_desired(seed, p.robot), pass::names(), values), b(constant, desired, {});
+  std::string text = check_all(a, seed, 1).failure_report();
+
+  const reflection::Robot tables = b.tables();
+  std::mt19937_64 engine(seed);
+  const Sample s = reference::random_sample(engine, tables);
+  const reference::Case c(tables, s, 0);
+  const reference::Arguments given{&s.gravity, &s.external};
+  const reference::Loads<Real> loads = reference::loads<Real>(s.gravity, s.external);
+  const auto compare = [&](const char* name, const Vector<double>& x, const Vector<double>& y,
+                           const Vector<Real>& terms) {
+    const Real error = reference::blockwise_error(c.floating, x, y.cast<Real>(), terms);
+    if (!(error <= kSame)) text += std::string(name) + ": " + std::to_string(static_cast<double>(error)) + "\n";
+  };
+  compare(
+      "inverse dynamics", a.inverse_dynamics_fully_actuated(s.motion, given),
+      b.inverse_dynamics_fully_actuated(s.motion, given), reference::expected_forces(c, s.motion, loads).terms);
+  const Vector<double> tau = inverse_dynamics(tables, c.motion, loads).tau.cast<double>();
+  compare(
+      "forward dynamics", a.forward_dynamics(s.motion, tau, given), b.forward_dynamics(s.motion, tau, given),
+      reference::expected_accelerations(c, tau, loads).terms);
+  return text;
+}
+
+TEST(Parameters, FedWithValuesAreConstants) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 80); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 20000;
+    const KinematicTree robot = random_robot(seed, {.max_joints = 12});
+    const Parametric p = parametric(robot, seed);
+    const std::string found = difference(p, p.values, seed);
+    if (found.empty()) continue;
+    const auto fails = [&](const KinematicTree& r) {
+      const Parametric q = parametric(r, seed);
+      return !difference(q, q.values, seed).empty();
+    };
+    FAIL() << "seed " << seed << "\n" << found << describe(parametric(shrink(robot, fails), seed).robot);
+  }
+}
+
+// The same programs, other lengths, angles and masses: a body that grows by a factor in all its mass properties stays a
+// real body, whatever the others do.
+TEST(Parameters, FedWithOtherValuesAreTheOtherRobot) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 80); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 30000;
+    KinematicTree robot = random_robot(seed, {.max_joints = 12});
+    // Masses and inertias of a link by one factor: parameter 0 of the kind; lengths and angles by one each.
+    robot.parameters = {
+        {"size", ParameterKind::inertial, {}, {}},
+        {"stretch", ParameterKind::length, {}, {}},
+        {"twist", ParameterKind::angle, {}, {}}};
+    for_each_quantity(robot, [](Quantity& q, ParameterKind kind) {
+      if (kind == ParameterKind::length) q = Quantity::parameter(1) * q;
+      if (kind == ParameterKind::angle) q = q + Quantity::parameter(2);
+    });
+    for (model::Link& link : robot.links) {
+      if (!link.inertia) continue;
+      model::Inertia& I = *link.inertia;
+      for (Quantity* q : {&I.mass, &I.ixx, &I.iyy, &I.izz, &I.ixy, &I.ixz, &I.iyz}) *q = Quantity::parameter(0) * *q;
+    }
+    const Parametric p{robot, {}};
+    for (const std::vector<double>& values : {std::vector<double>{1, 1, 0}, {3.5, 1.7, 0.4}, {0.2, 0.6, -1.3}})
+      ASSERT_EQ(difference(p, values, seed), "") << "seed " << seed << "\n" << describe(robot);
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::numeric

@@ -1,0 +1,153 @@
+// The programs of random robots as text: P10 literals read back as the same numbers, P11 the same text at every run and
+// in every locale, P13 the operations that are counted are those that stand in the C++ text.
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <clocale>
+#include <cstring>
+#include <locale>
+#include <regex>
+
+#include "../unit/backend/kernel_evaluator.h"
+#include "backend/cpp/lower.h"
+#include "interpreted_robot.h"
+#include "random_robot.h"
+#include "symbolic/count.h"
+#include "symbolic/text.h"
+#include "volume.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using model::KinematicTree;
+using symbolic::Program;
+
+constexpr std::uint64_t kFirstSeed = 50000;
+
+int robots() {
+  return volume("ROBCOGEN_TEST_ROBOTS", 60);
+}
+
+std::map<std::string, Program> programs_of(std::uint64_t seed, const std::vector<std::string>& passes = pass::names()) {
+  const KinematicTree robot = random_robot(seed, {.max_joints = 12});
+  return InterpretedRobot(robot, random_desired(seed, robot), passes).programs();
+}
+
+std::string cpp_text(const Program& program) {
+  std::string text;
+  for (const backend::cpp::Line& line : backend::cpp::lower(program, program.name).lines)
+    text += backend::cpp::text(line) + "\n";
+  return text;
+}
+
+bool same_bits(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+TEST(Text, LiteralsReadBackAsTheSameNumber) {
+  for (int i = 0; i < robots(); ++i) {
+    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
+    for (const auto& [name, program] : programs_of(seed)) {
+      for (const Number& constant : program.constants) {
+        const std::string text = print_double(constant.value());
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        ASSERT_TRUE(error == std::errc() && end == text.data() + text.size()) << text;
+        ASSERT_TRUE(same_bits(value, constant.value())) << "seed " << seed << " " << name << " " << text;
+      }
+    }
+  }
+}
+
+TEST(Text, ProgramsReadBackAsTheyWere) {
+  for (int i = 0; i < robots(); ++i) {
+    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
+    for (const auto& [name, program] : programs_of(seed)) {
+      ASSERT_EQ(symbolic::verify(program), "") << "seed " << seed << " " << name;
+      std::string error;
+      const std::string text = symbolic::print(program);
+      const std::optional<Program> again = symbolic::parse(text, error);
+      ASSERT_TRUE(again) << "seed " << seed << " " << name << " " << error;
+      ASSERT_EQ(symbolic::print(*again), text) << "seed " << seed << " " << name;
+    }
+  }
+}
+
+// A decimal comma and points between thousands, for streams and, where the system has such a locale, for the C library.
+class GermanNumbers {
+ public:
+  GermanNumbers() : c_(std::setlocale(LC_ALL, nullptr)), cpp_(std::locale::global({std::locale(), new Comma})) {
+    std::setlocale(LC_NUMERIC, "de_DE.UTF-8");
+  }
+  ~GermanNumbers() {
+    std::locale::global(cpp_);
+    std::setlocale(LC_ALL, c_.c_str());
+  }
+  GermanNumbers(const GermanNumbers&) = delete;
+  GermanNumbers& operator=(const GermanNumbers&) = delete;
+
+ private:
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  std::string c_;
+  std::locale cpp_;
+};
+
+TEST(Text, IsTheSameAtEveryRunAndInEveryLocale) {
+  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + 20; ++seed) {
+    const std::map<std::string, Program> first = programs_of(seed);
+    std::map<std::string, std::string> texts;
+    for (const auto& [name, program] : first) texts[name] = symbolic::print(program) + cpp_text(program);
+    const GermanNumbers locale;
+    for (const auto& [name, program] : programs_of(seed))
+      EXPECT_EQ(symbolic::print(program) + cpp_text(program), texts.at(name)) << "seed " << seed << " " << name;
+  }
+}
+
+// The C++ text, read by an evaluator of its own, computes what the interpreter computes, to the last bit, with the
+// operations that are reported, and without a branch.
+TEST(Text, OfKernelsComputesAndCountsAsTheProgram) {
+  const std::regex branch(R"(\?|\b(if|for|while|switch|goto)\b)");
+  for (int i = 0; i < robots(); ++i) {
+    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
+    for (const auto& [name, program] : programs_of(seed)) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + " " + name);
+      symbolic::Arrays<double> inputs;
+      test::KernelEvaluator::Values elements;
+      std::mt19937_64 engine(seed);
+      for (const symbolic::InputArray& array : program.inputs) {
+        for (std::size_t k = 0; k < array.elements.size(); ++k) {
+          inputs[array.name].push_back(reference::uniform(engine, 2));
+          elements[array.name + "[" + std::to_string(k) + "]"] = inputs[array.name].back();
+        }
+      }
+      test::KernelEvaluator evaluator(elements);
+      for (const backend::cpp::Line& line : backend::cpp::lower(program, name).lines) {
+        const std::string text = backend::cpp::text(line);
+        ASSERT_NO_THROW(evaluator.run(text)) << text;
+        if (line.kind != backend::cpp::Line::Kind::section) {
+          ASSERT_FALSE(std::regex_search(text, branch)) << text;
+        }
+      }
+      for (const auto& [array, values] : symbolic::interpret(program, inputs)) {
+        for (std::size_t k = 0; k < values.size(); ++k) {
+          const auto found = evaluator.values().find(array + "[" + std::to_string(k) + "]");
+          ASSERT_NE(found, evaluator.values().end()) << array << " " << k;
+          ASSERT_EQ(found->second, values[k]) << array << " " << k;
+        }
+      }
+      const symbolic::OperationCount reported = symbolic::count(program), &found = evaluator.count();
+      EXPECT_EQ(found.mul, reported.mul);
+      EXPECT_EQ(found.add, reported.add);
+      EXPECT_EQ(found.div, reported.div);
+      EXPECT_EQ(found.sqrt, reported.sqrt);
+      EXPECT_EQ(found.sincos, reported.sincos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::numeric
