@@ -39,8 +39,9 @@ ArticulatedInertia displaced(const ArticulatedInertia& x, const Vector3& p) {
     for (std::size_t c = 0; c < 3; ++c) result.b[r][c] = x.b[r][c] + dot(k[r], x.m[c]);
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = r; c < 3; ++c) {
-      result.a[r][c] =
-          r == c ? x.a[r][r] + dot(k[r], result.b[r] + x.b[r]) : x.a[r][c] + dot(k[c], result.b[r]) + dot(k[r], x.b[c]);
+      result.a[r][c] = x.a[r][c];
+      result.a[r][c] += dot(k[c], r == c ? result.b[r] + x.b[r] : result.b[r]);
+      if (r != c) result.a[r][c] += dot(k[r], x.b[c]);
       result.a[c][r] = result.a[r][c];
     }
   }

@@ -46,8 +46,8 @@ void turn(Matrix3& m, const PlaneRotation& plane) {
   const auto i = static_cast<std::size_t>((plane.axis + 1) % 3), j = static_cast<std::size_t>((plane.axis + 2) % 3);
   for (std::size_t r = 0; r < 3; ++r) {
     const Expression a = m[r][i], b = m[r][j];
-    m[r][i] = plane.c * a + plane.s * b;
-    m[r][j] = plane.c * b - plane.s * a;
+    m[r][i] = sum_of_products(plane.c, a, plane.s, b);
+    m[r][j] = difference_of_products(plane.c, b, plane.s, a);
   }
 }
 

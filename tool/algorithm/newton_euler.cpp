@@ -19,17 +19,33 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
   const auto u = [&](std::size_t row, std::size_t column) { return state.u(row, column); };
   if (form == MomentForm::euler) {
     const Matrix3 inertia = inertia_tensor(m);
-    return multiply(inertia, wd) + cross(w, multiply(inertia, w));
+    const Vector3 euler = multiply(inertia, wd);
+    return euler + cross(w, multiply(inertia, w));
   }
   const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
-  const Expression nx =
-      u(2, 0) * s[0][1] + u(2, 1) * s[1][1] - u(1, 2) * s[2][2] + (zz - yy) * s[1][2] - u(1, 0) * s[0][2];
-  const Expression ny =
-      (xx - zz) * s[0][2] + u(0, 1) * s[1][2] + u(0, 2) * s[2][2] - u(2, 0) * s[0][0] - u(2, 1) * s[0][1];
-  const Expression main = form == MomentForm::products
-                              ? u(1, 0) * s[0][0] - u(0, 1) * s[1][1]
-                              : wd[2] * (s[0][0] + s[1][1]) + (w[0] * w[1]) * (s[0][0] - s[1][1]);
-  const Expression nz = main + (yy - xx) * s[0][1] + u(1, 2) * s[0][2] - u(0, 2) * s[1][2];
+  // One term after the other: the order of making is the same with every compiler.
+  Expression nx = u(2, 0) * s[0][1];
+  nx += u(2, 1) * s[1][1];
+  nx -= u(1, 2) * s[2][2];
+  nx += (zz - yy) * s[1][2];
+  nx -= u(1, 0) * s[0][2];
+  Expression ny = (xx - zz) * s[0][2];
+  ny += u(0, 1) * s[1][2];
+  ny += u(0, 2) * s[2][2];
+  ny -= u(2, 0) * s[0][0];
+  ny -= u(2, 1) * s[0][1];
+  Expression nz;
+  if (form == MomentForm::products) {
+    nz = u(1, 0) * s[0][0];
+    nz -= u(0, 1) * s[1][1];
+  } else {
+    nz = wd[2] * (s[0][0] + s[1][1]);
+    const Expression product = w[0] * w[1];
+    nz += product * (s[0][0] - s[1][1]);
+  }
+  nz += (yy - xx) * s[0][1];
+  nz += u(1, 2) * s[0][2];
+  nz -= u(0, 2) * s[1][2];
   return {nx, ny, nz};
 }
 
@@ -45,7 +61,7 @@ MassProperties displaced(const MassProperties& m, const Vector3& p) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
-      result.pseudo_inertia[i][j] += i == j ? (2.0 * p[i]) * half[i] : half[i] * p[j] + p[i] * half[j];
+      result.pseudo_inertia[i][j] += i == j ? (2.0 * p[i]) * half[i] : sum_of_products(half[i], p[j], p[i], half[j]);
       result.pseudo_inertia[j][i] = result.pseudo_inertia[i][j];
     }
   }
@@ -99,7 +115,8 @@ MassProperties to_parent(const Pose& pose, const MassProperties& child) {
 Expression AngularState::u(std::size_t row, std::size_t column) const {
   if (row == column) {
     const std::size_t i = (row + 1) % 3, j = (row + 2) % 3;
-    return -(w[std::min(i, j)] * w[std::min(i, j)] + w[std::max(i, j)] * w[std::max(i, j)]);
+    const Expression &a = w[std::min(i, j)], &b = w[std::max(i, j)];
+    return -sum_of_products(a, a, b, b);
   }
   const std::size_t other = 3 - row - column;
   const Expression product = w[row] * w[column];
@@ -143,7 +160,8 @@ Spatial link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& mot
     if (!m.mass.is_zero()) wrench.linear += m.mass * motion.a;
   }
   const auto moment = [&](MomentForm form) {
-    const Vector3 n = moment_about_origin(m, motion.angular, form) + cross(m.first_moment, motion.a);
+    Vector3 n = moment_about_origin(m, motion.angular, form);
+    n += cross(m.first_moment, motion.a);
     return only_z_moment ? Vector3{Expression(), Expression(), n[2]} : n;
   };
   MomentForm best = MomentForm::z_by_rate;
@@ -169,7 +187,8 @@ Spatial to_parent(const Pose& pose, const Spatial& wrench) {
     n[1] += pose.slide * wrench.linear[0];
   }
   const Vector3 force = to_parent(pose.rotation, wrench.linear);
-  return {to_parent(pose.rotation, n) + cross(pose.offset, force), force};
+  const Vector3 moment = to_parent(pose.rotation, n);
+  return {moment + cross(pose.offset, force), force};
 }
 
 }  // namespace robcogen::algorithm

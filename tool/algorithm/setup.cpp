@@ -44,9 +44,8 @@ LinkMotion base_motion(const Vector3& gravity) {
 }
 
 LinkMotion base_motion(const Spatial& velocity, const Spatial& acceleration, const Vector3& gravity) {
-  return {
-      {velocity.angular, acceleration.angular},
-      acceleration.linear - gravity + cross(velocity.angular, velocity.linear)};
+  const Vector3 free = acceleration.linear - gravity;
+  return {{velocity.angular, acceleration.angular}, free + cross(velocity.angular, velocity.linear)};
 }
 
 std::vector<Expression> solve(std::vector<std::vector<Expression>> a, std::vector<Expression> b) {

@@ -11,8 +11,8 @@ Vector3 rotate(const PlaneRotation& r, const Vector3& v, bool transposed) {
   const auto i = static_cast<std::size_t>((r.axis + 1) % 3), j = static_cast<std::size_t>((r.axis + 2) % 3);
   const Expression s = transposed ? -r.s : r.s;
   Vector3 result = v;
-  result[i] = r.c * v[i] - s * v[j];
-  result[j] = s * v[i] + r.c * v[j];
+  result[i] = difference_of_products(r.c, v[i], s, v[j]);
+  result[j] = sum_of_products(s, v[i], r.c, v[j]);
   return result;
 }
 
@@ -24,15 +24,16 @@ Matrix3 conjugate_symmetric(const PlaneRotation& r, const Matrix3& m) {
   const Expression e = m[i][i] - m[j][j];
   if (!e.is_zero() || !m[i][j].is_zero()) {
     const Expression w = r.s * r.s, u = r.s * r.c;
-    const Expression k = e * w + m[i][j] * (u + u);
+    const Expression twice = u + u, k = sum_of_products(e, w, m[i][j], twice);
     Graph& graph = *w.graph();
     result[i][i] = m[i][i] - k;
     result[j][j] = m[j][j] + k;
-    result[i][j] = m[i][j] * (graph.one() - (w + w)) + e * u;
+    const Expression cosine = graph.one() - (w + w);
+    result[i][j] = sum_of_products(m[i][j], cosine, e, u);
     result[j][i] = result[i][j];
   }
-  result[i][a] = r.c * m[i][a] - r.s * m[j][a];
-  result[j][a] = r.s * m[i][a] + r.c * m[j][a];
+  result[i][a] = difference_of_products(r.c, m[i][a], r.s, m[j][a]);
+  result[j][a] = sum_of_products(r.s, m[i][a], r.c, m[j][a]);
   result[a][i] = result[i][a];
   result[a][j] = result[j][a];
   return result;
@@ -45,16 +46,16 @@ Matrix3 conjugate_general(const PlaneRotation& r, const Matrix3& m) {
   const Expression e = m[i][i] - m[j][j], f = m[i][j] + m[j][i];
   if (!e.is_zero() || !f.is_zero()) {
     const Expression w = r.s * r.s, u = r.s * r.c;
-    const Expression k = e * w + f * u, l = e * u - f * w;
+    const Expression k = sum_of_products(e, w, f, u), l = difference_of_products(e, u, f, w);
     result[i][i] = m[i][i] - k;
     result[j][j] = m[j][j] + k;
     result[i][j] = m[i][j] + l;
     result[j][i] = m[j][i] + l;
   }
-  result[i][a] = r.c * m[i][a] - r.s * m[j][a];
-  result[j][a] = r.s * m[i][a] + r.c * m[j][a];
-  result[a][i] = r.c * m[a][i] - r.s * m[a][j];
-  result[a][j] = r.s * m[a][i] + r.c * m[a][j];
+  result[i][a] = difference_of_products(r.c, m[i][a], r.s, m[j][a]);
+  result[j][a] = sum_of_products(r.s, m[i][a], r.c, m[j][a]);
+  result[a][i] = difference_of_products(r.c, m[a][i], r.s, m[a][j]);
+  result[a][j] = sum_of_products(r.s, m[a][i], r.c, m[a][j]);
   return result;
 }
 
@@ -94,11 +95,14 @@ Vector3& operator-=(Vector3& a, const Vector3& b) {
   return a = a - b;
 }
 Expression dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const Expression two = sum_of_products(a[0], b[0], a[1], b[1]);
+  return two + a[2] * b[2];
 }
 
 Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {
+      difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
+      difference_of_products(a[0], b[1], a[1], b[0])};
 }
 
 Vector3 multiply(const Matrix3& m, const Vector3& v) {
@@ -121,6 +125,16 @@ Matrix3 transposed(const Matrix3& m) {
   return result;
 }
 
+Expression sum_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d) {
+  const Expression first = a * b;
+  return first + c * d;
+}
+
+Expression difference_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d) {
+  const Expression first = a * b;
+  return first - c * d;
+}
+
 Spatial& operator+=(Spatial& a, const Spatial& b) {
   a.angular += b.angular;
   a.linear += b.linear;
@@ -134,7 +148,8 @@ Spatial& operator-=(Spatial& a, const Spatial& b) {
 }
 
 Expression dot(const Spatial& a, const Spatial& b) {
-  return dot(a.angular, b.angular) + dot(a.linear, b.linear);
+  const Expression angular = dot(a.angular, b.angular);
+  return angular + dot(a.linear, b.linear);
 }
 
 Matrix3 operator+(const Matrix3& a, const Matrix3& b) {

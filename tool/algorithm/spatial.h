@@ -51,6 +51,11 @@ Spatial& operator+=(Spatial& a, const Spatial& b);
 Spatial& operator-=(Spatial& a, const Spatial& b);
 Expression dot(const Spatial& a, const Spatial& b);
 
+// a b + c d, a b - c d. C++ leaves open which operand of an operator is made first, and the order of making decides how
+// equal programs are spelled: these go from left to right with every compiler.
+Expression sum_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d);
+Expression difference_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d);
+
 // Names the three components `<name>x`, `<name>y`, `<name>z`.
 void name(Graph& graph, const Vector3& v, const std::string& name);
 

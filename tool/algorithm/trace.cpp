@@ -83,7 +83,6 @@ void Trace::section(const std::string& subject, const std::string& title) {
 }
 
 Expression Trace::lift(const Quantity& q, const std::vector<Expression>& variables) {
-  const auto of = [&](const Quantity& operand) { return lift(operand, variables); };
   switch (q.op()) {
     case Quantity::Op::constant:
       return graph.constant(q.number());
@@ -91,24 +90,34 @@ Expression Trace::lift(const Quantity& q, const std::vector<Expression>& variabl
       return parameters_[static_cast<std::size_t>(q.index())];
     case Quantity::Op::variable:
       return variables.at(static_cast<std::size_t>(q.index()));
+    default:
+      break;
+  }
+  const Expression left = lift(q.left(), variables);
+  const auto right = [&] { return lift(q.right(), variables); };
+  switch (q.op()) {
     case Quantity::Op::negate:
-      return -of(q.left());
+      return -left;
     case Quantity::Op::add:
-      return of(q.left()) + of(q.right());
+      return left + right();
     case Quantity::Op::subtract:
-      return of(q.left()) - of(q.right());
+      return left - right();
     case Quantity::Op::multiply:
-      return of(q.left()) * of(q.right());
+      return left * right();
     case Quantity::Op::divide:
-      return of(q.left()) / of(q.right());
+      return left / right();
     case Quantity::Op::sine:
-      return sin(of(q.left()));
+      return sin(left);
     case Quantity::Op::cosine:
-      return cos(of(q.left()));
-    case Quantity::Op::tangent:
-      return sin(of(q.left())) / cos(of(q.left()));
+      return cos(left);
+    case Quantity::Op::tangent: {
+      const Expression sine = sin(left);
+      return sine / cos(left);
+    }
     case Quantity::Op::square_root:
-      return sqrt(of(q.left()));
+      return sqrt(left);
+    default:
+      break;
   }
   throw std::logic_error("unknown quantity");
 }
