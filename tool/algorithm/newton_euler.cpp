@@ -70,12 +70,6 @@ MassProperties displaced(const MassProperties& m, const Vector3& p) {
 
 }  // namespace
 
-bool MassProperties::is_zero() const {
-  bool zero = mass.is_zero() && algorithm::is_zero(first_moment);
-  for (const Vector3& row : pseudo_inertia.row) zero = zero && algorithm::is_zero(row);
-  return zero;
-}
-
 MassProperties mass_properties(Trace& trace, const model::Link& link) {
   MassProperties result;
   if (!link.inertia) return result;

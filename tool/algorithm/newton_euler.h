@@ -18,8 +18,6 @@ struct MassProperties {
   Expression mass;
   Vector3 first_moment;
   Matrix3 pseudo_inertia;  // symmetric
-
-  bool is_zero() const;
 };
 
 MassProperties mass_properties(Trace& trace, const model::Link& link);

@@ -118,13 +118,6 @@ Matrix3 skew(const Vector3& p) {
   return {{Vector3{zero, -p[2], p[1]}, Vector3{p[2], zero, -p[0]}, Vector3{-p[1], p[0], zero}}};
 }
 
-Matrix3 transposed(const Matrix3& m) {
-  Matrix3 result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = m[j][i];
-  return result;
-}
-
 Expression sum_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d) {
   const Expression first = a * b;
   return first + c * d;

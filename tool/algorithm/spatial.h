@@ -44,7 +44,6 @@ bool is_zero(const Vector3& v);
 
 // [p]x with [p]x v = p x v.
 Matrix3 skew(const Vector3& p);
-Matrix3 transposed(const Matrix3& m);
 Matrix3 operator+(const Matrix3& a, const Matrix3& b);
 
 Spatial& operator+=(Spatial& a, const Spatial& b);
