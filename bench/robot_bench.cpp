@@ -132,13 +132,15 @@ void add_inertia_matrix(const Robot& robot) {
   });
 }
 
-// Joints between two links.
+// Joints between two links: those that support one of them and not the other.
 int chain_length(const Robot& robot, int a, int b) {
-  const std::vector<int> left = robcogen::reference::supporting_joints(robot, a);
-  const std::vector<int> right = robcogen::reference::supporting_joints(robot, b);
-  std::size_t shared = 0;  // both lists end at the base
-  while (shared < std::min(left.size(), right.size()) && left.rbegin()[shared] == right.rbegin()[shared]) ++shared;
-  return static_cast<int>(left.size() + right.size() - 2 * shared);
+  std::vector<int> left = robcogen::reference::supporting_joints(robot, a);
+  std::vector<int> right = robcogen::reference::supporting_joints(robot, b);
+  while (!left.empty() && !right.empty() && left.back() == right.back()) {  // both lists end at the base
+    left.pop_back();
+    right.pop_back();
+  }
+  return static_cast<int>(left.size() + right.size());
 }
 
 // The transform with the longest chain, in two of its forms, and the Jacobian with most columns; the first of equals.

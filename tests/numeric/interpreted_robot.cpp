@@ -9,10 +9,6 @@ using reference::Arguments;
 using reference::Matrix;
 using reference::Vector;
 
-std::vector<double> elements(const Matrix<double>& m) {
-  return {m.data(), m.data() + m.rows() * m.cols()};
-}
-
 Matrix<double> matrix(const std::vector<double>& values, int rows) {
   Matrix<double> m(rows, rows == 0 ? 0 : static_cast<int>(values.size()) / rows);
   std::copy(values.begin(), values.end(), m.data());
@@ -62,7 +58,7 @@ symbolic::Arrays<double> InterpretedRobot::run(
   std::string name = function;
   if (arguments.gravity != nullptr) name = function + gravity_only;
   if (arguments.external != nullptr) name = function + "_external";
-  inputs["gravity"] = arguments.gravity != nullptr ? elements(*arguments.gravity) : std::vector<double>{0, 0, -9.81};
+  inputs["gravity"] = arguments.gravity != nullptr ? arguments.gravity->values() : std::vector<double>{0, 0, -9.81};
   if (arguments.external != nullptr) {
     std::vector<double>& flat = inputs["external"];
     for (const Vector<double>& wrench : *arguments.external) {
@@ -81,11 +77,11 @@ symbolic::Arrays<double> InterpretedRobot::run(
 
 symbolic::Arrays<double> InterpretedRobot::inputs_of(const State& m) const {
   return {
-      {"q", elements(m.q)},
-      {"qd", elements(m.qd)},
-      {"qdd", elements(m.qdd)},
-      {"base_velocity", elements(m.base_velocity)},
-      {"base_acceleration", elements(m.base_acceleration)}};
+      {"q", m.q.values()},
+      {"qd", m.qd.values()},
+      {"qdd", m.qdd.values()},
+      {"base_velocity", m.base_velocity.values()},
+      {"base_acceleration", m.base_acceleration.values()}};
 }
 
 namespace {
@@ -114,7 +110,7 @@ Vector<double> InterpretedRobot::inverse_dynamics_fully_actuated(const State& m,
 Vector<double> InterpretedRobot::forward_dynamics(const State& m, const Vector<double>& tau, const Arguments& arguments)
     const {
   symbolic::Arrays<double> inputs = inputs_of(m);
-  inputs["tau"] = elements(tau);
+  inputs["tau"] = tau.values();
   return base_and_joints(floating_, run("forward_dynamics", arguments, inputs), "base_acceleration", "qdd");
 }
 
@@ -124,7 +120,7 @@ Vector<double> InterpretedRobot::bias_forces(const State& m, const Arguments& ar
 
 Vector<double> InterpretedRobot::gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
   const Arguments gravity{arguments.gravity, nullptr};
-  return base_and_joints(floating_, run("gravity_forces", gravity, {{"q", elements(q)}}), "base_wrench", "tau");
+  return base_and_joints(floating_, run("gravity_forces", gravity, {{"q", q.values()}}), "base_wrench", "tau");
 }
 
 Vector<double> InterpretedRobot::coriolis_forces(const State& m) const {
@@ -132,19 +128,19 @@ Vector<double> InterpretedRobot::coriolis_forces(const State& m) const {
 }
 
 Matrix<double> InterpretedRobot::joint_space_inertia(const Vector<double>& q) const {
-  return matrix(run("joint_space_inertia", {}, {{"q", elements(q)}}).at("H"), floating_ ? 6 + dof_ : dof_);
+  return matrix(run("joint_space_inertia", {}, {{"q", q.values()}}).at("H"), floating_ ? 6 + dof_ : dof_);
 }
 
 reference::TransformForms InterpretedRobot::transform(int index, const Vector<double>& q) const {
   const std::string name = tables_.robot().transforms[index].name;
   const auto form = [&](const std::string& prefix, int rows) {
-    return matrix(run(prefix + name, {}, {{"q", elements(q)}}).at("X"), rows);
+    return matrix(run(prefix + name, {}, {{"q", q.values()}}).at("X"), rows);
   };
   return {form("homogeneous_", 4), form("motion_", 6), form("force_", 6)};
 }
 
 Matrix<double> InterpretedRobot::jacobian(int index, const Vector<double>& q) const {
-  return matrix(run(tables_.robot().jacobians[index].name, {}, {{"q", elements(q)}}).at("J"), 6);
+  return matrix(run(tables_.robot().jacobians[index].name, {}, {{"q", q.values()}}).at("J"), 6);
 }
 
 reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, int samples) {

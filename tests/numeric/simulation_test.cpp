@@ -108,7 +108,7 @@ double energy(const reflection::Robot& tables, const State& s) {
 }
 
 TEST(Simulation, EnergyOfASwingingRobotIsKept) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const InterpretedRobot robot(slow_robot(seed, false), {});
     const reflection::Robot tables = robot.tables();
     State s = start(slow_robot(seed, false));
@@ -124,7 +124,7 @@ TEST(Simulation, EnergyOfASwingingRobotIsKept) {
 }
 
 TEST(Simulation, EnergyAndMomentumOfAFallingRobotAreKept) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const InterpretedRobot robot(slow_robot(seed, true), {});
     const reflection::Robot tables = robot.tables();
     State s = start(slow_robot(seed, true));

@@ -2,9 +2,9 @@
 // in every locale, P13 the operations that are counted are those that stand in the C++ text.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <charconv>
 #include <clocale>
-#include <cstring>
 #include <locale>
 #include <regex>
 
@@ -41,7 +41,7 @@ std::string cpp_text(const Program& program) {
 }
 
 bool same_bits(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 TEST(Text, LiteralsReadBackAsTheSameNumber) {

@@ -37,6 +37,7 @@ class Matrix {
   bool empty() const { return values_.empty(); }
   Scalar* data() { return values_.data(); }
   const Scalar* data() const { return values_.data(); }
+  const std::vector<Scalar>& values() const { return values_; }
 
   Scalar& operator()(int i, int j = 0) { return values_[index(i, j)]; }
   const Scalar& operator()(int i, int j = 0) const { return values_[index(i, j)]; }
