@@ -72,7 +72,7 @@ void declare_elements(Assembly& a) {
   }
   for (const DescribedJoint& joint : a.description.joints) {
     declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics);
-    a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place});
+    a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits});
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
           .error(

@@ -40,6 +40,7 @@ struct DescribedJoint {
   Place place;
   JointType type = JointType::revolute;
   Placement placement;
+  JointLimits limits = {};
 };
 
 struct Description {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,15 @@ struct Link {
   Place place;
 };
 
+// How far, how fast and how strongly a joint may move: rad or m, per second, N m or N. Nothing computes with them.
+struct JointLimits {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double velocity = std::numeric_limits<double>::infinity();
+  double effort = std::numeric_limits<double>::infinity();
+  friend bool operator==(const JointLimits&, const JointLimits&) = default;
+};
+
 struct Joint {
   std::string name;
   JointType type = JointType::revolute;
@@ -61,6 +71,7 @@ struct Joint {
   int child = -1;       // link index
   Placement placement;  // of the joint frame in the parent link frame; motion is about or along its z axis
   Place place;
+  JointLimits limits = {};  // infinite where the document knows none
 };
 
 struct UserFrame {

@@ -142,6 +142,10 @@ Diagnostic& Diagnostics::warning(std::string code, Place place, std::string mess
   return add({Severity::warning, std::move(code), std::move(message), std::move(place), {}, {}});
 }
 
+Diagnostic& Diagnostics::note(std::string code, Place place, std::string message) {
+  return add({Severity::note, std::move(code), std::move(message), std::move(place), {}, {}});
+}
+
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
   std::size_t& count = diagnostic.severity == Severity::error ? errors_added_ : warnings_added_;
   return ++count <= kMostKept ? list_.emplace_back(std::move(diagnostic)) : unkept_ = std::move(diagnostic);

@@ -42,18 +42,20 @@ struct Diagnostic {
 
 class Diagnostics {
  public:
-  // Return the stored diagnostic, so that notes and a hint can be added to it at once. After 10,000 errors (warnings)
-  // further ones are counted, but not kept.
+  // Return the stored diagnostic, so that notes and a hint can be added to it at once. After 10,000 errors (warnings and
+  // notes) further ones are counted, but not kept.
   Diagnostic& error(std::string code, Place place, std::string message);
   Diagnostic& warning(std::string code, Place place, std::string message);
+  // What was done with the input and the user should know, though nothing is wrong.
+  Diagnostic& note(std::string code, Place place, std::string message);
 
   bool has_errors() const;
   std::size_t error_count() const;
   const std::vector<Diagnostic>& all() const { return list_; }
   // `--strict` of the desired-transforms language: the named warnings become errors.
   void promote_warnings(const std::vector<std::string>& codes);
-  // At most `max_errors` errors and as many warnings are shown in full, then a line that counts the rest. Sorted by
-  // source and place.
+  // At most `max_errors` errors, and as many warnings and notes, are shown in full, then a line that counts the rest.
+  // Sorted by source and place.
   std::string render(ErrorFormat format = ErrorFormat::gnu, std::size_t max_errors = 100) const;
 
  private:

@@ -1,0 +1,61 @@
+// Other libraries for rigid-body dynamics, each behind the same few calls: they judge the generated code's results in
+// the tests and its speed in the benchmarks. A peer reads the robot from a URDF and shares no code with the generator.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace robcogen::peers {
+
+// In the conventions of generated code: joints in the order of Subject::joints, rad and m; spatial vectors angular
+// first, in base coordinates about the base's origin; base acceleration is spatial, gravity not included. With a fixed
+// base the base's vectors are ignored. The base frame coincides with the world's.
+struct State {
+  Eigen::VectorXd q, qd, qdd, tau;
+  Eigen::Matrix<double, 6, 1> base_velocity, base_acceleration;
+};
+
+enum class Quantity {
+  inverse_dynamics,  // tau of (q, qd, qdd); floating: (base wrench, tau), the base acceleration given
+  forward_dynamics,  // qdd of (q, qd, tau); floating: (base acceleration, qdd), no wrench on the base
+  inertia_matrix,    // dense and symmetric; floating: base first
+  jacobian,          // 6 x dof, of the origin of Subject::frame's link, with respect to the base, in base axes
+};
+
+// Which robot, and what of it.
+struct Subject {
+  std::string urdf;                 // path
+  std::vector<std::string> joints;  // names, in the order of joint vectors
+  bool floating_base = false;
+  Eigen::Vector3d gravity = {0, 0, -9.81};  // m/s^2, base coordinates
+  std::string link;                         // URDF link of Quantity::jacobian; empty: none is asked for
+};
+
+class Peer {
+ public:
+  virtual ~Peer() = default;
+  virtual std::string name() const = 0;  // as its users write it: "KDL", "KDL chain", "MuJoCo"
+  virtual bool has(Quantity quantity) const = 0;
+  // Takes the states over into the peer's own representation.
+  virtual void prepare(const std::vector<State>& states) = 0;
+  // The peer's own computation for one of the prepared states, and nothing else: this is what is timed.
+  virtual void run(Quantity quantity, std::size_t state) = 0;
+  // Of the last run, in the conventions above: a column, or a matrix.
+  virtual Eigen::MatrixXd result(Quantity quantity) const = 0;
+};
+
+// What became of one library for one robot.
+struct Candidate {
+  std::string library;         // "KDL"
+  std::unique_ptr<Peer> peer;  // null: `reason` says why
+  bool installed = false;      // the library was found when this was compiled
+  std::string reason;          // "not installed", "has no floating base", …
+};
+
+// One entry for each library that is known, in a fixed order, installed or not; a library may have several (KDL's
+// chains and trees).
+std::vector<Candidate> load(const Subject& subject);
+
+}  // namespace robcogen::peers
