@@ -79,6 +79,8 @@ TEST(Interface, ConstantsOfTheModel) {
   static_assert(kLinkParentJoints[0] == -1 && kLinkParentJoints[2] == index(Joint::POLE));
   static_assert(kFrameLinks[1] == Link::pole);
   static_assert(cart_pole::Robot::kDof == 2 && Robot::kFloatingBase && Robot::kLinkCount == 2);
+  static_assert(kJointLimits[0].lower == -0.1 && kJointLimits[0].upper == 2.5 && kJointLimits[0].velocity == 3);
+  static_assert(kJointLimits[0].effort == kUnlimited && cart_pole::Robot::kJointLimits[1].lower == -kUnlimited);
   EXPECT_STREQ(kJointNames[1], "POLE");
   EXPECT_STREQ(kLinkNames[1], "cart");
   EXPECT_STREQ(kFrameNames[0], "fr_base");

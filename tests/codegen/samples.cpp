@@ -1,6 +1,7 @@
 #include "samples.h"
 
 #include <array>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -284,6 +285,7 @@ Library cart_pole() {
   result.links = {{"base", -1}, {"cart", 0, kCart}, {"pole", 1, kPole, {0, 0, -kLength}}};
   result.links[2].inertia = {1.0 / 3, 1.0 / 7, 1.0 / 11, -1e-5 / 3, 1e-5 / 7, -1e-5 / 13};
   result.joints = {{"CART", false, 0, 1}, {"POLE", true, 1, 2}};
+  result.joints[0].limits = {-0.1, 2.5, 3, std::numeric_limits<double>::infinity()};
   result.frames = {{"fr_base", 0}, {"fr_tip", 2, {0, 0, -kLength}}};
   result.groups = kDynamics;
   result.groups.insert(result.groups.end(), {"transforms", "jacobians"});

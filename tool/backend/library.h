@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@
 
 namespace robcogen::backend {
 
+// Infinite where the model says nothing: rad or m, per second, N m or N.
+struct JointLimits {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double velocity = std::numeric_limits<double>::infinity();
+  double effort = std::numeric_limits<double>::infinity();
+};
+
 // Constants of the model in SI units, for traits and for the self-check's independent recursion.
 struct JointData {
   std::string name;
@@ -21,41 +30,43 @@ struct JointData {
   // Pose of the joint frame in the parent link frame: translation (m), rotation about intrinsic x, y', z'' (rad).
   std::array<double, 3> translation{};
   std::array<double, 3> rotation{};
+  JointLimits limits{};
 };
 
 struct LinkData {
   std::string name;
   int parent_joint = -1;  // -1: base
   double mass = 0;
-  std::array<double, 3> com{};      // link frame
-  std::array<double, 6> inertia{};  // about the link origin: ixx iyy izz, then products of inertia ixy ixz iyz (positive)
+  std::array<double, 3> com{};  // link frame
+  std::array<double, 6>
+      inertia{};  // about the link origin: ixx iyy izz, then products of inertia ixy ixz iyz (positive)
 };
 
 struct FrameData {
   std::string name;
-  int link = 0;  // the link it moves with
+  int link = 0;                         // the link it moves with
   std::array<double, 3> translation{};  // in that link's frame
   std::array<double, 3> rotation{};
 };
 
 // One callable. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
 struct Function {
-  std::string group;       // file stem: inverse_dynamics, forward_dynamics, joint_space_inertia, transforms, jacobians
-  std::string scope;       // nested namespace: "", "transforms::motion", "jacobians", …
-  std::string name;        // `inverse_dynamics`, `fr_base_X_fr_foot`
-  std::string kernel;      // `inverse_dynamics_external`; identifier, unique in the library
-  std::vector<std::string> summary;  // documentation lines: what, frames, units, source
-  std::vector<int> columns;          // jacobians: joint index of each column
+  std::string group;   // file stem: inverse_dynamics, forward_dynamics, joint_space_inertia, transforms, jacobians
+  std::string scope;   // nested namespace: "", "transforms::motion", "jacobians", …
+  std::string name;    // `inverse_dynamics`, `fr_base_X_fr_foot`
+  std::string kernel;  // `inverse_dynamics_external`; identifier, unique in the library
+  std::vector<std::string> summary;       // documentation lines: what, frames, units, source
+  std::vector<int> columns;               // jacobians: joint index of each column
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
 };
 
 struct Library {
-  std::string name;        // robot identifier: namespace and folder
-  std::string enclosing;   // enclosing namespace `a::b`, or empty
-  std::string robot;       // the robot's name in the document
-  std::string model_file;  // file name without folders
-  std::string model_hash;  // of the canonical document
+  std::string name;               // robot identifier: namespace and folder
+  std::string enclosing;          // enclosing namespace `a::b`, or empty
+  std::string robot;              // the robot's name in the document
+  std::string model_file;         // file name without folders
+  std::string model_hash;         // of the canonical document
   std::string generator_version;  // of the tool: stands in one file only, so that a new version recompiles little
   bool floating_base = false;
   std::vector<LinkData> links;  // [0] is the base

@@ -85,16 +85,41 @@ int KinematicTree::link_of(const Frame& frame) const {
   return frame.index;
 }
 
+namespace {
+
+// Whether a frame is what its link calls its own: a user frame of the link's name.
+bool is_named_after_its_link(const KinematicTree& tree, const Frame& frame) {
+  return frame.kind == Frame::Kind::user && frame.name == tree.links[at(tree.link_of(frame))].name;
+}
+
+bool has_frame_of_its_name(const KinematicTree& tree, int link) {
+  const std::optional<Frame> frame = tree.find_frame(tree.links[at(link)].name);
+  return frame && is_named_after_its_link(tree, *frame) && tree.link_of(*frame) == link;
+}
+
+bool is_identity(const Placement& placement) {
+  const auto is_zero = [](const Quantity& q) { return q.is_zero(); };
+  return std::all_of(placement.translation.begin(), placement.translation.end(), is_zero) &&
+         std::all_of(placement.rotation.begin(), placement.rotation.end(), is_zero);
+}
+
+}  // namespace
+
 DesiredTransforms default_desired(const KinematicTree& tree) {
   DesiredTransforms desired;
   const Frame base = link_frame(tree, 0);
   for (const Frame& frame : tree.frames()) {
-    const bool is_base = frame.kind == Frame::Kind::link && frame.index == 0;
-    if (is_base || frame.kind == Frame::Kind::joint) continue;
+    if (frame.kind == Frame::Kind::joint) continue;
+    const int link = tree.link_of(frame);
+    const bool is_link = frame.kind == Frame::Kind::link;
+    if (is_link && (link == 0 || has_frame_of_its_name(tree, link))) continue;
+    const bool is_the_base =
+        link == 0 && is_named_after_its_link(tree, frame) && is_identity(tree.user_frames[at(frame.index)].placement);
+    if (is_the_base) continue;
     desired.transforms.push_back({base, frame});
     desired.transforms.push_back({frame, base});
-    const bool is_leaf = frame.kind == Frame::Kind::link && tree.links[at(frame.index)].child_joints.empty();
-    if (is_leaf || frame.kind == Frame::Kind::user) desired.jacobians.push_back({base, frame});
+    const bool is_leaf = is_link && tree.links[at(link)].child_joints.empty();
+    if (is_leaf || !is_link) desired.jacobians.push_back({base, frame});
   }
   return desired;
 }

@@ -133,7 +133,7 @@ struct DesiredTransforms {
 };
 
 // Every link frame and user frame to and from the base frame; a Jacobian, from the base, for every user frame and
-// every leaf link.
+// every leaf link. Where a link has a user frame of its own name, that one stands for the link.
 DesiredTransforms default_desired(const KinematicTree& tree);
 
 }  // namespace robcogen::model

@@ -87,5 +87,26 @@ TEST(DefaultDesired, IsLinksAndUserFramesToAndFromTheBase) {
   for (const FramePair& pair : desired.jacobians) EXPECT_EQ(pair.left.name, "fr_base");
 }
 
+TEST(DefaultDesired, NamesALinkByTheUserFrameOfItsName) {
+  KinematicTree tree = branched();
+  const auto own_frame = [&](const char* link) {
+    UserFrame frame;
+    frame.name = link;
+    frame.link = *tree.find_link(link);
+    tree.user_frames.push_back(frame);
+  };
+  own_frame("foot");
+  own_frame("base");
+  const DesiredTransforms desired = default_desired(tree);
+  std::vector<std::string> targets;
+  for (const FramePair& pair : desired.transforms)
+    if (pair.left.name == "fr_base") targets.push_back(pair.right.name);
+  EXPECT_EQ(targets, (std::vector<std::string>{"fr_leg", "fr_arm", "fr_trunk", "sole", "foot"}));
+
+  // Beside the base's frame it is a frame like any other.
+  tree.user_frames.back().placement.translation[0] = Quantity(0.5);
+  EXPECT_EQ(default_desired(tree).transforms.size(), desired.transforms.size() + 2);
+}
+
 }  // namespace
 }  // namespace robcogen::model

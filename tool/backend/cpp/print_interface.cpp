@@ -113,7 +113,8 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
   std::vector<std::string> parts = {
       types, constant("int", "kDof", std::to_string(library.joints.size())) +
                  constant("int", "kLinkCount", std::to_string(library.links.size())) +
-                 constant("bool", "kFloatingBase", library.floating_base ? "true" : "false")};
+                 constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
+                 constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits")};
   for (const std::string& group : library.groups) {
     std::string members;
     for (const Overload& o : overloads(api, group, "")) members += member_function(o, space);

@@ -1,6 +1,9 @@
 // <name>/model.h, the robot's constants without Eigen, and <name>/types.h, its Eigen types.
+#include <cmath>
+
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
+#include "support/number.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -52,9 +55,21 @@ std::string sizes(const Library& library) {
          constant("bool kFloatingBase", library.floating_base ? "true" : "false");
 }
 
+std::string limit(double value) {
+  if (std::isinf(value)) return value < 0 ? "-robcogen::kUnlimited" : "robcogen::kUnlimited";
+  return print_double(value);
+}
+
+std::string limits(const JointLimits& l) {
+  const bool none = std::isinf(l.lower) && std::isinf(l.upper) && std::isinf(l.velocity) && std::isinf(l.effort);
+  return "robcogen::JointLimits" +
+         (none ? "{}" : braced({limit(l.lower), limit(l.upper), limit(l.velocity), limit(l.effort)}));
+}
+
 std::string joint_tables(const Api& api) {
-  std::vector<std::string> types, parents, children;
+  std::vector<std::string> types, parents, children, all_limits;
   for (const JointData& joint : api.library->joints) {
+    all_limits.push_back(limits(joint.limits));
     types.push_back(joint.revolute ? "robcogen::JointType::revolute" : "robcogen::JointType::prismatic");
     parents.push_back("Link::" + api.links[at(joint.parent)]);
     children.push_back("Link::" + api.links[at(joint.child)]);
@@ -63,7 +78,9 @@ std::string joint_tables(const Api& api) {
       {names("kDof", "kJointNames", api.library->joints),
        array("robcogen::JointType", "kDof", "kJointTypes", types, api.joints),
        array("Link", "kDof", "kJointParents", parents, api.joints),
-       array("Link", "kDof", "kJointChildren", children, api.joints)});
+       array("Link", "kDof", "kJointChildren", children, api.joints),
+       "// Lower and upper position, velocity, effort; unlimited where the model says nothing.\n" +
+           array("robcogen::JointLimits", "kDof", "kJointLimits", all_limits, api.joints)});
 }
 
 std::string link_tables(const Api& api) {
@@ -113,8 +130,8 @@ std::string print_model(const Api& api, const std::string& path) {
        joint_tables(api), link_tables(api), frame_tables(api)});
   return paragraphs(
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n", includes({"<array>"}),
-       includes({"\"robcogen/joint_type.h\"", "\"robcogen/version.h\""}), runtime_check(api),
-       in_namespace(api.space, body)});
+       includes({"\"robcogen/joint_limits.h\"", "\"robcogen/joint_type.h\"", "\"robcogen/version.h\""}),
+       runtime_check(api), in_namespace(api.space, body)});
 }
 
 std::string print_types(const Api& api, const std::string& path) {

@@ -1,0 +1,18 @@
+// Limits of joints, for the constants of generated models. No function of generated code computes with them.
+#pragma once
+
+#include <limits>
+
+namespace robcogen {
+
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+// In rad or m, per second, and N m or N; infinite where the model says nothing.
+struct JointLimits {
+  double lower = -kUnlimited;
+  double upper = kUnlimited;
+  double velocity = kUnlimited;
+  double effort = kUnlimited;
+};
+
+}  // namespace robcogen
