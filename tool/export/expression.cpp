@@ -1,6 +1,10 @@
 #include "export/expression.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+
+#include "language/kinematics/keywords.h"
 
 namespace robcogen::exporting {
 
@@ -19,38 +23,64 @@ ExpressionPtr operation(Kind kind, ExpressionPtr left, ExpressionPtr right = nul
   return std::make_shared<const Expression>(std::move(e));
 }
 
-ExpressionPtr literal(const Number& number) {
+// The number that a reader makes of the shortest literal of a double.
+Number as_read(double value) {
+  assert(std::isfinite(value));
+  return *Number::parse(print_double(value));
+}
+
+ExpressionPtr literal(double value) {
   Expression e;
-  e.number = number;
+  e.number = as_read(value);
   return std::make_shared<const Expression>(std::move(e));
 }
 
-ExpressionPtr named(Kind kind, const std::string& name, std::optional<double> default_value = std::nullopt) {
+// What a document would not take for a name.
+bool is_reserved(const std::string& name) {
+  std::string lower_case = name;
+  for (char& c : lower_case)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const auto words = {"pi", "nan", "inf", "infinity"};
+  return std::find(words.begin(), words.end(), lower_case) != words.end() || language::kinematics::is_keyword(name);
+}
+
+ExpressionPtr named(const std::string& name, std::optional<double> default_value = std::nullopt) {
   Expression e;
-  e.kind = kind;
+  e.kind = Kind::name;
   e.name = name;
-  if (default_value) e.default_value = Number(*default_value);
+  e.escaped = is_reserved(name);
+  if (default_value) e.default_value = as_read(*default_value);
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// Whether a literal can hold the number in its exact form.
+ExpressionPtr pi() {
+  Expression e;
+  e.kind = Kind::pi;
+  e.name = "PI";
+  return std::make_shared<const Expression>(std::move(e));
+}
+
+// Whether a literal holds the number in its exact form.
 bool is_literal(const Number& number) {
-  return !number.is_pi_multiple() && Number::parse(print_double(number.value())) == number;
+  return as_read(number.value()) == number;
+}
+
+// A numerator of PI/den, without a factor of one: `PI`, `-PI`, `-2.0 PI`.
+ExpressionPtr pi_times(std::int64_t factor) {
+  if (factor == 1) return pi();
+  if (factor == -1) return operation(Kind::negate, pi());
+  return operation(Kind::multiply, literal(static_cast<double>(factor)), pi());
 }
 
 // `2.0 PI/3.0`, `-PI/2.0`, `1.0/3.0`, or the nearest literal.
 ExpressionPtr constant(const Number& number) {
-  const auto ratio = number.ratio();
-  if (!ratio || is_literal(number)) return literal(Number(number.value()));
-  const Number num = Number::rational(ratio->num), den = Number::rational(ratio->den);
-  if (!is_literal(num) || !is_literal(den)) return literal(Number(number.value()));
-  ExpressionPtr dividend = literal(num);
-  if (number.is_pi_multiple()) {
-    const ExpressionPtr pi = named(Kind::pi, "PI");
-    const bool is_unit = ratio->num == 1 || ratio->num == -1;
-    dividend = !is_unit ? operation(Kind::multiply, dividend, pi) : ratio->num < 0 ? operation(Kind::negate, pi) : pi;
-  }
-  return ratio->den == 1 ? dividend : operation(Kind::divide, dividend, literal(den));
+  const auto& ratio = number.ratio();
+  const bool is_fraction =
+      ratio && is_literal(Number::rational(ratio->num)) && is_literal(Number::rational(ratio->den));
+  if (!is_fraction || is_literal(number)) return literal(number.value());
+  const ExpressionPtr dividend =
+      number.is_pi_multiple() ? pi_times(ratio->num) : literal(static_cast<double>(ratio->num));
+  return ratio->den == 1 ? dividend : operation(Kind::divide, dividend, literal(static_cast<double>(ratio->den)));
 }
 
 Kind kind_of(Quantity::Op op) {
@@ -93,10 +123,10 @@ ExpressionPtr expression(
       return constant(quantity.number());
     case Quantity::Op::parameter: {
       const model::Parameter& parameter = parameters[static_cast<std::size_t>(quantity.index())];
-      return named(Kind::name, parameter.name, parameter.default_value);
+      return named(parameter.name, parameter.default_value);
     }
     case Quantity::Op::variable:
-      return named(Kind::name, variables[static_cast<std::size_t>(quantity.index())]);
+      return named(variables[static_cast<std::size_t>(quantity.index())]);
     case Quantity::Op::negate:
     case Quantity::Op::sine:
     case Quantity::Op::cosine:

@@ -1,5 +1,7 @@
 #include "export/kinematics.h"
 
+#include <algorithm>
+
 #include "export/expression.h"
 
 namespace robcogen::exporting {
@@ -9,6 +11,18 @@ using language::ExpressionPtr;
 using model::Quantity;
 
 namespace {
+
+// Mass properties without a reference frame: for a pose that no frame of the link has.
+model::Inertia moved_to_link_frame(const model::Inertia& inertia) {
+  const model::RigidBodyInertia body = in_link_frame(inertia);
+  model::Inertia moved{body.mass, {}, body.ixx, body.iyy, body.izz, body.ixy, body.ixz, body.iyz, {}};
+  const auto R = rotation_matrix(*inertia.reference);
+  for (std::size_t i = 0; i < 3; ++i) {
+    moved.com[i] = inertia.reference->translation[i] + R[i][0] * inertia.com[0] + R[i][1] * inertia.com[1] +
+                   R[i][2] * inertia.com[2];
+  }
+  return moved;
+}
 
 class Writer {
  public:
@@ -31,23 +45,34 @@ class Writer {
     return {write(placement.translation), write(placement.rotation), {}};
   }
 
-  kinematics::Inertia write(const model::Inertia& inertia) const {
-    const model::RigidBodyInertia body = in_link_frame(inertia);
-    std::array<Quantity, 3> com = inertia.com;
-    if (inertia.reference) {
-      for (std::size_t i = 0; i < 3; ++i) com[i] = body.first_moment[i] / body.mass;
+  bool same(const model::Placement& a, const model::Placement& b) const {
+    const auto same_quantity = [&](const Quantity& x, const Quantity& y) {
+      return language::equal(*write(x), *write(y));
+    };
+    return std::equal(a.translation.begin(), a.translation.end(), b.translation.begin(), same_quantity) &&
+           std::equal(a.rotation.begin(), a.rotation.end(), b.rotation.begin(), same_quantity);
+  }
+
+  // A frame of the link that is where its mass properties are given.
+  const model::UserFrame* reference_frame(int link, const model::Placement& reference) const {
+    for (const model::UserFrame& frame : tree_.user_frames) {
+      if (frame.link == link && same(frame.placement, reference)) return &frame;
     }
-    return {
-        write(body.mass),
-        write(com),
-        write(body.ixx),
-        write(body.iyy),
-        write(body.izz),
-        write(body.ixy),
-        write(body.ixz),
-        write(body.iyz),
-        {},
-        {}};
+    return nullptr;
+  }
+
+  kinematics::Inertia inertia_of(int link) const {
+    const model::Inertia& given = *tree_.links[static_cast<std::size_t>(link)].inertia;
+    const model::UserFrame* frame = given.reference ? reference_frame(link, *given.reference) : nullptr;
+    if (frame == nullptr) return write(given.reference ? moved_to_link_frame(given) : given);
+    kinematics::Inertia inertia = write(given);
+    inertia.reference = kinematics::Name{frame->name, {}};
+    return inertia;
+  }
+
+  kinematics::Inertia write(const model::Inertia& i) const {
+    return {write(i.mass), write(i.com), write(i.ixx), write(i.iyy), write(i.izz),
+            write(i.ixy),  write(i.ixz), write(i.iyz), {},           {}};
   }
 
   kinematics::Link link(int index) const {
@@ -57,7 +82,7 @@ class Writer {
     link.is_base = index == 0;
     link.floating = link.is_base && tree_.floating_base;
     if (!link.is_base) link.id = index;
-    if (from.inertia) link.inertia = write(*from.inertia);
+    if (from.inertia) link.inertia = inertia_of(index);
     for (const int child : from.child_joints) {
       const model::Joint& joint = tree_.joints[static_cast<std::size_t>(child)];
       const model::Link& carried = tree_.links[static_cast<std::size_t>(joint.child)];

@@ -1,0 +1,50 @@
+// Poses of constants for languages that spell rotations in their own way.
+//
+// A rotation is kept as the turns that it was given by: turns that cancel do so exactly, and an angle that survives a
+// change of notation survives as the same double. What has to be computed is computed in long double.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::exporting {
+
+using Real = long double;
+using Vector3 = std::array<Real, 3>;
+using Matrix3 = std::array<Vector3, 3>;  // row by row
+
+// About a coordinate axis (0 x, 1 y, 2 z), rad.
+struct Turn {
+  int axis = 0;
+  Number angle;
+};
+
+// A pose in a parent frame: translate, then turn about the axes reached so far, one turn after the other (R is the
+// product of the turns in this order). Neighbours differ in their axis and no angle is zero, so the identity has none.
+struct Pose {
+  Vector3 translation{};  // m, in the parent frame
+  std::vector<Turn> turns;
+
+  bool is_identity() const { return translation == Vector3{} && turns.empty(); }
+};
+
+// The placement must be constant.
+Pose pose_of(const model::Placement& placement);
+Pose inverse_of(const Pose& pose);
+// a_X_c from a_X_b and b_X_c.
+Pose operator*(const Pose& a, const Pose& b);
+
+// parent_R_frame. Exact for turns by multiples of PI/2.
+Matrix3 rotation_matrix(const Pose& pose);
+Vector3 operator*(const Matrix3& m, const Vector3& v);
+Matrix3 operator*(const Matrix3& a, const Matrix3& b);
+Matrix3 transpose(const Matrix3& m);
+
+// Roll, pitch and yaw of the rotation R = Rz(yaw) Ry(pitch) Rx(roll), rad. Turns of that form are taken as they are,
+// any others within 1e-15: pitch is then between -PI/2 and PI/2, where it is at one of these roll is zero, and an angle
+// that only quarter turns separate from one of the turns is exactly that.
+std::array<double, 3> roll_pitch_yaw(const Pose& pose);
+
+}  // namespace robcogen::exporting
