@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "import/frames.h"
 #include "import/kinematics.h"
 #include "model/name_index.h"
 
@@ -12,11 +13,24 @@ namespace desired = language::desired;
 
 namespace {
 
+// Which frames a list may name: those of a robot, or of a model of motions.
+struct Frames {
+  std::string kind;  // "robot", "model"
+  std::string owner;
+  model::NameIndex index;
+};
+
 class FrameResolver {
  public:
-  FrameResolver(const desired::Document& document, const model::KinematicTree& tree, Diagnostics& diagnostics)
-      : document_(document), robot_(tree.name), frames_(tree.frames()), diagnostics_(diagnostics) {
-    for (const model::Frame& frame : frames_) index_.add(frame.name);
+  FrameResolver(const desired::Document& document, Frames& frames, Diagnostics& diagnostics)
+      : document_(document), frames_(frames), diagnostics_(diagnostics) {}
+
+  void check_name() {
+    if (document_.robot.text == frames_.owner) return;
+    diagnostics_.warning(
+        "robot-name-differs", place(document_.robot.span),
+        fmt::format(
+            "this is a list for {0} '{1}', but the {0} is '{2}'", frames_.kind, document_.robot.text, frames_.owner));
   }
 
   void check_list() {
@@ -26,16 +40,16 @@ class FrameResolver {
       if (!is_new) {
         diagnostics_.warning("repeated-frame", place(name.span), fmt::format("frame '{}' is listed twice", name.text))
             .notes.push_back({earlier->second, "first listed here"});
-      } else if (!index_.find(name.text)) {
+      } else if (!frames_.index.find(name.text)) {
         warn_unknown(name, "");
       }
       accepted_.insert(name.text);
     }
   }
 
-  // Pairs whose frames exist, each once. `what` is what a pair stands for.
-  std::vector<model::FramePair> resolve(const std::vector<desired::Pair>& pairs, const std::string& what) {
-    std::vector<model::FramePair> resolved;
+  // Pairs whose frames exist, each once, by index. `what` is what a pair stands for.
+  std::vector<std::pair<int, int>> resolve(const std::vector<desired::Pair>& pairs, const std::string& what) {
+    std::vector<std::pair<int, int>> resolved;
     std::map<std::pair<int, int>, Place> seen;
     for (const desired::Pair& pair : pairs) {
       const auto left = frame(pair.left, what);
@@ -43,7 +57,7 @@ class FrameResolver {
       if (!left || !right) continue;
       const auto [earlier, is_new] = seen.insert({{*left, *right}, place(pair.span)});
       if (is_new) {
-        resolved.push_back({frames_[static_cast<std::size_t>(*left)], frames_[static_cast<std::size_t>(*right)]});
+        resolved.emplace_back(*left, *right);
       } else {
         diagnostics_
             .warning(
@@ -59,7 +73,7 @@ class FrameResolver {
   Place place(const Span& span) const { return {document_.source, span}; }
 
   std::optional<int> frame(const desired::Name& name, const std::string& what) {
-    const auto found = index_.find(name.text);
+    const auto found = frames_.index.find(name.text);
     if (!found) {
       warn_unknown(name, fmt::format(": this {} is left out", what));
     } else if (accepted_.insert(name.text).second) {
@@ -72,16 +86,14 @@ class FrameResolver {
   void warn_unknown(const desired::Name& name, const std::string& consequence) {
     Diagnostic& warning = diagnostics_.warning(
         "unknown-frame", place(name.span),
-        fmt::format("robot '{}' has no frame '{}'{}", robot_, name.text, consequence));
-    if (const auto similar = index_.nearest_to(name.text)) {
-      warning.hint = fmt::format("did you mean '{}'?", index_.name_of(*similar));
+        fmt::format("{} '{}' has no frame '{}'{}", frames_.kind, frames_.owner, name.text, consequence));
+    if (const auto similar = frames_.index.nearest_to(name.text)) {
+      warning.hint = fmt::format("did you mean '{}'?", frames_.index.name_of(*similar));
     }
   }
 
   const desired::Document& document_;
-  const std::string& robot_;
-  std::vector<model::Frame> frames_;
-  model::NameIndex index_;
+  Frames& frames_;
   std::set<std::string> accepted_;  // listed, or reported as not listed
   Diagnostics& diagnostics_;
 };
@@ -92,16 +104,42 @@ model::DesiredTransforms desired_transforms(
     const desired::Document& document,
     const model::KinematicTree& tree,
     Diagnostics& diagnostics) {
-  if (document.robot.text != tree.name) {
-    diagnostics.warning(
-        "robot-name-differs", {document.source, document.robot.span},
-        fmt::format("this is a list for robot '{}', but the robot is '{}'", document.robot.text, tree.name));
-  }
-  FrameResolver resolver(document, tree, diagnostics);
+  const std::vector<model::Frame> all = tree.frames();
+  Frames frames = {"robot", tree.name, {}};
+  for (const model::Frame& frame : all) frames.index.add(frame.name);
+  FrameResolver resolver(document, frames, diagnostics);
+  resolver.check_name();
   resolver.check_list();
+  const auto resolve = [&](const std::vector<desired::Pair>& pairs, const std::string& what) {
+    std::vector<model::FramePair> result;
+    for (const auto& [left, right] : resolver.resolve(pairs, what))
+      result.push_back({all[static_cast<std::size_t>(left)], all[static_cast<std::size_t>(right)]});
+    return result;
+  };
   model::DesiredTransforms result;
-  result.transforms = resolver.resolve(document.transforms, "transform");
-  result.jacobians = resolver.resolve(document.jacobians, "Jacobian");
+  result.transforms = resolve(document.transforms, "transform");
+  result.jacobians = resolve(document.jacobians, "Jacobian");
+  return result;
+}
+
+std::vector<FrameNames> desired_frame_pairs(
+    const desired::Document& document,
+    const std::string& model,
+    const std::vector<std::string>& frame_names,
+    Diagnostics& diagnostics) {
+  Frames frames = {"model", model, {}};
+  for (const std::string& name : frame_names) frames.index.add(name);
+  FrameResolver resolver(document, frames, diagnostics);
+  resolver.check_name();
+  resolver.check_list();
+  if (!document.jacobians.empty()) {
+    diagnostics.error(
+        "jacobian-without-robot", {document.source, document.jacobians.front().span},
+        "Jacobians are of robots: motions have no joints");
+  }
+  std::vector<FrameNames> result;
+  for (const auto& [left, right] : resolver.resolve(document.transforms, "transform"))
+    result.emplace_back(frames.index.name_of(left), frames.index.name_of(right));
   return result;
 }
 

@@ -36,7 +36,7 @@ class Describer {
  public:
   Describer(const kinematics::Document& document, Diagnostics& diagnostics)
       : document_(document), reader_(document.source, diagnostics) {
-    for (const Expression* expression : expressions_of(document)) reader_.declare_constants(*expression);
+    for (const Expression* expression : expressions_of(document)) reader_.declare_names_in(*expression);
   }
 
   model::Description describe() {

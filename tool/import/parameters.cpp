@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace robcogen::import {
 
@@ -43,13 +45,38 @@ double trial_value(double scale, std::size_t parameter) {
 
 }  // namespace
 
-void QuantityReader::declare_constants(const Expression& expression) {
-  if (expression.kind != Expression::Kind::constant) {
-    if (expression.left) declare_constants(*expression.left);
-    if (expression.right) declare_constants(*expression.right);
+void QuantityReader::declare_group(const language::ParameterGroup& group) {
+  const Place group_place = {source_, group.name.span};
+  const auto [entry, is_new] = groups_.insert({group.name.text, {group_place, {}}});
+  if (!is_new) {
+    diagnostics_.error("duplicate-group", group_place, fmt::format("group '{}' is declared twice", group.name.text))
+        .notes.push_back({entry->second.place, "first declared here"});
+  }
+  for (const language::Name& name : group.parameters) {
+    const Place place = {source_, name.span};
+    entry->second.parameters.push_back(name.text);
+    if (!grouped_.insert(name.text).second) {
+      const Parameter& earlier = parameters_[static_cast<std::size_t>(kinematics_parameters_.at(name.text))];
+      diagnostics_.error("duplicate-parameter", place, fmt::format("parameter '{}' is declared twice", name.text))
+          .notes.push_back({earlier.place, "first declared here"});
+      continue;
+    }
+    unused_.insert(name.text);
+    add_parameter(name.text, ParameterKind::length, place);
+  }
+}
+
+void QuantityReader::declare_names_in(const Expression& expression) {
+  if (expression.kind == Expression::Kind::constant) {
+    if (expression.left) declare_constant(expression);
     return;
   }
-  if (!expression.left) return;
+  if (expression.is_parameter) parameters_by_spelling_.insert({expression.name, place(expression)});
+  if (expression.left) declare_names_in(*expression.left);
+  if (expression.right) declare_names_in(*expression.right);
+}
+
+void QuantityReader::declare_constant(const Expression& expression) {
   const Quantity value = read(*expression.left, ParameterKind::length);
   const auto [earlier, is_new] = constants_.insert({expression.name, {value, place(expression)}});
   if (is_new || earlier->second.value.number() == value.number()) return;
@@ -80,8 +107,12 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
 double QuantityReader::least_magnitude(const Quantity& q) const {
   if (q.is_constant()) return std::abs(q.number().value());
   double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<double>& values : trials_) {
-    const double magnitude = std::abs(evaluate(q, values));
+  // Without parameters or variables there is one set of values: none.
+  for (std::size_t i = 0; i < kTrialScales.size(); ++i) {
+    const auto values = [&](const std::vector<std::vector<double>>& sets) {
+      return sets.empty() ? std::span<const double>() : std::span<const double>(sets[i]);
+    };
+    const double magnitude = std::abs(evaluate(q, values(trials_), values(variable_trials_)));
     if (magnitude < least) least = magnitude;  // never so when it is no number
   }
   return least;
@@ -109,9 +140,10 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
     case Expression::Kind::number:
       return Quantity(expression.number);
     case Expression::Kind::pi:
+      if (grouped_.contains(expression.name)) return parameter(expression, kind);
       return Quantity(Number::pi_multiple(1));
     case Expression::Kind::name:
-      return parameter(expression, kind);
+      return name(expression, kind);
     case Expression::Kind::constant:
       return constant(expression);
     case Expression::Kind::negate:
@@ -147,12 +179,68 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
   return Quantity();
 }
 
+Quantity QuantityReader::name(const Expression& expression, ParameterKind kind) {
+  if (!expression.group.empty()) return member(expression, kind);
+  const bool is_parameter = plain_name_ == PlainName::parameter || expression.is_parameter ||
+                            expression.default_value || grouped_.contains(expression.name);
+  return is_parameter ? parameter(expression, kind) : variable(expression);
+}
+
+Quantity QuantityReader::member(const Expression& expression, ParameterKind kind) {
+  const auto group = groups_.find(expression.group);
+  if (group == groups_.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, other] : groups_) names.push_back(name);
+    Diagnostic& error = diagnostics_.error(
+        "unknown-group", place(expression), fmt::format("there is no group '{}' of parameters", expression.group));
+    error.hint = did_you_mean(expression.group, names);
+    return fault(error);
+  }
+  const std::vector<std::string>& names = group->second.parameters;
+  if (std::find(names.begin(), names.end(), expression.name) == names.end()) {
+    Diagnostic& error = diagnostics_.error(
+        "unknown-parameter", place(expression),
+        fmt::format("group '{}' has no parameter '{}'", expression.group, expression.name));
+    error.hint = did_you_mean(expression.name, names);
+    error.notes.push_back({group->second.place, "the group is declared here"});
+    return fault(error);
+  }
+  return parameter(expression, kind);
+}
+
+Quantity QuantityReader::variable(const Expression& expression) {
+  const auto parameter = parameters_by_spelling_.find(expression.name);
+  if (parameter != parameters_by_spelling_.end() && ambiguous_.insert(expression.name).second) {
+    diagnostics_
+        .error(
+            "variable-and-parameter", place(expression),
+            fmt::format("'{0}' is a variable here, and elsewhere 'p:{0}' is a parameter", expression.name))
+        .notes.push_back({parameter->second, "a parameter here"});
+  }
+  const auto [entry, is_new] = variable_indices_.insert({expression.name, static_cast<int>(variables_.size())});
+  if (is_new) {
+    variable_trials_.resize(kTrialScales.size());
+    for (std::size_t i = 0; i < variable_trials_.size(); ++i)
+      variable_trials_[i].push_back(trial_value(0.7 * kTrialScales[i], variables_.size()));
+    variables_.push_back(expression.name);
+  }
+  return Quantity::variable(entry->second);
+}
+
+void QuantityReader::add_parameter(const std::string& name, ParameterKind kind, const Place& place) {
+  auto& same_interface = is_dynamics(kind) ? dynamics_parameters_ : kinematics_parameters_;
+  same_interface.insert({name, static_cast<int>(parameters_.size())});
+  trials_.resize(kTrialScales.size());
+  for (std::size_t i = 0; i < trials_.size(); ++i)
+    trials_[i].push_back(trial_value(kTrialScales[i], parameters_.size()));
+  parameters_.push_back({name, kind, std::nullopt, place});
+}
+
 Quantity QuantityReader::parameter(const Expression& expression, ParameterKind kind) {
   const std::string& name = expression.name;
   auto& same_interface = is_dynamics(kind) ? dynamics_parameters_ : kinematics_parameters_;
   const auto& other_interface = is_dynamics(kind) ? kinematics_parameters_ : dynamics_parameters_;
-  const auto [entry, is_new] = same_interface.insert({name, static_cast<int>(parameters_.size())});
-  if (is_new) {
+  if (!same_interface.contains(name)) {
     const auto other = other_interface.find(name);
     if (other != other_interface.end()) {
       const Parameter& earlier = parameters_[static_cast<std::size_t>(other->second)];
@@ -165,14 +253,12 @@ Quantity QuantityReader::parameter(const Expression& expression, ParameterKind k
                   name, kind_name(kind), kind_name(earlier.kind)))
           .notes.push_back({earlier.place, "first used here"});
     }
-    trials_.resize(kTrialScales.size());
-    for (std::size_t i = 0; i < trials_.size(); ++i) {
-      trials_[i].push_back(trial_value(kTrialScales[i], parameters_.size()));
-    }
-    parameters_.push_back({name, kind, std::nullopt, place(expression)});
+    add_parameter(name, kind, place(expression));
   }
-  Parameter& parameter = parameters_[static_cast<std::size_t>(entry->second)];
-  if (parameter.kind != kind && two_units_.insert(entry->second).second) {
+  const int index = same_interface.at(name);
+  Parameter& parameter = parameters_[static_cast<std::size_t>(index)];
+  if (unused_.erase(name) > 0) parameter.kind = kind;
+  if (parameter.kind != kind && two_units_.insert(index).second) {
     diagnostics_
         .warning(
             "parameter-of-two-units", place(expression),
@@ -192,7 +278,7 @@ Quantity QuantityReader::parameter(const Expression& expression, ParameterKind k
     }
     parameter.default_value = parameter.default_value.value_or(value);
   }
-  return Quantity::parameter(entry->second);
+  return Quantity::parameter(index);
 }
 
 Quantity QuantityReader::constant(const Expression& expression) {

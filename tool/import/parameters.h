@@ -7,33 +7,52 @@
 #include <string>
 #include <vector>
 
-#include "language/common/expression.h"
+#include "language/common/frames_document.h"
 #include "model/quantity.h"
 
 namespace robcogen::import {
 
-// Identifiers of a robot document become parameters by where they stand; `PI` in any case is the constant.
+// What a name is that no declaration and no spelling makes anything else: robots have parameters, motions and
+// transforms have variables.
+enum class PlainName { parameter, variable };
+
+// Parameters are of the kind of the place where they stand; `PI` in any case is the constant, unless a parameter of
+// exactly this name is declared.
 class QuantityReader {
  public:
-  QuantityReader(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), diagnostics_(diagnostics) {}
+  QuantityReader(
+      std::shared_ptr<const Source> source,
+      Diagnostics& diagnostics,
+      PlainName plain_name = PlainName::parameter)
+      : source_(std::move(source)), diagnostics_(diagnostics), plain_name_(plain_name) {}
 
-  // Notes the constants that an expression declares (`<g=9.81>`), which may be used anywhere in the document. Reports a
-  // constant that is given two values.
-  void declare_constants(const language::Expression& expression);
+  // Declares the parameters of a group, which may be used as `group.name` and as `name`. Reports what was declared
+  // before.
+  void declare_group(const language::ParameterGroup& group);
+
+  // Notes the constants (`<g=9.81>`) and the parameters (`p:length`) that an expression declares, which may be used
+  // anywhere in the document. Reports a constant that is given two values.
+  void declare_names_in(const language::Expression& expression);
 
   // `kind` is what a parameter would be in this place. Reports a parameter of two kinds or with two defaults, an
   // unknown constant, and what has no finite value, or none that a robot can have: for constants as such, with
   // parameters whatever values they take. A constant next to nothing is zero.
   model::Quantity read(const language::Expression& expression, model::ParameterKind kind);
 
-  // In the order of their first use.
+  // Those of groups first, as declared; then in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
+  // In the order of their first use.
+  const std::vector<std::string>& variables() const { return variables_; }
 
  private:
   model::Quantity finite(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity operate(const language::Expression& expression, model::ParameterKind kind);
+  void declare_constant(const language::Expression& expression);
+  model::Quantity name(const language::Expression& expression, model::ParameterKind kind);
+  model::Quantity member(const language::Expression& expression, model::ParameterKind kind);
+  model::Quantity variable(const language::Expression& expression);
   model::Quantity parameter(const language::Expression& expression, model::ParameterKind kind);
+  void add_parameter(const std::string& name, model::ParameterKind kind, const Place& place);
   model::Quantity constant(const language::Expression& expression);
   // The least magnitude that it takes for the values that parameters are tried with; infinite when it has none.
   double least_magnitude(const model::Quantity& q) const;
@@ -49,12 +68,25 @@ class QuantityReader {
   std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
   std::vector<model::Parameter> parameters_;
-  std::vector<std::vector<double>> trials_;  // sets of values of all parameters
+  std::vector<std::string> variables_;
+  std::vector<std::vector<double>> trials_;           // sets of values of all parameters
+  std::vector<std::vector<double>> variable_trials_;  // and of all variables
   int faults_ = 0;
   std::map<std::string, int> kinematics_parameters_;
   std::map<std::string, int> dynamics_parameters_;
   std::map<std::string, Constant> constants_;
   std::set<int> two_units_;  // parameters that were reported as both lengths and angles
+  PlainName plain_name_;
+  struct Group {
+    Place place;
+    std::vector<std::string> parameters;
+  };
+  std::map<std::string, Group> groups_;
+  std::set<std::string> grouped_;                        // parameters of groups
+  std::set<std::string> unused_;                         // those of them that were not used yet
+  std::map<std::string, Place> parameters_by_spelling_;  // `p:name`
+  std::map<std::string, int> variable_indices_;
+  std::set<std::string> ambiguous_;  // names that were reported as both variables and parameters
 };
 
 }  // namespace robcogen::import

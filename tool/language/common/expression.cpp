@@ -58,7 +58,7 @@ std::string print(const Expression& e) {
     case Kind::pi:
       return e.name;
     case Kind::name: {
-      const std::string group = e.group.empty() ? "" : e.group + ".";
+      const std::string group = e.is_parameter ? "p:" : e.group.empty() ? "" : e.group + ".";
       return group + (e.escaped ? "^" : "") + e.name + (e.default_value ? "[" + literal(*e.default_value) + "]" : "");
     }
     case Kind::constant:
@@ -73,7 +73,8 @@ std::string print(const Expression& e) {
       // The original knows the product of a number and a name by juxtaposition only; parameters with defaults, which it
       // did not have, came with '*'.
       const bool is_name = e.right->kind == Kind::pi || (e.right->kind == Kind::name && !e.right->default_value);
-      const bool juxtaposed = e.left->kind == Kind::number && is_name && e.right->group.empty();
+      const bool is_plain = e.right->group.empty() && !e.right->is_parameter;
+      const bool juxtaposed = e.left->kind == Kind::number && is_name && is_plain;
       return inside(*e.left, product) + (juxtaposed ? " " : " * ") + inside(*e.right, sign);
     }
     case Kind::divide:
@@ -93,7 +94,8 @@ std::string print(const Expression& e) {
 
 bool equal(const Expression& a, const Expression& b) {
   return a.kind == b.kind && a.number == b.number && a.name == b.name && a.group == b.group &&
-         a.default_value == b.default_value && same(a.left, b.left) && same(a.right, b.right);
+         a.is_parameter == b.is_parameter && a.default_value == b.default_value && same(a.left, b.left) &&
+         same(a.right, b.right);
 }
 
 }  // namespace robcogen::language

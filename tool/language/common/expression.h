@@ -32,10 +32,11 @@ struct Expression {
   };
   Kind kind = Kind::number;
   Span span;
-  Number number;                        // kind number
-  std::string name;                     // kinds pi (its spelling), name, constant
-  bool escaped = false;                 // kinds name, constant: written with '^', because the name is a keyword
-  std::string group;                    // kind name: `Group.` prefix, or empty
+  Number number;              // kind number
+  std::string name;           // kinds pi (its spelling), name, constant
+  bool escaped = false;       // kinds name, constant: its name is written with '^', because the name is a keyword
+  std::string group;          // kind name: `Group.` prefix, or empty
+  bool is_parameter = false;  // kind name: written `p:name`, a parameter that its use declares
   std::optional<Number> default_value;  // kind name: `m1[1]`
   ExpressionPtr left;                   // operand, or first operand
   ExpressionPtr right;                  // second operand

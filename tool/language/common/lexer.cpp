@@ -71,7 +71,7 @@ class Lexer {
       identifier();
     } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
       number();
-    } else if (is_symbol(c)) {
+    } else if (is_symbol(c) || at_member()) {
       symbol();
     } else if (c == '$' && peek(1) == '{') {
       placeholder();
@@ -148,6 +148,9 @@ class Lexer {
   void digits() {
     while (is_digit(peek())) ++at_;
   }
+
+  // The point of `group.name`.
+  bool at_member() const { return peek() == '.' && at_ > 0 && is_word(text_[at_ - 1]) && is_letter(peek(1)); }
 
   void symbol() {
     const std::size_t begin = at_;

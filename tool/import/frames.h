@@ -1,0 +1,37 @@
+// From documents of motions and of coordinate transforms to the model.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "language/desired/document.h"
+#include "language/motion/document.h"
+#include "language/transforms/document.h"
+#include "model/coordinate_transforms.h"
+
+namespace robcogen::import {
+
+// Reports frames that the document's own list lacks, motions from a frame to itself, pairs of frames that two motions
+// connect, and motions that close a loop. nullopt when an error was reported.
+std::optional<model::RigidMotions> rigid_motions(const language::motion::Document& document, Diagnostics& diagnostics);
+
+// Reports frames that the document's own list lacks, transforms from a frame to itself, and pairs that are given twice.
+// nullopt when an error was reported.
+std::optional<model::CoordinateTransforms> coordinate_transforms(
+    const language::transforms::Document& document,
+    Diagnostics& diagnostics);
+
+// left_X_right
+using FrameNames = std::pair<std::string, std::string>;
+
+// The transforms that a list asks of a model with these frames, each once. Lenient as for robots: see
+// desired_transforms (import/kinematics.h). Jacobians are refused: they need joints.
+std::vector<FrameNames> desired_frame_pairs(
+    const language::desired::Document& document,
+    const std::string& model,
+    const std::vector<std::string>& frames,
+    Diagnostics& diagnostics);
+
+}  // namespace robcogen::import

@@ -1,0 +1,46 @@
+// A Motion-DSL document (.motdsl) as written: poses of frames relative to one another.
+#pragma once
+
+#include <memory>
+
+#include "language/common/frames_document.h"
+
+namespace robcogen::language::motion {
+
+// `from -> to : steps`: the steps move frame `from` onto frame `to`.
+struct Motion {
+  Name from;
+  Name to;
+  std::vector<AxisStep> steps;  // may be empty: the frames coincide
+  std::optional<Name> name;
+  std::vector<std::string> comments;  // those before the motion
+  Span span;
+};
+
+// local: each step is about the axes of the frame reached so far. fixed: axes stay parallel to the initial frame.
+enum class Convention { local, fixed };
+
+struct Document {
+  std::shared_ptr<const Source> source;
+  FramesHeader header;
+  Convention convention = Convention::local;
+  std::vector<std::string> convention_comments;  // before `Convention`
+  std::vector<Motion> motions;
+  std::vector<std::string> trailing_comments;
+};
+
+// Reserved words, and the steps among them: translations along x, y, z, then rotations.
+const std::vector<std::string>& keywords();
+const std::vector<std::string>& step_words();
+
+// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
+// can be printed in any case. What its names stand for is not looked at.
+Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
+
+// The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
+std::string print(const Document& document);
+
+// Same content, places apart.
+bool equal(const Document& a, const Document& b);
+
+}  // namespace robcogen::language::motion

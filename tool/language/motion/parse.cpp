@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include "language/motion/document.h"
+
+namespace robcogen::language::motion {
+namespace {
+
+// A motion that fails is skipped up to the next one.
+class Parser {
+ public:
+  Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
+      : source_(std::move(source)), cursor_(tokenize(source_, diagnostics), keywords(), diagnostics) {
+    document_.source = source_;
+  }
+
+  Document run() {
+    try {
+      document_.header = parse_frames_header(cursor_, {"Convention"});
+      convention();
+      motions();
+    } catch (const SyntaxError&) {
+      // reported; the file ends here
+    }
+    document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
+    return std::move(document_);
+  }
+
+ private:
+  std::shared_ptr<const Source> source_;
+  Cursor cursor_;
+  Document document_;
+
+  void convention() {
+    try {
+      if (!cursor_.at("Convention")) cursor_.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
+      const Token word = cursor_.take();
+      document_.convention_comments = cursor_.comments_before(word.span.begin);
+      cursor_.expect("=", "after 'Convention'");
+      if (!cursor_.at_any({"local", "fixed", "currentFrame", "fixedFrame"}))
+        cursor_.unexpected("'local', 'fixed', 'currentFrame' or 'fixedFrame'", "after '='");
+      const Token value = cursor_.take();
+      const bool is_local = value.text == "local" || value.text == "currentFrame";
+      document_.convention = is_local ? Convention::local : Convention::fixed;
+    } catch (const SyntaxError&) {
+      skip_to_motion();
+    }
+  }
+
+  bool at_motion() const { return cursor_.at_name() && cursor_.at("->", 1); }
+
+  void skip_to_motion() {
+    cursor_.skip_until([&] { return at_motion(); });
+  }
+
+  void motions() {
+    while (!cursor_.at_end()) {
+      try {
+        document_.motions.push_back(motion());
+      } catch (const SyntaxError&) {
+        // A name that begins the faulty motion begins no other one.
+        if (at_motion() && cursor_.peek().span.begin == begin_) cursor_.take();
+        skip_to_motion();
+      }
+    }
+  }
+
+  Name frame() {
+    const Token token = cursor_.expect_name("the name of a frame");
+    return {std::string(token.text), token.span};
+  }
+
+  Motion motion() {
+    Motion motion;
+    begin_ = cursor_.peek().span.begin;
+    motion.comments = cursor_.comments_before(begin_);
+    motion.from = frame();
+    cursor_.expect("->", fmt::format("after '{}'", motion.from.text));
+    motion.to = frame();
+    cursor_.expect(":", fmt::format("after '{}'", motion.to.text));
+    motion.steps = parse_steps(cursor_, step_words());
+    motion.name = parse_user_name(cursor_);
+    motion.span = {begin_, cursor_.previous().span.end};
+    if (!cursor_.at_end() && !at_motion())
+      cursor_.unexpected("'trx', 'try', 'trz', 'rotx', 'roty', 'rotz', '[' or the next motion", "after a motion");
+    return motion;
+  }
+
+  std::size_t begin_ = 0;  // of the present motion
+};
+
+}  // namespace
+
+const std::vector<std::string>& step_words() {
+  static const std::vector<std::string> words = {"trx", "try", "trz", "rotx", "roty", "rotz"};
+  return words;
+}
+
+const std::vector<std::string>& keywords() {
+  static const std::vector<std::string> words = {"Model", "Frames",       "Params",     "Convention", "local",
+                                                 "fixed", "currentFrame", "fixedFrame", "trx",        "try",
+                                                 "trz",   "rotx",         "roty",       "rotz"};
+  return words;
+}
+
+Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
+  return Parser(std::move(source), diagnostics).run();
+}
+
+}  // namespace robcogen::language::motion

@@ -1,0 +1,47 @@
+// A Transforms-DSL document (.ctdsl) as written: coordinate transforms as products of primitive ones.
+#pragma once
+
+#include <memory>
+
+#include "language/common/frames_document.h"
+
+namespace robcogen::language::transforms {
+
+// `{left}_X_{right} = primitives`: maps coordinates in `right` to coordinates in `left`. No primitives: the identity.
+struct Transform {
+  Name left;
+  Name right;
+  std::vector<AxisStep> primitives;
+  std::optional<Name> name;
+  std::vector<std::string> comments;  // those before the transform
+  Span span;
+};
+
+// Which frame a primitive moves: right: Rx(a) maps coordinates of the frame rotated by +a to the original frame; left:
+// the inverse.
+enum class MovedFramePosition { left, right };
+
+struct Document {
+  std::shared_ptr<const Source> source;
+  FramesHeader header;
+  MovedFramePosition position = MovedFramePosition::right;
+  std::vector<std::string> position_comments;  // before `MovedFramePos`
+  std::vector<Transform> transforms;
+  std::vector<std::string> trailing_comments;
+};
+
+// Reserved words, and the primitives among them: translations along x, y, z, then rotations.
+const std::vector<std::string>& keywords();
+const std::vector<std::string>& primitive_words();
+
+// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
+// can be printed in any case. What its names stand for is not looked at.
+Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
+
+// The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
+std::string print(const Document& document);
+
+// Same content, places apart.
+bool equal(const Document& a, const Document& b);
+
+}  // namespace robcogen::language::transforms
