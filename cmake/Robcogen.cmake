@@ -1,8 +1,10 @@
-# robcogen_add_robot: a robot document becomes a static library.
+# robcogen_add_robot: a robot document or a URDF becomes a static library.
 #
 #     robcogen_add_robot(
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
-#       MODEL hyl.kindsl            # the robot document, relative to the calling CMakeLists.txt
+#       MODEL hyl.kindsl            # the robot, .kindsl or .urdf, relative to the calling CMakeLists.txt
+#       [FLOATING_BASE]             # URDF: the root link floats (a robot document says so itself)
+#       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
 #       [NAMESPACE a::b]            # enclosing namespace
@@ -16,7 +18,7 @@
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
-#       [OPTIONS flag…])            # further flags of `robcogen generate`
+#       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
 #
 # Makes, for TARGET hyl:
 #     hyl            the static library; #include <hyl/hyl.h>
@@ -38,7 +40,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces forwar
                                              transforms jacobians)
 
 function(robcogen_add_robot)
-  set(flags NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
   set(lists ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 robot "${flags}" "${values}" "${lists}")
@@ -131,6 +133,12 @@ function(_robcogen_generate_arguments result)
   endif()
   if(robot_ALGORITHMS)
     list(APPEND arguments --algorithms ${robot_ALGORITHMS})
+  endif()
+  if(robot_FLOATING_BASE)
+    list(APPEND arguments --floating-base)
+  endif()
+  if(robot_SNAP_ANGLES)
+    list(APPEND arguments --snap-angles)
   endif()
   foreach(language IN LISTS robot_LANGUAGES)
     list(APPEND arguments --language ${language})

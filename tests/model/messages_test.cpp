@@ -105,6 +105,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
   std::set<std::string> codes;
   for (const char* phase : {"model", "import"}) {
     for (const auto& entry : std::filesystem::directory_iterator(path(ROBCOGEN_SOURCE_DIR) / "tool" / phase)) {
+      if (!entry.is_regular_file()) continue;
       const std::string text = test::contents(entry.path());
       codes.merge(matches(text, kebab));
       codes.merge(matches(text, reported));

@@ -10,6 +10,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> files;
+  import::UrdfOptions urdf;
   bool strict = false;
   std::string error_format = "gnu";
 };
@@ -23,14 +24,14 @@ Status check(const Options& options) {
   std::vector<std::string> robots, lists;
   for (const std::string& file : options.files) (is_desired(file) ? lists : robots).push_back(file);
   Diagnostics diagnostics;
-  for (const std::string& robot : robots) load_robot(robot, std::nullopt, options.strict, diagnostics);
+  for (const std::string& robot : robots) load_robot(robot, {{}, options.strict, options.urdf}, diagnostics);
   for (const std::string& list : lists) {
     if (robots.size() != 1) {
       language::desired::parse(read_source(list), diagnostics);
       continue;
     }
     Diagnostics again;  // what the robot itself gave is reported already
-    const std::optional<Robot> robot = load_robot(robots.front(), std::nullopt, false, again);
+    const std::optional<Robot> robot = load_robot(robots.front(), {{}, false, options.urdf}, again);
     const language::desired::Document document = language::desired::parse(read_source(list), diagnostics);
     if (robot && !diagnostics.has_errors()) import::desired_transforms(document, robot->tree, diagnostics);
   }
@@ -44,8 +45,9 @@ Status check(const Options& options) {
 Action declare_check(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("check", "Reads documents and reports what is wrong with them");
   auto options = std::make_shared<Options>();
-  subcommand->add_option("files", options->files, "Documents (.kindsl, .dtdsl)")->required();
+  subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, .dtdsl)")->required();
   subcommand->add_flag("--strict", options->strict, "Warnings of desired-transforms documents are errors");
+  declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return check(*options); };
 }

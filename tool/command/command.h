@@ -15,22 +15,26 @@ Action declare_check(CLI::App& application);
 Action declare_print(CLI::App& application);
 Action declare_ops(CLI::App& application);
 Action declare_eval(CLI::App& application);
+Action declare_convert(CLI::App& application);
 
 // Options that several subcommands share.
 struct ModelOptions {
   std::string model;
   std::string desired;
   bool strict = false;
+  import::UrdfOptions urdf;
   std::string error_format = "gnu";
   std::vector<std::string> passes;
 
   void declare(CLI::App& subcommand);
-  std::optional<std::filesystem::path> desired_path() const;
   // Loads the robot and prints diagnostics to standard error; nullopt when there was an error.
   std::optional<Robot> load() const;
 };
 
 ErrorFormat format_of(const std::string& name);
 void declare_error_format(CLI::App& subcommand, std::string& format);
+void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options);
+// A Failure when one of the options was given and the model is no URDF: its own document says these things.
+void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options);
 
 }  // namespace robcogen::command

@@ -16,11 +16,9 @@ int main(int argc, char** argv) {
   application.require_subcommand(1);
   application.failure_message(CLI::FailureMessage::help);
   const std::vector<std::pair<const char*, Action>> actions = {
-      {"generate", declare_generate(application)},
-      {"check", declare_check(application)},
-      {"print", declare_print(application)},
-      {"ops", declare_ops(application)},
-      {"eval", declare_eval(application)}};
+      {"generate", declare_generate(application)}, {"check", declare_check(application)},
+      {"print", declare_print(application)},       {"ops", declare_ops(application)},
+      {"eval", declare_eval(application)},         {"convert", declare_convert(application)}};
   try {
     application.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -16,9 +16,28 @@ void declare_error_format(CLI::App& subcommand, std::string& format) {
       ->check(CLI::IsMember({"gnu", "msvc"}));
 }
 
+void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
+  subcommand.add_flag("--floating-base", options.floating_base, "URDF: the root link floats");
+  subcommand.add_flag(
+      "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
+  subcommand.add_flag(
+      "--free-mimic-joints", options.free_mimic_joints, "URDF: a joint that mimics another is a joint of its own");
+}
+
+void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
+  const bool given = options.floating_base || options.snap_angles || options.free_mimic_joints;
+  if (!given || is_urdf(model)) return;
+  throw Failure{
+      wrong_usage,
+      fmt::format(
+          "robcogen: error: --floating-base, --snap-angles and --free-mimic-joints are for URDF; '{}' says "
+          "such things itself",
+          model.string())};
+}
+
 void ModelOptions::declare(CLI::App& subcommand) {
   passes = pass::names();
-  subcommand.add_option("model", model, "Robot document (.kindsl)")->required();
+  subcommand.add_option("model", model, "Robot (.kindsl or .urdf)")->required();
   subcommand.add_option("--desired", desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand.add_flag("--strict", strict, "Warnings of the desired-transforms document are errors");
   subcommand.add_option("--passes", passes, "Which passes run: a comma-separated list, or none")
@@ -28,16 +47,18 @@ void ModelOptions::declare(CLI::App& subcommand) {
         names.push_back("none");
         return names;
       }()));
+  declare_urdf_options(subcommand, urdf);
   declare_error_format(subcommand, error_format);
 }
 
-std::optional<std::filesystem::path> ModelOptions::desired_path() const {
-  return desired.empty() ? std::nullopt : std::optional<std::filesystem::path>(desired);
-}
-
 std::optional<Robot> ModelOptions::load() const {
+  require_urdf(model, urdf);
+  Reading reading;
+  if (!desired.empty()) reading.desired = desired;
+  reading.strict = strict;
+  reading.urdf = urdf;
   Diagnostics diagnostics;
-  std::optional<Robot> robot = load_robot(model, desired_path(), strict, diagnostics);
+  std::optional<Robot> robot = load_robot(model, reading, diagnostics);
   fmt::print(stderr, "{}", diagnostics.render(format_of(error_format)));
   return robot;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "export/kinematics.h"
 #include "import/kinematics.h"
 #include "pass/passes.h"
 #include "support/files.h"
@@ -30,8 +31,14 @@ backend::LinkData link_data(const model::Link& link) {
 }
 
 backend::JointData joint_data(const model::Joint& joint) {
-  return {joint.name,  joint.type == model::JointType::revolute, joint.parent,
-          joint.child, values(joint.placement.translation),      values(joint.placement.rotation)};
+  return {
+      joint.name,
+      joint.type == model::JointType::revolute,
+      joint.parent,
+      joint.child,
+      values(joint.placement.translation),
+      values(joint.placement.rotation),
+      {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort}};
 }
 
 backend::FrameData frame_data(const model::KinematicTree& tree, const model::Frame& frame) {
@@ -53,6 +60,42 @@ int frame_index(const std::vector<model::Frame>& frames, const model::Frame& wan
   return place == frames.end() ? -1 : static_cast<int>(place - frames.begin());
 }
 
+// What the robot language cannot say, for the canonical text.
+std::string limits_text(const model::KinematicTree& tree) {
+  std::string text;
+  for (const model::Joint& joint : tree.joints) {
+    const model::JointLimits& l = joint.limits;
+    if (l == model::JointLimits()) continue;
+    text += fmt::format(
+        "{} {} {} {} {}\n", joint.name, print_double(l.lower), print_double(l.upper), print_double(l.velocity),
+        print_double(l.effort));
+  }
+  return text;
+}
+
+// The tree and its canonical text.
+std::optional<Robot> load_model(
+    const std::filesystem::path& model,
+    const import::UrdfOptions& options,
+    Diagnostics& diagnostics) {
+  const std::shared_ptr<const Source> source = read_source(model);
+  Robot robot;
+  if (is_urdf(model)) {
+    std::optional<model::KinematicTree> tree = import::urdf(source, options, diagnostics);
+    if (!tree) return std::nullopt;
+    robot.canonical = language::kinematics::print(exporting::kinematics_document(*tree)) + limits_text(*tree);
+    robot.tree = std::move(*tree);
+    return robot;
+  }
+  language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
+  if (!tree) return std::nullopt;
+  robot.canonical = language::kinematics::print(language::kinematics::without_comments(std::move(document)));
+  robot.tree = std::move(*tree);
+  return robot;
+}
+
 }  // namespace
 
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
@@ -62,33 +105,24 @@ std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
   return std::make_shared<Source>(path == "-" ? "<standard input>" : path.string(), std::move(*text));
 }
 
-std::optional<Robot> load_robot(
-    const std::filesystem::path& model,
-    const std::optional<std::filesystem::path>& desired,
-    bool strict,
-    Diagnostics& diagnostics) {
-  if (model.extension() == ".urdf")
-    throw Failure{wrong_input, model.string() + ": error: URDF models cannot be read; give a .kindsl document"};
-  const std::shared_ptr<const Source> source = read_source(model);
-  language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
-  if (!tree) return std::nullopt;
+bool is_urdf(const std::filesystem::path& model) {
+  return model.extension() == ".urdf";
+}
 
-  Robot robot;
-  robot.model = model;
-  robot.read.push_back(model);
-  robot.canonical = language::kinematics::print(language::kinematics::without_comments(std::move(document)));
-  robot.tree = std::move(*tree);
-  if (!desired) {
-    robot.desired = model::default_desired(robot.tree);
+std::optional<Robot> load_robot(const std::filesystem::path& model, const Reading& reading, Diagnostics& diagnostics) {
+  std::optional<Robot> robot = load_model(model, reading.urdf, diagnostics);
+  if (!robot) return std::nullopt;
+  robot->model = model;
+  robot->read.push_back(model);
+  if (!reading.desired) {
+    robot->desired = model::default_desired(robot->tree);
     return robot;
   }
-  const language::desired::Document list = language::desired::parse(read_source(*desired), diagnostics);
-  robot.read.push_back(*desired);
+  const language::desired::Document list = language::desired::parse(read_source(*reading.desired), diagnostics);
+  robot->read.push_back(*reading.desired);
   if (diagnostics.has_errors()) return std::nullopt;
-  robot.desired = import::desired_transforms(list, robot.tree, diagnostics);
-  if (strict) promote_desired_warnings(diagnostics);
+  robot->desired = import::desired_transforms(list, robot->tree, diagnostics);
+  if (reading.strict) promote_desired_warnings(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return robot;
 }

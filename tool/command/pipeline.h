@@ -8,6 +8,7 @@
 
 #include "algorithm/robot_programs.h"
 #include "backend/library.h"
+#include "import/urdf.h"
 #include "model/kinematic_tree.h"
 #include "support/diagnostics.h"
 
@@ -19,7 +20,7 @@ inline constexpr const char* kVersion = ROBCOGEN_VERSION;
 struct Robot {
   model::KinematicTree tree;
   model::DesiredTransforms desired;
-  std::string canonical;                    // the robot document without comments, in canonical form
+  std::string canonical;                    // all that the model says, in one form whatever its layout was
   std::filesystem::path model;              // as given
   std::vector<std::filesystem::path> read;  // every file that was read
 };
@@ -36,13 +37,17 @@ struct Failure {
 // The file's text as a source; a Failure when it cannot be read.
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path);
 
-// Reads the robot, and the desired transforms when given (otherwise the default list). With `strict`, warnings of the
-// desired-transforms language are errors. nullopt when an error was reported.
-std::optional<Robot> load_robot(
-    const std::filesystem::path& model,
-    const std::optional<std::filesystem::path>& desired,
-    bool strict,
-    Diagnostics& diagnostics);
+// How a robot is read from its documents.
+struct Reading {
+  std::optional<std::filesystem::path> desired;  // the default list, when there is none
+  bool strict = false;                           // warnings of the desired-transforms language are errors
+  import::UrdfOptions urdf;                      // for models in URDF
+};
+
+bool is_urdf(const std::filesystem::path& model);
+
+// nullopt when an error was reported.
+std::optional<Robot> load_robot(const std::filesystem::path& model, const Reading& reading, Diagnostics& diagnostics);
 
 // Makes errors of the warnings that the original tool refused in desired-transforms documents.
 void promote_desired_warnings(Diagnostics& diagnostics);

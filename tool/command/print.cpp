@@ -17,6 +17,12 @@ struct Options {
 
 Status print_document(const Options& options) {
   const std::filesystem::path file = options.model.model;
+  if (is_urdf(file))
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: '{}' is no document of the project's languages\nhint: 'robcogen convert' "
+                         "makes it one",
+                         file.string())};
   const std::shared_ptr<const Source> source = read_source(file);
   Diagnostics diagnostics;
   const std::string text = file.extension() == ".dtdsl"

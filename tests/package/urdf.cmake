@@ -1,0 +1,19 @@
+# The project consumers/urdf, and what its configuration and its build say.
+#
+# cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P urdf.cmake
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+set(build_dir ${WORK_DIR}/urdf)
+file(REMOVE_RECURSE ${build_dir})
+run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/urdf -B ${build_dir}
+    -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL} -DCMAKE_CXX_COMPILER=${CXX_COMPILER})
+# Serially: the messages of the two robots must not mix.
+run(output ${CMAKE_COMMAND} --build ${build_dir} --target arm_codegen)
+expect_words("near angles" "${output}" "3 angles are within 1e-06 of a multiple of PI/12")
+run(output ${CMAKE_COMMAND} --build ${build_dir} --target flying_arm_codegen)
+expect_words("snapped angles" "${output}" "[angle-snapped]")
+run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
+run(output ${build_dir}/user)
+run(output ${CMAKE_CTEST_COMMAND} --test-dir ${build_dir} --no-tests=error)
+expect_words("tests" "${output}" "100% tests passed, 0 tests failed out of 2")
