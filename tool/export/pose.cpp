@@ -11,7 +11,7 @@ namespace {
 
 constexpr Real kPi = std::numbers::pi_v<Real>;
 // Differences of angles, and cosines, below this are rounding.
-constexpr Real kNegligible = 1e-15L;
+constexpr Real kNegligible = 5e-16L;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -56,6 +56,7 @@ void append(std::vector<Turn>& turns, const Turn& turn) {
 // The double of an angle that was computed from turns. Where it is one of their angles, but for its sign and for
 // quarter turns, that angle is meant, and no rounding of it.
 double nearest_meant(Real angle, const std::vector<Turn>& turns) {
+  if (angle < kNegligible - kPi) angle += 2 * kPi;  // half a turn has two signs, and rounding would choose
   std::vector<Number> origins{Number()};
   for (const Turn& turn : turns) origins.insert(origins.end(), {turn.angle, -turn.angle});
   for (const Number& origin : origins) {

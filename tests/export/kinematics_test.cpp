@@ -1,0 +1,199 @@
+// From the model to a robot document and back: the same model.
+#include "export/kinematics.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "random_robot.h"
+#include "robots.h"
+
+namespace robcogen {
+namespace {
+
+using model::KinematicTree;
+using model::Quantity;
+using Vector = std::array<Quantity, 3>;
+
+class SameTree {
+ public:
+  SameTree(const KinematicTree& found, const KinematicTree& expected) : found_(found), expected_(expected) {
+    for (std::size_t i = 0; i < expected.parameters.size(); ++i) values_.push_back(0.3 + 0.17 * static_cast<double>(i));
+  }
+
+  void expect() const {
+    EXPECT_EQ(found_.name, expected_.name);
+    EXPECT_EQ(found_.floating_base, expected_.floating_base);
+    ASSERT_EQ(found_.parameters.size(), expected_.parameters.size());
+    for (std::size_t i = 0; i < expected_.parameters.size(); ++i) {
+      EXPECT_EQ(found_.parameters[i].name, expected_.parameters[i].name);
+      EXPECT_EQ(found_.parameters[i].kind, expected_.parameters[i].kind);
+      EXPECT_EQ(found_.parameters[i].default_value, expected_.parameters[i].default_value);
+    }
+    expect_links();
+    expect_joints();
+    expect_frames();
+  }
+
+ private:
+  void expect_links() const {
+    ASSERT_EQ(found_.links.size(), expected_.links.size());
+    for (std::size_t i = 0; i < expected_.links.size(); ++i) {
+      const model::Link &found = found_.links[i], &expected = expected_.links[i];
+      SCOPED_TRACE(expected.name);
+      EXPECT_EQ(found.name, expected.name);
+      EXPECT_EQ(found.parent_joint, expected.parent_joint);
+      EXPECT_EQ(found.child_joints, expected.child_joints);
+      ASSERT_EQ(found.inertia.has_value(), expected.inertia.has_value());
+      if (expected.inertia) expect_same(*found.inertia, *expected.inertia);
+    }
+  }
+
+  void expect_joints() const {
+    ASSERT_EQ(found_.joints.size(), expected_.joints.size());
+    for (std::size_t i = 0; i < expected_.joints.size(); ++i) {
+      const model::Joint &found = found_.joints[i], &expected = expected_.joints[i];
+      SCOPED_TRACE(expected.name);
+      EXPECT_EQ(found.name, expected.name);
+      EXPECT_EQ(found.type, expected.type);
+      EXPECT_EQ(found.parent, expected.parent);
+      EXPECT_EQ(found.child, expected.child);
+      expect_same(found.placement, expected.placement);
+    }
+  }
+
+  // A document lists them link by link.
+  void expect_frames() const {
+    std::map<std::string, const model::UserFrame*> all;
+    for (const model::UserFrame& frame : found_.user_frames) all[frame.name] = &frame;
+    ASSERT_EQ(all.size(), expected_.user_frames.size());
+    for (const model::UserFrame& expected : expected_.user_frames) {
+      SCOPED_TRACE(expected.name);
+      ASSERT_TRUE(all.contains(expected.name));
+      const model::UserFrame& found = *all.at(expected.name);
+      EXPECT_EQ(found.link, expected.link);
+      EXPECT_EQ(found.hidden, expected.hidden);
+      expect_same(found.placement, expected.placement);
+    }
+  }
+
+  void expect_same(const model::Inertia& found, const model::Inertia& expected) const {
+    ASSERT_EQ(found.reference.has_value(), expected.reference.has_value());
+    if (expected.reference) expect_same(*found.reference, *expected.reference);
+    expect_same(found.mass, expected.mass);
+    expect_same(found.com, expected.com);
+    expect_same(Vector{found.ixx, found.iyy, found.izz}, Vector{expected.ixx, expected.iyy, expected.izz});
+    expect_same(Vector{found.ixy, found.ixz, found.iyz}, Vector{expected.ixy, expected.ixz, expected.iyz});
+  }
+
+  void expect_same(const model::Placement& found, const model::Placement& expected) const {
+    expect_same(found.translation, expected.translation);
+    expect_same(found.rotation, expected.rotation);
+  }
+
+  void expect_same(const Vector& found, const Vector& expected) const {
+    for (std::size_t i = 0; i < 3; ++i) expect_same(found[i], expected[i]);
+  }
+
+  // The same double, and the same multiple of PI.
+  void expect_same(const Quantity& found, const Quantity& expected) const {
+    EXPECT_EQ(evaluate(found, values_), evaluate(expected, values_));
+    ASSERT_EQ(found.is_constant(), expected.is_constant());
+    if (!expected.is_constant() || !expected.number().is_pi_multiple()) return;
+    EXPECT_TRUE(found.number() == expected.number()) << print(found.number()) << ", not " << print(expected.number());
+  }
+
+  const KinematicTree& found_;
+  const KinematicTree& expected_;
+  std::vector<double> values_;  // of the parameters
+};
+
+std::optional<KinematicTree> written_and_read(const KinematicTree& tree) {
+  const auto document = exporting::kinematics_document(tree);
+  const std::string text = language::kinematics::print(document);
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<Source>("test.kindsl", text);
+  const auto parsed = language::kinematics::parse(source, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.render() << text;
+  EXPECT_TRUE(language::kinematics::equal(parsed, document)) << text;
+  const auto result = import::kinematic_tree(parsed, diagnostics);
+  EXPECT_TRUE(result.has_value()) << diagnostics.render() << text;
+  return result;
+}
+
+TEST(ExportedDocument, IsTheSameModel) {
+  for (const test::NamedRobot& robot : test::all_robots()) {
+    SCOPED_TRACE(robot.document);
+    if (const auto found = written_and_read(robot.tree)) SameTree(*found, robot.tree).expect();
+  }
+}
+
+// Mass properties of random robots are given in frames that no link has: those are moved.
+TEST(ExportedDocument, OfARandomRobotIsTheSameModel) {
+  constexpr std::uint64_t kRobots = 300;
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const KinematicTree robot = numeric::random_robot(seed, {1, 40, numeric::Shape::any, false});
+    SCOPED_TRACE(numeric::describe(robot));
+    if (const auto found = written_and_read(robot)) SameTree(*found, robot).expect();
+    if (HasFailure()) return;
+  }
+}
+
+KinematicTree read(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto tree = test::read_document(std::make_shared<Source>("test.kindsl", text), diagnostics);
+  EXPECT_TRUE(tree.has_value()) << diagnostics.render();
+  return tree.value_or(KinematicTree{});
+}
+
+const std::string kInFrame = R"(Robot r {
+  RobotBase base { children { arm via j } }
+  link arm {
+    id = 1
+    inertia_params { mass = 2.0 CoM = (0.1, 0.0, 0.0) Ix = 1.0 Iy = 1.0 Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0
+                     ref_frame = body }
+    children {}
+    frames { tip { translation = (0.0, 0.0, 1.0) rotation = (0.0, 0.0, 0.0) }
+             body { translation = (0.0, len, 1.0) rotation = (PI/2.0, 0.0, 0.0) } }
+  }
+  r_joint j { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+})";
+
+TEST(ExportedDocument, KeepsTheFrameOfMassProperties) {
+  const auto document = exporting::kinematics_document(read(kInFrame));
+  ASSERT_TRUE(document.links[1].inertia->reference.has_value());
+  EXPECT_EQ(document.links[1].inertia->reference->text, "body");
+}
+
+// A frame without a name: the properties are moved, and a massless link has no centre of mass to divide for.
+TEST(ExportedDocument, MovesMassPropertiesFromAFrameThatHasNoName) {
+  KinematicTree tree = read(kInFrame);
+  tree.user_frames.clear();
+  tree.links[1].inertia->mass = Quantity();
+  model::Placement reference;
+  reference.translation[2] = Quantity(Number::rational(3));
+  reference.rotation[0] = Quantity(Number::pi_multiple(1, 2));
+  tree.links[1].inertia->reference = reference;
+  tree.links[1].inertia->iyy = Quantity(Number::rational(5));
+  tree.parameters.clear();
+  const auto found = written_and_read(tree);
+  ASSERT_TRUE(found.has_value());
+  const model::Inertia& inertia = *found->links[1].inertia;
+  EXPECT_EQ(evaluate(inertia.com[0]), 0.1);
+  EXPECT_EQ(evaluate(inertia.com[2]), 3.0);
+  EXPECT_EQ(evaluate(inertia.iyy), 1.0);
+  EXPECT_EQ(evaluate(inertia.izz), 5.0);
+}
+
+TEST(ExportedDocument, EscapesKeywords) {
+  const KinematicTree tree = read(R"(Robot ^Robot {
+  RobotBase ^link { children { ^mass via ^id } frames { ^via { translation = (^CoM, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }
+  link ^mass { id = 1 inertia_params { mass = ^mass CoM = (0.0, 0.0, 0.0) Ix = 1.0 Iy = 1.0 Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }
+               children {} }
+  r_joint ^id { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+})");
+  if (const auto found = written_and_read(tree)) SameTree(*found, tree).expect();
+}
+
+}  // namespace
+}  // namespace robcogen

@@ -1,0 +1,79 @@
+// The robots to export: those of robots/, and documents from the field.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "import/kinematics.h"
+
+namespace robcogen::test {
+
+struct NamedRobot {
+  std::string document;  // file name
+  model::KinematicTree tree;
+};
+
+inline std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder, const char* extension) {
+  std::vector<std::filesystem::path> files;
+  if (!std::filesystem::is_directory(folder)) return files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == extension) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+inline std::shared_ptr<const Source> source_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::make_shared<Source>(path.filename().string(), std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+inline std::optional<model::KinematicTree> read_document(
+    std::shared_ptr<const Source> source,
+    Diagnostics& diagnostics) {
+  const auto document = language::kinematics::parse(std::move(source), diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return import::kinematic_tree(document, diagnostics);
+}
+
+// Documents that are malformed on purpose or of another dialect.
+inline const std::set<std::string>& malformed_documents() {
+  static const std::set<std::string> names = {
+      "ESROCOS_kin-gen__tests_models_malformed_cmm-disconnected.kindsl",
+      "ESROCOS_kin-gen__tests_models_malformed_cmm-typo.kindsl",
+      "mfrigerio17_dsl-kinematics__models_two_links.kindsl",  // of 2012
+  };
+  return names;
+}
+
+// Every robot of robots/ and every well-formed one of the corpus, if that is there. Throws where one does not build.
+inline std::vector<NamedRobot> all_robots() {
+  std::vector<NamedRobot> robots;
+  for (const char* folder : {ROBCOGEN_ROBOTS_DIR, ROBCOGEN_CORPUS_DIR}) {
+    for (const std::filesystem::path& file : files_below(folder, ".kindsl")) {
+      const std::string name = file.filename().string();
+      if (malformed_documents().contains(name)) continue;
+      Diagnostics diagnostics;
+      const auto tree = read_document(source_of(file), diagnostics);
+      if (!tree) throw std::runtime_error(diagnostics.render());
+      robots.push_back({name, *tree});
+    }
+  }
+  return robots;
+}
+
+// Those that a URDF can say: it knows no parameters.
+inline std::vector<NamedRobot> constant_robots() {
+  std::vector<NamedRobot> robots = all_robots();
+  std::erase_if(robots, [](const NamedRobot& robot) { return !robot.tree.parameters.empty(); });
+  return robots;
+}
+
+}  // namespace robcogen::test
