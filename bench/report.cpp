@@ -1,164 +1,159 @@
-// One table of all robots and functions: time, operation counts and code size.
+// Measures all robots and reports: tables on the console, everything as JSON, times against degrees of freedom as SVG.
 //
-//     report [--nm PROGRAM] <benchmark program>=<static library> …
+//     report [--nm PROGRAM] [--json FILE] [--chart FILE] [--compiler TEXT] [--flags TEXT]
+//            <benchmark program>=<static library> …
 //
-// Runs each benchmark program, reads its results as JSON, and looks up the size of the kernels in the library.
-#include <sys/wait.h>
+// Runs each benchmark program on one processor, and looks up the size of the kernels in the library. The files are
+// written only when every program did its work. Exit status 1: one did not; 2: usage or output.
+#include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
-#include <cstring>
-#include <map>
-#include <memory>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "chart.h"
+#include "comparison.h"
+#include "machine.h"
+#include "report_json.h"
+#include "tables.h"
+
+namespace robcogen::bench {
 namespace {
 
-// Quoted for the shell.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
+constexpr int kRepetitions = 9;
+constexpr double kMinTime = 0.05;  // s, of a repetition
 
-// Standard output of a command; nullopt when it could not run or failed.
-std::optional<std::string> output_of(const std::string& command) {
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return std::nullopt;
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (status == -1 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
-  return text;
-}
-
-// Bytes of each kernel compiled for double, by its name. `listing` is the output of `nm -S -C`: address, size, type and
-// demangled name, such as `void hyl::kernel::inverse_dynamics<double>(double const*, …)`.
-std::map<std::string, long> kernel_sizes(const std::string& listing) {
-  std::map<std::string, long> sizes;
-  std::istringstream lines(listing);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string scope = "kernel::";
-    const std::size_t scope_at = line.find(scope);
-    const std::size_t end = line.find("<double>(");
-    if (scope_at == std::string::npos || end == std::string::npos || end < scope_at) continue;
-    const std::size_t begin = scope_at + scope.size();
-    std::istringstream fields(line);
-    std::string address, size;
-    if (!(fields >> address >> size)) continue;
-    // Each object file that uses a kernel may hold a copy; the linker keeps one.
-    sizes[line.substr(begin, end - begin)] = std::strtol(size.c_str(), nullptr, 16);
-  }
-  return sizes;
-}
-
-struct Row {
-  std::string function;
-  std::string kernel;
-  double nanoseconds = 0;
-  std::map<std::string, long> counts;
+struct Robot {
+  std::string program;
+  std::string library;
 };
 
-struct Results {
-  std::string robot;
-  std::vector<Row> rows;
+struct Arguments {
+  std::string nm = "nm", json, chart, compiler, flags;
+  std::vector<Robot> robots;
 };
 
-const std::vector<std::string> kCounts = {"mul", "add", "div", "sincos", "instructions", "critical_path"};
-
-// The medians of a run with repetitions.
-Results read_results(const std::string& json) {
-  const nlohmann::json document = nlohmann::json::parse(json);
-  Results results;
-  results.robot = document.at("context").value("robot", "");
-  for (const nlohmann::json& entry : document.at("benchmarks")) {
-    if (entry.value("aggregate_name", "") != "median") continue;
-    Row row;
-    row.function = entry.at("run_name").get<std::string>();
-    row.kernel = entry.value("label", "");
-    row.nanoseconds = entry.at("cpu_time").get<double>();
-    for (const std::string& name : kCounts) {
-      if (entry.contains(name)) row.counts[name] = static_cast<long>(entry.at(name).get<double>());
+// nullopt when they are no good.
+std::optional<Arguments> read_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
+  const std::map<std::string, std::string*> options = {
+      {"--nm", &arguments.nm},
+      {"--json", &arguments.json},
+      {"--chart", &arguments.chart},
+      {"--compiler", &arguments.compiler},
+      {"--flags", &arguments.flags}};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto option = options.find(words[i]);
+    const std::size_t equals = words[i].find('=');
+    if (option != options.end() && i + 1 < words.size()) {
+      *option->second = words[++i];
+    } else if (option == options.end() && equals != std::string::npos) {
+      arguments.robots.push_back({words[i].substr(0, equals), words[i].substr(equals + 1)});
+    } else {
+      return std::nullopt;
     }
-    results.rows.push_back(row);
   }
+  return arguments;
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// nullopt, said on standard error, when the program or its results are no good.
+std::optional<Results> measure(const std::string& program) {
+  // A file, because libraries print what they like on standard output.
+  const std::string file = program + ".json";
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  const std::string command = fmt::format(
+      "{} --benchmark_out={} --benchmark_out_format=json --benchmark_repetitions={} --benchmark_min_time={}"
+      " --benchmark_enable_random_interleaving=true",
+      quoted(program), quoted(file), kRepetitions, kMinTime);
+  if (!output_of(command)) {
+    fmt::print(stderr, "report: {} failed\n", program);
+    return std::nullopt;
+  }
+  std::optional<Results> results;
+  try {
+    results = read_results(text_of(file));
+  } catch (const nlohmann::json::exception& e) {
+    fmt::print(stderr, "report: {} gave no results: {}\n", program, e.what());
+  }
+  std::filesystem::remove(file, ignored);
   return results;
 }
 
-void print_heading() {
-  std::printf(
-      "%-16s %-44s %9s %6s %6s %4s %6s %6s %6s %9s\n", "robot", "function", "ns", "mul", "add", "div", "sincos",
-      "instr", "path", "bytes");
-}
-
-void print_row(const std::string& robot, const Row& row, const std::map<std::string, long>& sizes) {
-  const auto size = sizes.find(row.kernel);
-  const std::string bytes = size == sizes.end() ? "-" : std::to_string(size->second);
-  std::printf("%-16s %-44s %9.1f", robot.c_str(), row.function.c_str(), row.nanoseconds);
-  const std::array<int, 6> widths = {6, 6, 4, 6, 6, 6};
-  for (std::size_t i = 0; i < kCounts.size(); ++i) {
-    // A benchmark leaves zeros out; one of a kernel without counts has none at all.
-    const auto count = row.counts.find(kCounts[i]);
-    const std::string text = row.counts.empty() ? "-" : std::to_string(count == row.counts.end() ? 0 : count->second);
-    std::printf(" %*s", widths[i], text.c_str());
-  }
-  std::printf(" %9s\n", bytes.c_str());
-}
-
-// False when the program or its results are no good.
-bool report_robot(const std::string& program, const std::string& library, const std::string& nm) {
-  const std::string options =
-      " --benchmark_format=json --benchmark_repetitions=5 --benchmark_report_aggregates_only=true"
-      " --benchmark_min_time=0.05";
-  const std::optional<std::string> json = output_of(quoted(program) + options);
-  if (!json) {
-    std::fprintf(stderr, "report: %s failed\n", program.c_str());
+bool write(const std::string& path, const std::string& text) {
+  if (path.empty()) return true;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    fmt::print(stderr, "report: cannot write {}\n", path);
     return false;
   }
-  Results results;
-  try {
-    results = read_results(*json);
-  } catch (const nlohmann::json::exception& e) {
-    std::fprintf(stderr, "report: %s printed no results: %s\n", program.c_str(), e.what());
-    return false;
-  }
-  // Without sizes the table is still worth printing.
-  const std::map<std::string, long> sizes =
-      kernel_sizes(output_of(quoted(nm) + " -S -C " + quoted(library)).value_or(""));
-  for (const Row& row : results.rows) print_row(results.robot, row, sizes);
-  std::fflush(stdout);
+  fmt::print("written: {}\n", path);
   return true;
 }
 
+void print_legend(const Setup& setup) {
+  fmt::print(
+      "\nns: processor time of one call with sin and cos, median of {} repetitions over 1024 states in turn; instr:\n"
+      "multiplications and additions, fused where one feeds the other; path: cycles of the longest chain; bytes: the\n"
+      "compiled kernel; x: time of the other library / time of the generated code.\n",
+      setup.repetitions);
+  fmt::print(
+      "{}{}\n",
+      setup.pinned_to ? fmt::format("On processor {} alone", *setup.pinned_to) : "On no processor in particular",
+      setup.processor.empty() ? "." : fmt::format(", {}.", setup.processor));
+  if (!setup.compiler.empty()) fmt::print("Compiled by {}: {}\n", setup.compiler, setup.flags);
+}
+
+int report(const Arguments& arguments) {
+  const Setup setup = {arguments.compiler,     arguments.flags, processor_name(),
+                       pin_to_one_processor(), kRepetitions,    kMinTime};
+  std::vector<Results> all;
+  std::vector<std::map<std::string, long>> all_sizes;
+  fmt::print("{}", function_heading());
+  for (const auto& [program, library] : arguments.robots) {
+    const std::optional<Results> results = measure(program);
+    if (!results) continue;
+    // Without sizes the table is still worth printing.
+    const std::map<std::string, long> sizes =
+        kernel_sizes(output_of(quoted(arguments.nm) + " -S -C " + quoted(library)).value_or(""));
+    fmt::print("{}", function_rows(*results, sizes));
+    std::fflush(stdout);
+    all.push_back(*results);
+    all_sizes.push_back(sizes);
+  }
+  const std::string compared = comparison_table(all);
+  if (!compared.empty()) fmt::print("\n{}", compared);
+  print_legend(setup);
+  if (all.size() < arguments.robots.size()) return 1;
+  const bool written =
+      write(arguments.json, report_json(setup, all, all_sizes)) && write(arguments.chart, svg(chart_panels(all)));
+  return written ? 0 : 2;
+}
+
 }  // namespace
+}  // namespace robcogen::bench
 
 int main(int argc, char** argv) {
-  std::string nm = "nm";
-  std::vector<std::string> robots;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--nm") == 0 && i + 1 < argc) {
-      nm = argv[++i];
-    } else {
-      robots.push_back(argv[i]);
-    }
+  const auto arguments = robcogen::bench::read_arguments({argv + 1, argv + argc});
+  if (!arguments) {
+    std::fprintf(
+        stderr,
+        "usage: %s [--nm PROGRAM] [--json FILE] [--chart FILE] [--compiler TEXT] [--flags TEXT]\n"
+        "       <benchmark program>=<static library> ...\n",
+        argv[0]);
+    return 2;
   }
-  print_heading();
-  bool good = true;
-  for (const std::string& pair : robots) {
-    const std::size_t equals = pair.find('=');
-    if (equals == std::string::npos) {
-      std::fprintf(stderr, "usage: %s [--nm PROGRAM] <benchmark program>=<static library> ...\n", argv[0]);
-      return 2;
-    }
-    good = report_robot(pair.substr(0, equals), pair.substr(equals + 1), nm) && good;
-  }
-  std::printf(
-      "\nns: median of 5 repetitions, one call with sin and cos, 1024 states in turn; instr: multiplications and\n"
-      "additions, fused where one feeds the other; path: cycles of the longest chain; bytes: the compiled kernel.\n");
-  return good ? 0 : 1;
+  return robcogen::bench::report(*arguments);
 }

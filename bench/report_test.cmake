@@ -1,42 +1,122 @@
-# The report, of a benchmark and an nm that print what is known beforehand.
+# The report, of benchmarks and an nm that print what is known beforehand.
 #     cmake -DREPORT=<program> -DDIRECTORY=<scratch> -P report_test.cmake
 file(REMOVE_RECURSE ${DIRECTORY})
 file(MAKE_DIRECTORY ${DIRECTORY})
 
-function(write_program name text)
-  file(WRITE ${DIRECTORY}/${name} "#!/bin/sh\ncat <<'END'\n${text}\nEND\n")
+function(write_script name text)
+  file(WRITE ${DIRECTORY}/${name} "#!/bin/sh\n${text}\n")
   file(CHMOD ${DIRECTORY}/${name} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 endfunction()
 
-# Only medians count; a counter of zero is left out by the benchmark.
-write_program(leg_bench [=[
-{"context": {"robot": "Leg"}, "benchmarks": [
- {"run_name": "inverse_dynamics", "aggregate_name": "mean", "cpu_time": 77.7, "label": "inverse_dynamics", "mul": 33},
- {"run_name": "inverse_dynamics", "aggregate_name": "median", "cpu_time": 21.84, "label": "inverse_dynamics",
-  "mul": 3.3e1, "add": 24, "sincos": 2, "instructions": 36, "critical_path": 44},
- {"run_name": "strange", "aggregate_name": "median", "cpu_time": 5, "label": "strange"}]}]=])
+# A benchmark that chats on standard output, as some libraries do, and writes its results where it is told to.
+function(write_benchmark name results)
+  write_script(${name} "echo chat
+for argument; do
+  case $argument in --benchmark_out=*) file=\${argument#*=};; esac
+done
+cat > \"$file\" <<'END'
+${results}
+END")
+endfunction()
+
+# Repetitions in disorder; medians count, 21.84 here; a counter of zero is left out by the benchmark.
+write_benchmark(leg_bench [=[
+{"context": {"host_name": "secret", "robot": "Leg", "joints": "2", "states": "1024", "floating_base": "no",
+  "peers": "Judge\nSlow judge", "absent": "Stranger: not installed\nOther: has no legs", "num_cpus": 2,
+  "compared/inverse_dynamics": "inverse_dynamics"},
+ "benchmarks": [
+ {"run_name": "strange", "family_index": 1, "run_type": "iteration", "cpu_time": 5, "label": "strange"},
+ {"run_name": "inverse_dynamics", "family_index": 0, "run_type": "iteration", "cpu_time": 99.9,
+  "label": "inverse_dynamics", "mul": 3.3e1, "add": 24, "sincos": 2, "instructions": 36, "critical_path": 44},
+ {"run_name": "inverse_dynamics", "family_index": 0, "run_type": "iteration", "cpu_time": 21.5},
+ {"run_name": "Judge/inverse_dynamics", "family_index": 2, "run_type": "iteration", "cpu_time": 109.2},
+ {"run_name": "inverse_dynamics", "family_index": 0, "run_type": "iteration", "cpu_time": 21.84},
+ {"run_name": "inverse_dynamics", "family_index": 0, "run_type": "aggregate", "cpu_time": 47.7},
+ {"run_name": "Slow judge/inverse_dynamics", "family_index": 3, "run_type": "iteration", "cpu_time": 1000}]}]=])
+# Twice as slow, and Judge 20 times as slow as that: its geometric mean is 10.
+write_benchmark(arm_bench [=[
+{"context": {"robot": "Arm", "joints": "12", "states": "1024", "floating_base": "yes", "peers": "Judge",
+  "absent": "Stranger: not installed", "compared/inverse_dynamics": "inverse_dynamics_fully_actuated"},
+ "benchmarks": [
+ {"run_name": "inverse_dynamics_fully_actuated", "family_index": 0, "run_type": "iteration", "cpu_time": 43.68},
+ {"run_name": "Judge/inverse_dynamics", "family_index": 1, "run_type": "iteration", "cpu_time": 873.6}]}]=])
 # 0x24c = 588 bytes; the kernel for float, and one whose name only begins alike, are others.
-write_program(nm [=[
+write_script(nm "cat <<'END'
 
 leg.cpp.o:
 0000000000000000 0000000000000fff W void leg::kernel::inverse_dynamics<float>(float const*, float*)
 0000000000000000 000000000000024c W void leg::kernel::inverse_dynamics<double>(double const*, double*)
 0000000000000000 0000000000000111 W void leg::kernel::inverse_dynamics_gravity<double>(double const*, double*)
-                 U sin]=])
-write_program(broken_bench "no JSON")
+                 U sin
+END")
+write_benchmark(broken_bench "no JSON")
+write_script(disagreeing_bench "echo 'Judge disagrees' >&2; exit 1")
 
+set(files --json ${DIRECTORY}/report.json --chart ${DIRECTORY}/chart.svg)
 execute_process(
-  COMMAND ${REPORT} --nm ${DIRECTORY}/nm ${DIRECTORY}/leg_bench=libleg.a OUTPUT_VARIABLE table RESULT_VARIABLE status)
-foreach(row "Leg +inverse_dynamics +21.8 +33 +24 +0 +2 +36 +44 +588" "Leg +strange +5.0 +- +- +- +- +- +- +-")
+  COMMAND ${REPORT} --nm ${DIRECTORY}/nm ${files} --compiler "Judge's C++ 12" --flags -O7 ${DIRECTORY}/leg_bench=libleg.a
+          ${DIRECTORY}/arm_bench=libarm.a
+  OUTPUT_VARIABLE table
+  RESULT_VARIABLE status)
+foreach(row
+    "Leg +inverse_dynamics +21.8 +33 +24 +0 +2 +36 +44 +588"
+    "Leg +strange +5.0 +- +- +- +- +- +- +-"
+    "robot, DoF +quantity +RobCoGen +Judge +Slow judge"
+    "Leg, 2 +inverse dynamics +21.8 +109.2 +5.0x +1000.0 +45.8x"
+    "Arm, 18 +inverse dynamics +43.7 +873.6 +20.0x +-"
+    "geometric mean +inverse dynamics +.robots. +.2. +10.0x +.1. +45.8x"
+    "not measured: Stranger: not installed"
+    "not measured: Other: has no legs .Leg."
+    "written: ${DIRECTORY}/report.json")
   if(NOT status EQUAL 0 OR NOT table MATCHES "\n${row}\n")
     message(FATAL_ERROR "status ${status}, no row '${row}' in\n${table}")
   endif()
 endforeach()
 
-foreach(argument ${DIRECTORY}/broken_bench=libleg.a ${DIRECTORY}/absent=libleg.a no_library)
+file(READ ${DIRECTORY}/report.json json)
+function(expect_json value)
+  string(JSON found GET "${json}" ${ARGN})
+  if(NOT found EQUAL value AND NOT found STREQUAL value)
+    message(FATAL_ERROR "${ARGN} is '${found}' and not '${value}' in\n${json}")
+  endif()
+endfunction()
+expect_json("Judge's C++ 12" compiler)
+expect_json(-O7 flags)
+expect_json(2 machine processors)
+expect_json(1024 method states)
+expect_json(588 robots 0 functions 0 bytes)
+expect_json(36 robots 0 functions 0 counts instructions)
+expect_json(21.84 robots 0 comparisons 0 time median)
+expect_json(21.5 robots 0 comparisons 0 time min)
+expect_json(99.9 robots 0 comparisons 0 time max)
+expect_json(5 robots 0 comparisons 0 peers 0 ratio)
+expect_json("has no legs" robots 0 absent 1 reason)
+expect_json(ON robots 1 floating_base)
+expect_json(inverse_dynamics_fully_actuated robots 1 comparisons 0 function)
+expect_json(Judge geometric_means 0 peer)
+expect_json(2 geometric_means 0 robots)
+if(json MATCHES "secret|host|date|${DIRECTORY}")
+  message(FATAL_ERROR "the report says where it was made:\n${json}")
+endif()
+file(READ ${DIRECTORY}/chart.svg chart)
+if(NOT chart MATCHES "Judge, Arm: 873.6 ns")
+  message(FATAL_ERROR "a point is missing in\n${chart}")
+endif()
+
+# A program that fails or cannot be understood: the rest is measured, no file is written.
+foreach(argument ${DIRECTORY}/broken_bench=libleg.a ${DIRECTORY}/disagreeing_bench=libleg.a ${DIRECTORY}/absent=libleg.a
+                 no_library)
+  file(REMOVE ${DIRECTORY}/report.json)
   execute_process(
-    COMMAND ${REPORT} ${argument} OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE status)
-  if(status EQUAL 0 OR errors STREQUAL "")
+    COMMAND ${REPORT} ${files} ${argument} ${DIRECTORY}/arm_bench=libarm.a
+    OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE status)
+  if(status EQUAL 0 OR errors STREQUAL "" OR EXISTS ${DIRECTORY}/report.json)
     message(FATAL_ERROR "${argument} was accepted")
   endif()
 endforeach()
+execute_process(
+  COMMAND ${REPORT} --json ${DIRECTORY}/no/folder/report.json ${DIRECTORY}/arm_bench=libarm.a
+  OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
+if(NOT status EQUAL 2)
+  message(FATAL_ERROR "a file that cannot be written: status ${status}")
+endif()

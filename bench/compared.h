@@ -1,0 +1,89 @@
+// What the generated code of one robot computes and other libraries compute too, in their conventions (peers/peer.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "agreement.h"
+#include "functions.h"
+
+namespace robcogen::bench {
+
+template <class R>
+peers::State converted_state(const State<R>& s) {
+  return {s.q, s.qd, s.qdd, s.tau, s.base_velocity.vector(), s.base_acceleration.vector()};
+}
+
+template <class R>
+std::vector<peers::State> converted_states(const std::vector<State<R>>& states) {
+  std::vector<peers::State> result;
+  for (const State<R>& s : states) result.push_back(converted_state<R>(s));
+  return result;
+}
+
+inline peers::Subject subject(const Robot& robot, const std::string& urdf) {
+  peers::Subject result;
+  result.urdf = urdf;
+  for (const reflection::Joint& joint : robot.joints) result.joints.push_back(joint.name);
+  result.floating_base = robot.floating_base;
+  result.gravity = kStandardGravity.vector();
+  if (const reflection::Jacobian* jacobian = compared_jacobian(robot)) result.link = urdf_link(robot, jacobian->right);
+  return result;
+}
+
+// A column or a matrix of what a function returns, the base first.
+template <class Derived>
+Eigen::MatrixXd flat(const Eigen::MatrixBase<Derived>& value) {
+  return value;
+}
+inline Eigen::MatrixXd stacked(const Eigen::VectorXd& base, const Eigen::VectorXd& joints) {
+  Eigen::MatrixXd result(base.size() + joints.size(), 1);
+  result << base, joints;
+  return result;
+}
+template <int kDof>
+Eigen::MatrixXd flat(const GeneralizedForce<double, kDof>& value) {
+  return stacked(value.base_wrench.vector(), value.tau);
+}
+template <int kDof>
+Eigen::MatrixXd flat(const GeneralizedAcceleration<double, kDof>& value) {
+  return stacked(value.base_acceleration.vector(), value.qdd);
+}
+
+// With a column for each joint: zero for those that are not of the chain.
+inline Eigen::MatrixXd full_jacobian(const reflection::Jacobian& jacobian, const Eigen::VectorXd& q) {
+  Eigen::MatrixXd narrow(6, jacobian.column_count);
+  jacobian.kernel(q.data(), narrow.data());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, q.size());
+  for (int i = 0; i < jacobian.column_count; ++i) J.col(jacobian.columns[i]) = narrow.col(i);
+  return J;
+}
+
+// Those quantities that the library has. The states outlive the result.
+template <class R>
+std::vector<Computed> computed(const Robot& robot, const std::vector<State<R>>& states) {
+  std::vector<Computed> all;
+  if constexpr (ROBCOGEN_HAS_INVERSE_DYNAMICS) {
+    all.push_back({peers::Quantity::inverse_dynamics, kInverseDynamics<R>, [&states](std::size_t i) {
+                     return flat(inverse_dynamics<R>(states[i]));
+                   }});
+  }
+  if constexpr (ROBCOGEN_HAS_FORWARD_DYNAMICS) {
+    all.push_back({peers::Quantity::forward_dynamics, "forward_dynamics", [&states](std::size_t i) {
+                     return flat(forward_dynamics<R>(states[i]));
+                   }});
+  }
+  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA) {
+    all.push_back({peers::Quantity::inertia_matrix, "joint_space_inertia", [&states](std::size_t i) {
+                     return flat(R::joint_space_inertia(states[i].q));
+                   }});
+  }
+  if (const reflection::Jacobian* jacobian = compared_jacobian(robot)) {
+    all.push_back({peers::Quantity::jacobian, benchmark_name(*jacobian), [&states, jacobian](std::size_t i) {
+                     return full_jacobian(*jacobian, states[i].q);
+                   }});
+  }
+  return all;
+}
+
+}  // namespace robcogen::bench

@@ -1,0 +1,220 @@
+// The benchmarks of one generated library. Each calls a function through its public wrapper, for each state in turn;
+// its label is the name of the kernel beneath, its counters are that kernel's operation counts.
+//
+// The context entry `compared/<quantity>` names the benchmark that is set against those of other libraries.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "robcogen/reference/kinematics.h"
+#include "states.h"
+
+namespace robcogen::bench {
+
+inline void add_counts(benchmark::State& state, const Robot& robot, const std::string& kernel) {
+  state.SetLabel(kernel);
+  for (const reflection::Function& f : robot.functions) {
+    if (kernel != f.name) continue;
+    // Zeros are left out: the library reports their coefficient of variation, 0 / 0, which is no JSON.
+    const auto add = [&](const char* name, int count) {
+      if (count != 0) state.counters[name] = count;
+    };
+    add("mul", f.count.mul);
+    add("add", f.count.add);
+    add("div", f.count.div);
+    add("sqrt", f.count.sqrt);
+    add("sincos", f.count.sincos);
+    add("instructions", f.count.instructions);
+    add("critical_path", f.count.critical_path);
+  }
+}
+
+// Times call(state) over all states in turn. Robot and states outlive the benchmarks.
+template <class R, class Call>
+void add(
+    const Robot& robot,
+    const std::vector<State<R>>& states,
+    const std::string& name,
+    const std::string& kernel,
+    Call call) {
+  benchmark::RegisterBenchmark(name.c_str(), [&robot, &states, kernel, call](benchmark::State& state) {
+    std::size_t next = 0;
+    for (auto _ : state) {
+      auto result = call(states[next]);
+      benchmark::DoNotOptimize(result);
+      next = (next + 1) % kStates;
+    }
+    add_counts(state, robot, kernel);
+  });
+}
+
+// What is compared with other libraries: for a floating base, the acceleration of the base is given.
+template <class R>
+auto inverse_dynamics(const State<R>& s) {
+  if constexpr (R::kFloatingBase) {
+    return R::inverse_dynamics_fully_actuated(s.q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
+  } else {
+    return R::inverse_dynamics(s.q, s.qd, s.qdd);
+  }
+}
+
+template <class R>
+auto forward_dynamics(const State<R>& s) {
+  if constexpr (R::kFloatingBase) {
+    return R::forward_dynamics(s.q, s.qd, s.tau, s.base_velocity);
+  } else {
+    return R::forward_dynamics(s.q, s.qd, s.tau);
+  }
+}
+
+template <class R>
+constexpr const char* kInverseDynamics = R::kFloatingBase ? "inverse_dynamics_fully_actuated" : "inverse_dynamics";
+
+template <class R>
+void add_inverse_dynamics(const Robot& robot, const std::vector<State<R>>& states) {
+  const char* compared = kInverseDynamics<R>;
+  benchmark::AddCustomContext("compared/inverse_dynamics", compared);
+  if constexpr (R::kFloatingBase) {
+    add<R>(robot, states, "inverse_dynamics", "inverse_dynamics", [](const State<R>& s) {
+      return R::inverse_dynamics(s.q, s.qd, s.qdd, s.base_velocity);
+    });
+  }
+  add<R>(robot, states, compared, compared, [](const State<R>& s) { return inverse_dynamics<R>(s); });
+}
+
+template <class R>
+void add_forward_dynamics(const Robot& robot, const std::vector<State<R>>& states) {
+  benchmark::AddCustomContext("compared/forward_dynamics", "forward_dynamics");
+  add<R>(
+      robot, states, "forward_dynamics", "forward_dynamics", [](const State<R>& s) { return forward_dynamics<R>(s); });
+}
+
+template <class R>
+void add_inertia_matrix(const Robot& robot, const std::vector<State<R>>& states) {
+  benchmark::AddCustomContext("compared/inertia_matrix", "joint_space_inertia");
+  add<R>(robot, states, "joint_space_inertia", "joint_space_inertia", [](const State<R>& s) {
+    return R::joint_space_inertia(s.q);
+  });
+}
+
+template <class R>
+void add_bias_forces(const Robot& robot, const std::vector<State<R>>& states) {
+  add<R>(robot, states, "bias_forces", "bias_forces", [](const State<R>& s) {
+    if constexpr (R::kFloatingBase) {
+      return R::bias_forces(s.q, s.qd, s.base_velocity);
+    } else {
+      return R::bias_forces(s.q, s.qd);
+    }
+  });
+}
+
+// Joints between two links: those that support one of them and not the other.
+inline int chain_length(const Robot& robot, int a, int b) {
+  std::vector<int> left = reference::supporting_joints(robot, a);
+  std::vector<int> right = reference::supporting_joints(robot, b);
+  while (!left.empty() && !right.empty() && left.back() == right.back()) {  // both lists end at the base
+    left.pop_back();
+    right.pop_back();
+  }
+  return static_cast<int>(left.size() + right.size());
+}
+
+// The first of those with the longest chain; null when there is none.
+inline const reflection::Transform* longest_transform(const Robot& robot) {
+  const reflection::Transform* longest = nullptr;
+  int length = -1;
+  for (const reflection::Transform& t : robot.transforms) {
+    const int joints = chain_length(robot, robot.frames[t.left].link, robot.frames[t.right].link);
+    if (joints > length) {
+      longest = &t;
+      length = joints;
+    }
+  }
+  return longest;
+}
+
+// The first of those with most columns; null when there is none.
+inline const reflection::Jacobian* widest_jacobian(const Robot& robot) {
+  const reflection::Jacobian* widest = nullptr;
+  for (const reflection::Jacobian& j : robot.jacobians) {
+    if (widest == nullptr || j.column_count > widest->column_count) widest = &j;
+  }
+  return widest;
+}
+
+// The link of the robot's URDF whose origin is the frame's; empty when there may be none.
+inline std::string urdf_link(const Robot& robot, int frame) {
+  const std::string name = robot.frames[frame].name;
+  const auto is = [&](const std::string& other) { return name == other; };
+  for (const reflection::Joint& joint : robot.joints) {
+    if (is(std::string("fr_") + joint.name)) return "";
+  }
+  for (const reflection::Link& link : robot.links) {
+    if (!is(std::string("fr_") + link.name)) continue;
+    // A user frame of the link's own name takes the link's place in the URDF.
+    for (const reflection::Frame& other : robot.frames) {
+      if (std::string(other.name) == link.name) return "";
+    }
+    return link.name;
+  }
+  return name;  // a user frame
+}
+
+inline bool is_base(const reflection::Frame& frame) {
+  const auto zero = [](double x) { return x == 0; };
+  return frame.link == 0 && std::all_of(frame.translation, frame.translation + 3, zero) &&
+         std::all_of(frame.rotation, frame.rotation + 3, zero);
+}
+
+// The widest of those that other libraries compute too: from the base to a link of the URDF. Null when there is none.
+inline const reflection::Jacobian* compared_jacobian(const Robot& robot) {
+  const reflection::Jacobian* widest = nullptr;
+  for (const reflection::Jacobian& j : robot.jacobians) {
+    if (!is_base(robot.frames[j.left]) || urdf_link(robot, j.right).empty()) continue;
+    if (widest == nullptr || j.column_count > widest->column_count) widest = &j;
+  }
+  return widest;
+}
+
+inline std::string benchmark_name(const reflection::Jacobian& jacobian) {
+  return std::string("jacobian/") + jacobian.name;
+}
+
+template <class R>
+void add_jacobian(const Robot& robot, const std::vector<State<R>>& states, const reflection::Jacobian& jacobian) {
+  add<R>(robot, states, benchmark_name(jacobian), jacobian.name, [kernel = jacobian.kernel](const State<R>& s) {
+    Eigen::Matrix<double, 6, R::kDof> J;
+    kernel(s.q.data(), J.data());
+    return J;
+  });
+}
+
+// The tables are empty where a group is missing.
+template <class R>
+void add_kinematics(const Robot& robot, const std::vector<State<R>>& states) {
+  if (const reflection::Transform* longest = longest_transform(robot)) {
+    const std::string name = longest->name;
+    add<R>(robot, states, "homogeneous/" + name, "homogeneous_" + name, [longest](const State<R>& s) {
+      Eigen::Matrix4d X;
+      longest->homogeneous(s.q.data(), X.data());
+      return X;
+    });
+    add<R>(robot, states, "motion/" + name, "motion_" + name, [longest](const State<R>& s) {
+      Eigen::Matrix<double, 6, 6> X;
+      longest->motion(s.q.data(), X.data());
+      return X;
+    });
+  }
+  const reflection::Jacobian* widest = widest_jacobian(robot);
+  const reflection::Jacobian* compared = compared_jacobian(robot);
+  if (widest != nullptr) add_jacobian<R>(robot, states, *widest);
+  if (compared != nullptr) {
+    if (compared != widest) add_jacobian<R>(robot, states, *compared);
+    benchmark::AddCustomContext("compared/jacobian", benchmark_name(*compared));
+  }
+}
+
+}  // namespace robcogen::bench

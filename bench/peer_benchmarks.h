@@ -1,0 +1,18 @@
+// The benchmarks of other libraries on the states of one robot.
+#pragma once
+
+#include <vector>
+
+#include "agreement.h"
+
+namespace robcogen::bench {
+
+// Adds `<peer>/<quantity>` for whatever the generated code computes and the peers have; the label is the name of the
+// benchmark that it is set against. All peers were prepared with `states` states. The context entry `peers` lists the
+// peers, `absent` the libraries that take no part with their reasons, one a line.
+void add_peer_benchmarks(
+    const std::vector<peers::Candidate>& candidates,
+    const std::vector<Computed>& computed,
+    std::size_t states);
+
+}  // namespace robcogen::bench

@@ -1,0 +1,30 @@
+// The report as data.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results.h"
+
+namespace robcogen::bench {
+
+// How it was measured. Empty where nobody said.
+struct Setup {
+  std::string compiler;
+  std::string flags;
+  std::string processor;
+  std::optional<int> pinned_to;  // number of the processor
+  int repetitions = 0;
+  double min_time = 0;  // of a repetition, s
+};
+
+// All rows, ratios, means and absences, with units and setup; no host, path or date. `sizes` has for each robot the
+// bytes of its kernels.
+std::string report_json(
+    const Setup& setup,
+    const std::vector<Results>& robots,
+    const std::vector<std::map<std::string, long>>& sizes);
+
+}  // namespace robcogen::bench

@@ -1,0 +1,106 @@
+#include "results.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace robcogen::bench {
+
+const std::vector<std::string> kCounts = {"mul", "add", "div", "sincos", "instructions", "critical_path"};
+const std::vector<std::string> kQuantities = {"inverse_dynamics", "forward_dynamics", "inertia_matrix", "jacobian"};
+
+namespace {
+
+// At least one value.
+Time time_of(std::vector<double> nanoseconds) {
+  std::sort(nanoseconds.begin(), nanoseconds.end());
+  const std::size_t n = nanoseconds.size();
+  const double median = n % 2 == 1 ? nanoseconds[n / 2] : (nanoseconds[n / 2 - 1] + nanoseconds[n / 2]) / 2;
+  return {median, nanoseconds.front(), nanoseconds.back()};
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+// A line of the context entry `absent`: "library: reason".
+Absence absence(const std::string& line) {
+  const std::size_t colon = line.find(": ");
+  return colon == std::string::npos ? Absence{line, ""} : Absence{line.substr(0, colon), line.substr(colon + 2)};
+}
+
+void read_context(const nlohmann::json& context, Results& results) {
+  results.robot = context.value("robot", "");
+  results.joints = std::atoi(context.value("joints", "0").c_str());
+  results.states = std::atoi(context.value("states", "0").c_str());
+  results.floating_base = context.value("floating_base", "no") == "yes";
+  results.peers = lines(context.value("peers", ""));
+  for (const std::string& line : lines(context.value("absent", ""))) results.absent.push_back(absence(line));
+  for (const std::string& quantity : kQuantities) {
+    const std::string key = "compared/" + quantity;
+    if (context.contains(key)) results.compared[quantity] = context.at(key).get<std::string>();
+  }
+  results.processors = context.value("num_cpus", 0);
+  results.megahertz = context.value("mhz_per_cpu", 0);
+  results.frequency_scaling = context.value("cpu_scaling_enabled", false);
+}
+
+// One benchmark, of all its repetitions.
+void read_benchmark(const std::vector<nlohmann::json>& repetitions, Results& results) {
+  const nlohmann::json& first = repetitions.front();
+  std::vector<double> nanoseconds;
+  for (const nlohmann::json& entry : repetitions) nanoseconds.push_back(entry.at("cpu_time").get<double>());
+  const Time time = time_of(nanoseconds);
+  const std::string name = first.at("run_name").get<std::string>();
+  const std::size_t slash = name.find('/');
+  const std::string library = name.substr(0, slash);
+  if (std::find(results.peers.begin(), results.peers.end(), library) != results.peers.end()) {
+    results.peer_times.push_back({library, slash == std::string::npos ? "" : name.substr(slash + 1), time});
+    return;
+  }
+  Function function{name, first.value("label", ""), time, {}};
+  for (const std::string& count : kCounts) {
+    if (first.contains(count)) function.counts[count] = static_cast<long>(first.at(count).get<double>());
+  }
+  results.functions.push_back(function);
+}
+
+}  // namespace
+
+Results read_results(const std::string& json) {
+  const nlohmann::json document = nlohmann::json::parse(json);
+  Results results;
+  read_context(document.at("context"), results);
+  // Repetitions come in the order in which they were run; a family is one call that added a benchmark.
+  std::map<int, std::vector<nlohmann::json>> repetitions;
+  for (const nlohmann::json& entry : document.at("benchmarks")) {
+    if (entry.value("run_type", "") != "iteration") continue;  // means and the like
+    repetitions[entry.at("family_index").get<int>()].push_back(entry);
+  }
+  for (const auto& [family, entries] : repetitions) read_benchmark(entries, results);
+  return results;
+}
+
+std::map<std::string, long> kernel_sizes(const std::string& listing) {
+  std::map<std::string, long> sizes;
+  std::istringstream stream(listing);
+  for (std::string line; std::getline(stream, line);) {
+    const std::string scope = "kernel::";
+    const std::size_t scope_at = line.find(scope);
+    const std::size_t end = line.find("<double>(");
+    if (scope_at == std::string::npos || end == std::string::npos || end < scope_at) continue;
+    const std::size_t begin = scope_at + scope.size();
+    std::istringstream fields(line);
+    std::string address, size;
+    if (!(fields >> address >> size)) continue;
+    // Each object file that uses a kernel may hold a copy; the linker keeps one.
+    sizes[line.substr(begin, end - begin)] = std::strtol(size.c_str(), nullptr, 16);
+  }
+  return sizes;
+}
+
+}  // namespace robcogen::bench

@@ -1,0 +1,63 @@
+// What one benchmark program measured.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace robcogen::bench {
+
+// Of one call, ns, over the repetitions.
+struct Time {
+  double median = 0;
+  double least = 0;
+  double most = 0;
+};
+
+// A function of the generated library.
+struct Function {
+  std::string name;    // of its benchmark
+  std::string kernel;  // that it calls
+  Time time;
+  std::map<std::string, long> counts;  // of operations; zeros are left out
+};
+
+// The same quantity by another library.
+struct PeerTime {
+  std::string peer;
+  std::string quantity;  // of kQuantities
+  Time time;
+};
+
+struct Absence {
+  std::string library;
+  std::string reason;
+};
+
+struct Results {
+  std::string robot;
+  int joints = 0;
+  bool floating_base = false;
+  int states = 0;  // that each function is called with in turn
+  std::vector<Function> functions;
+  std::vector<PeerTime> peer_times;
+  std::vector<std::string> peers;  // in the order in which they are listed everywhere
+  std::vector<Absence> absent;
+  std::map<std::string, std::string> compared;  // quantity -> the function that is set against peers
+  int processors = 0;
+  int megahertz = 0;
+  bool frequency_scaling = false;
+};
+
+// The operation counts that are shown, and the quantities that are compared, in the order in which they are shown.
+extern const std::vector<std::string> kCounts;
+extern const std::vector<std::string> kQuantities;
+
+// Of Google Benchmark's JSON, each repetition on its own. Throws nlohmann::json::exception when it is no such thing.
+Results read_results(const std::string& json);
+
+// Bytes of each kernel compiled for double, by its name. `listing` is the output of `nm -S -C`: address, size, type and
+// demangled name, such as `void hyl::kernel::inverse_dynamics<double>(double const*, …)`.
+std::map<std::string, long> kernel_sizes(const std::string& listing);
+
+}  // namespace robcogen::bench

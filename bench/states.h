@@ -1,0 +1,50 @@
+// The states over which one robot's functions are timed.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "robcogen/reference/samples.h"
+#include "robcogen/spatial.h"
+
+namespace robcogen::bench {
+
+using reflection::Robot;
+
+// Enough that branch and value predictors learn nothing, little enough to stay near the processor.
+constexpr std::size_t kStates = 1024;
+constexpr std::uint64_t kSeed = 20;
+
+// The arguments of one call, in the types that the functions of `R`, the robot's traits, take.
+template <class R>
+struct State {
+  typename R::JointState q, qd, qdd, tau;
+  Twist base_velocity;
+  SpatialAcceleration base_acceleration;
+};
+
+// To the types of the library, which store their elements one after another.
+template <class To>
+To converted(const reference::Vector<double>& from) {
+  To to;
+  std::copy(from.data(), from.data() + from.rows(), to.data());
+  return to;
+}
+
+// kStates of them, the same in every run; a fixed base rests.
+template <class R>
+std::vector<State<R>> random_states(const Robot& robot) {
+  using Joints = typename R::JointState;
+  std::mt19937_64 engine(kSeed);
+  std::vector<State<R>> states;
+  for (std::size_t i = 0; i < kStates; ++i) {
+    const auto [q, qd, qdd, velocity, acceleration] = reference::random_sample(engine, robot).motion;
+    const auto tau = reference::uniform_vector(engine, R::kDof, 50);
+    states.push_back(
+        {converted<Joints>(q), converted<Joints>(qd), converted<Joints>(qdd), converted<Joints>(tau),
+         converted<Twist>(velocity), converted<SpatialAcceleration>(acceleration)});
+  }
+  return states;
+}
+
+}  // namespace robcogen::bench

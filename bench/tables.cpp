@@ -1,0 +1,125 @@
+#include "tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "comparison.h"
+
+namespace robcogen::bench {
+
+namespace {
+
+// What the columns of kCounts are called, and how wide they are.
+struct Column {
+  const char* title;
+  int width;
+};
+const std::vector<Column> kColumns = {{"mul", 6}, {"add", 6}, {"div", 4}, {"sincos", 6}, {"instr", 6}, {"path", 6}};
+
+std::string peer_heading(const std::vector<std::string>& peers) {
+  std::string line = fmt::format("{:<22} {:<18} {:>10}", "robot, DoF", "quantity", "RobCoGen");
+  for (const std::string& peer : peers) line += fmt::format(" {:>18}", peer);
+  return line + "\n";
+}
+
+std::string cell(const std::vector<Ratio>& ratios, const std::string& peer) {
+  for (const Ratio& r : ratios) {
+    if (r.peer == peer) return fmt::format(" {:>9.1f} {:>7.1f}x", r.time.median, r.ratio);
+  }
+  return fmt::format(" {:>18}", "-");
+}
+
+std::string compared_rows(const Results& results, const std::vector<std::string>& peers) {
+  std::string rows;
+  for (const Comparison& comparison : comparisons(results)) {
+    const std::string robot =
+        rows.empty() ? fmt::format("{}, {}", results.robot, degrees_of_freedom(results)) : std::string();
+    rows += fmt::format("{:<22} {:<18} {:>10.1f}", robot, title(comparison.quantity), comparison.time.median);
+    for (const std::string& peer : peers) rows += cell(comparison.peers, peer);
+    rows += "\n";
+  }
+  return rows;
+}
+
+std::string mean_rows(const std::vector<Mean>& means, const std::vector<std::string>& peers) {
+  std::string rows;
+  for (const std::string& quantity : kQuantities) {
+    std::string row = fmt::format(
+        "{:<22} {:<18} {:>10}", rows.empty() ? "geometric mean" : "", title(quantity), rows.empty() ? "(robots)" : "");
+    bool any = false;
+    for (const std::string& peer : peers) {
+      const auto mean = std::find_if(
+          means.begin(), means.end(), [&](const Mean& m) { return m.peer == peer && m.quantity == quantity; });
+      any = any || mean != means.end();
+      row += mean == means.end() ? fmt::format(" {:>18}", "-")
+                                 : fmt::format(" {:>9} {:>7.1f}x", fmt::format("({})", mean->robots), mean->ratio);
+    }
+    if (any) rows += row + "\n";
+  }
+  return rows;
+}
+
+// One line for each library and reason, with the robots, unless it is so for all of them.
+std::string absent_rows(const std::vector<Results>& robots) {
+  std::vector<Absence> absences;
+  std::vector<std::vector<std::string>> whose;
+  for (const Results& results : robots) {
+    for (const Absence& absence : results.absent) {
+      const auto known = std::find_if(absences.begin(), absences.end(), [&](const Absence& other) {
+        return other.library == absence.library && other.reason == absence.reason;
+      });
+      const std::ptrdiff_t index = known - absences.begin();
+      if (known == absences.end()) {
+        absences.push_back(absence);
+        whose.emplace_back();
+      }
+      whose[static_cast<std::size_t>(index)].push_back(results.robot);
+    }
+  }
+  std::string rows;
+  for (std::size_t i = 0; i < absences.size(); ++i) {
+    rows += fmt::format("not measured: {}: {}", absences[i].library, absences[i].reason);
+    if (whose[i].size() < robots.size()) rows += fmt::format(" ({})", fmt::join(whose[i], ", "));
+    rows += "\n";
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string function_heading() {
+  std::string line = fmt::format("{:<16} {:<44} {:>9}", "robot", "function", "ns");
+  for (const Column& column : kColumns) line += fmt::format(" {:>{}}", column.title, column.width);
+  return line + fmt::format(" {:>9}\n", "bytes");
+}
+
+std::string function_rows(const Results& results, const std::map<std::string, long>& sizes) {
+  std::string rows;
+  for (const Function& f : results.functions) {
+    rows += fmt::format("{:<16} {:<44} {:>9.1f}", results.robot, f.name, f.time.median);
+    for (std::size_t i = 0; i < kCounts.size(); ++i) {
+      // A benchmark leaves zeros out; one of a kernel without counts has none at all.
+      const auto count = f.counts.find(kCounts[i]);
+      const std::string text = f.counts.empty() ? "-" : std::to_string(count == f.counts.end() ? 0 : count->second);
+      rows += fmt::format(" {:>{}}", text, kColumns[i].width);
+    }
+    const auto size = sizes.find(f.kernel);
+    rows += fmt::format(" {:>9}\n", size == sizes.end() ? "-" : std::to_string(size->second));
+  }
+  return rows;
+}
+
+std::string comparison_table(const std::vector<Results>& robots) {
+  const std::vector<std::string> peers = all_peers(robots);
+  std::string table;
+  if (!peers.empty()) {
+    table = peer_heading(peers);
+    for (const Results& results : robots) table += compared_rows(results, peers);
+    table += mean_rows(geometric_means(robots), peers);
+  }
+  return table + absent_rows(robots);
+}
+
+}  // namespace robcogen::bench
