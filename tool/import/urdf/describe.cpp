@@ -1,0 +1,117 @@
+#include "import/urdf/describe.h"
+
+#include <utility>
+
+#include "import/urdf/mass.h"
+
+namespace robcogen::import::from_urdf {
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+// Where a link's URDF frame is: in the model's frame of the link that carries it.
+struct Carried {
+  int body = -1;  // a link; -1 for a root that is left out
+  Pose pose;
+};
+
+// The model's frame of a moving link is that of its joint, whose z is along the axis.
+Rotation joint_axes(const Joint& joint) {
+  return rotation_to_axis(joint.axis);
+}
+
+std::vector<Carried> carry(const Document& document, const Topology& topology) {
+  std::vector<Carried> carried(document.links.size());
+  for (const int link : topology.order) {
+    const int j = topology.parent_joint[at(link)];
+    if (j < 0 || document.joints[at(j)].type == JointType::floating) {
+      carried[at(link)].body = link;
+      continue;
+    }
+    const Joint& joint = document.joints[at(j)];
+    const Carried& parent = carried[at(topology.parent[at(j)])];
+    if (joint.type == JointType::fixed) {
+      carried[at(link)] = {parent.body, parent.pose * pose_of(joint.origin)};
+    } else {
+      carried[at(link)] = {link, {{}, inverse(joint_axes(joint))}};
+    }
+  }
+  return carried;
+}
+
+model::DescribedJoint described(
+    const Joint& joint,
+    const std::string& name,
+    const Carried& parent,
+    const model::JointLimits& limits) {
+  model::DescribedJoint result;
+  result.name = name;
+  result.place = joint.name.place;
+  result.type = joint.type == JointType::prismatic ? model::JointType::prismatic : model::JointType::revolute;
+  result.placement = placement_of(parent.pose * pose_of(joint.origin) * Pose{{}, joint_axes(joint)});
+  result.limits = limits;
+  return result;
+}
+
+}  // namespace
+
+model::Description describe(
+    const Document& document,
+    const Topology& topology,
+    const Identifiers& identifiers,
+    const std::vector<model::JointLimits>& limits,
+    bool floating_base) {
+  // A root that only carries a floating joint is no part of the robot.
+  int base = topology.root;
+  bool floats = floating_base;
+  for (std::size_t j = 0; j < document.joints.size(); ++j) {
+    if (document.joints[j].type == JointType::floating) base = topology.child[j], floats = true;
+  }
+  std::vector<Carried> carried = carry(document, topology);
+  if (base != topology.root) carried[at(topology.root)].body = -1;
+
+  std::vector<model::DescribedLink> bodies(document.links.size());
+  std::vector<std::vector<PlacedInertial>> inertials(document.links.size());
+  for (std::size_t l = 0; l < document.links.size(); ++l) {
+    const Link& link = document.links[l];
+    const Carried& own = carried[l];
+    if (own.body < 0) continue;
+    bodies[at(own.body)].frames.push_back({identifiers.links[l], placement_of(own.pose), link.name.place});
+    if (!link.inertial) continue;
+    std::vector<PlacedInertial>& parts = inertials[at(own.body)];
+    if (parts.empty()) bodies[at(own.body)].inertia_place = link.inertial->place;
+    parts.push_back({&*link.inertial, own.pose});
+  }
+
+  model::Description description;
+  description.name = identifiers.robot;
+  description.place = document.name.place;
+  description.floating_base = floats;
+  for (std::size_t j = 0; j < document.joints.size(); ++j) {
+    const Joint& joint = document.joints[j];
+    if (!is_movable(joint)) continue;
+    const Carried& parent = carried[at(topology.parent[j])];
+    description.joints.push_back(described(joint, identifiers.joints[j], parent, limits[j]));
+    bodies[at(parent.body)].children.push_back(
+        {identifiers.links[at(topology.child[j])], identifiers.joints[j], joint.child.place, joint.name.place});
+  }
+  for (std::size_t l = 0; l < document.links.size(); ++l) {
+    const int link = static_cast<int>(l);
+    if (carried[l].body != link) continue;
+    model::DescribedLink& body = bodies[l];
+    body.name = identifiers.links[l];
+    body.place = document.links[l].name.place;
+    body.inertia = lumped(inertials[l]);
+    if (link == base) {
+      description.base = std::move(body);
+    } else {
+      description.links.push_back(std::move(body));
+    }
+  }
+  return description;
+}
+
+}  // namespace robcogen::import::from_urdf

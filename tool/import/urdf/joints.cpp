@@ -1,0 +1,70 @@
+// Which joints the model has.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "import/urdf/describe.h"
+
+namespace robcogen::import::from_urdf {
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+void check_floating(const Document& document, const Topology& topology, std::size_t j, Diagnostics& diagnostics) {
+  const Joint& joint = document.joints[j];
+  const int parent = topology.parent[j];
+  const Link& root = document.links[at(parent)];
+  const auto siblings = std::count(topology.parent.begin(), topology.parent.end(), parent);
+  if (parent == topology.root && siblings == 1 && !root.inertial) {
+    diagnostics.note(
+        "root-left-out", joint.name.place,
+        fmt::format(
+            "link '{}' floats and is the base: root '{}' and joint '{}' are no part of the robot", joint.child.text,
+            root.name.text, joint.name.text));
+    return;
+  }
+  diagnostics.error(
+      "floating-joint", joint.type_place,
+      fmt::format(
+          "floating joint '{}' is not supported: only a root without mass, and without other children, may carry one",
+          joint.name.text));
+}
+
+}  // namespace
+
+void check_joints(
+    const Document& document,
+    const Topology& topology,
+    bool free_mimic_joints,
+    Diagnostics& diagnostics) {
+  std::string freed;
+  Place first_freed;
+  for (std::size_t j = 0; j < document.joints.size(); ++j) {
+    const Joint& joint = document.joints[j];
+    if (joint.type == JointType::planar) {
+      diagnostics.error(
+          "planar-joint", joint.type_place, fmt::format("planar joint '{}' is not supported", joint.name.text));
+    }
+    if (joint.type == JointType::floating) check_floating(document, topology, j, diagnostics);
+    if (joint.mimic && !free_mimic_joints) {
+      diagnostics
+          .error(
+              "mimic-joint", joint.mimic->place,
+              fmt::format(
+                  "joint '{}' mimics joint '{}', which is not supported yet", joint.name.text, joint.mimic->text))
+          .hint = "--free-mimic-joints makes it a joint of its own";
+    } else if (joint.mimic) {
+      if (freed.empty()) first_freed = joint.mimic->place;
+      freed += fmt::format("{}'{}'", freed.empty() ? "" : ", ", joint.name.text);
+    }
+  }
+  if (freed.empty()) return;
+  diagnostics.note(
+      "mimic-joints-freed", first_freed,
+      fmt::format("joints that mimic others, and are joints of their own here: {}", freed));
+}
+
+}  // namespace robcogen::import::from_urdf

@@ -1,0 +1,94 @@
+#include "import/urdf/names.h"
+
+#include <fmt/format.h>
+
+namespace robcogen::import::from_urdf {
+
+namespace {
+
+constexpr std::size_t kLongestName = 255;  // of a robot document
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_legal(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_';
+}
+
+bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+// The identifiers that are taken, by the names that they stand for.
+using Taken = std::map<std::string, const Name*>;
+
+void take(Taken& taken, const std::string& identifier, const Name& name, const char* kind, Diagnostics& diagnostics) {
+  const auto [earlier, is_new] = taken.insert({identifier, &name});
+  if (!is_new) {
+    diagnostics
+        .error(
+            "name-collision", name.place,
+            fmt::format(
+                "{0} '{1}' and {0} '{2}' would both be called '{3}'", kind, earlier->second->text, name.text,
+                identifier))
+        .notes.push_back({earlier->second->place, fmt::format("'{}' is declared here", earlier->second->text)});
+  }
+  if (identifier.size() > kLongestName) {
+    diagnostics.error(
+        "name-too-long", name.place,
+        fmt::format("the name of this {} has more than {} characters", kind, kLongestName));
+  }
+}
+
+}  // namespace
+
+std::string identifier(const std::string& name) {
+  std::string result;
+  if (!name.empty() && is_digit(name.front())) result += '_';
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (is_legal(name[i])) {
+      result += name[i];
+    } else if (i == 0 || !continues_character(name[i])) {
+      result += '_';
+    }
+  }
+  return result;
+}
+
+Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
+  Identifiers result;
+  Taken robots, links, joints;
+  result.robot = identifier(document.name.text);
+  take(robots, result.robot, document.name, "robot", diagnostics);
+  for (const Link& link : document.links) {
+    result.links.push_back(identifier(link.name.text));
+    take(links, result.links.back(), link.name, "link", diagnostics);
+  }
+  for (const Joint& joint : document.joints) {
+    std::string name = is_movable(joint) ? identifier(joint.name.text) : "";
+    if (const auto link = links.find(name); link != links.end()) {
+      const std::string longer = name + "_joint";
+      if (const auto other = links.find(longer); other != links.end()) {
+        diagnostics
+            .error(
+                "name-collision", joint.name.place,
+                fmt::format(
+                    "joint '{}' has a link's name, and as '{}' it would have the name of link '{}'", joint.name.text,
+                    longer, other->second->text))
+            .notes.push_back({other->second->place, fmt::format("'{}' is declared here", other->second->text)});
+      }
+      diagnostics
+          .note(
+              "joint-renamed", joint.name.place,
+              fmt::format("joint '{}' becomes '{}': a link has its name", joint.name.text, longer))
+          .notes.push_back({link->second->place, "the link is declared here"});
+      name = longer;
+    }
+    if (!name.empty()) take(joints, name, joint.name, "joint", diagnostics);
+    result.joints.push_back(std::move(name));
+  }
+  return result;
+}
+
+}  // namespace robcogen::import::from_urdf

@@ -1,0 +1,21 @@
+// Names of a document as identifiers of a model.
+#pragma once
+
+#include "import/urdf/document.h"
+
+namespace robcogen::import::from_urdf {
+
+struct Identifiers {
+  std::string robot;
+  std::vector<std::string> links;   // in the order of the document
+  std::vector<std::string> joints;  // too; empty for those that the model does not have
+};
+
+// The name with `_` for each character that an identifier cannot have, and before a digit at its beginning.
+std::string identifier(const std::string& name);
+
+// A joint that has a link's name becomes `<name>_joint`, with a note. Reports two names of one kind that become one,
+// and names that are longer than those of a robot document.
+Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
+
+}  // namespace robcogen::import::from_urdf

@@ -1,0 +1,16 @@
+// What stands in the place of all others in this folder where urdfdom is not.
+#include "import/urdf.h"
+
+namespace robcogen::import {
+
+std::optional<model::KinematicTree> urdf(
+    std::shared_ptr<const Source> source,
+    const UrdfOptions&,
+    Diagnostics& diagnostics) {
+  diagnostics
+      .error("urdf-unavailable", {std::move(source), {}}, "this generator was built without urdfdom and reads no URDF")
+      .hint = "install urdfdom and TinyXML (Debian: liburdfdom-dev, libtinyxml-dev), then configure and build it again";
+  return std::nullopt;
+}
+
+}  // namespace robcogen::import

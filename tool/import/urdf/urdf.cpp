@@ -1,0 +1,64 @@
+#include "import/urdf.h"
+
+#include <fmt/format.h>
+
+#include "import/urdf/describe.h"
+#include "import/urdf/mass.h"
+
+namespace robcogen::import {
+
+namespace {
+
+using namespace from_urdf;
+
+void note_ignored(const Document& document, Diagnostics& diagnostics) {
+  if (document.ignored.empty()) return;
+  std::string list;
+  for (const auto& [name, count] : document.ignored)
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
+  diagnostics.note(
+      "ignored-elements", document.name.place,
+      fmt::format("elements that say nothing of kinematics and dynamics are ignored: {}", list));
+}
+
+// A hint of the model's is for documents that give moments about the origin of a frame, which a URDF does not.
+std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
+  Diagnostics of_model;
+  auto tree = model::build(description, of_model);
+  for (const Diagnostic& d : of_model.all()) {
+    Diagnostic& copy = d.severity == Severity::error     ? diagnostics.error(d.code, d.place, d.message)
+                       : d.severity == Severity::warning ? diagnostics.warning(d.code, d.place, d.message)
+                                                         : diagnostics.note(d.code, d.place, d.message);
+    copy.notes = d.notes;
+    if (d.code != "triangle-inequality") copy.hint = d.hint;
+  }
+  return tree;
+}
+
+}  // namespace
+
+std::optional<model::KinematicTree> urdf(
+    std::shared_ptr<const Source> source,
+    const UrdfOptions& options,
+    Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  const auto failed = [&] { return diagnostics.error_count() > errors_before; };
+
+  const std::optional<Element> root = read_xml(source, diagnostics);
+  if (!root) return std::nullopt;
+  Document document = read_document(*root, source, diagnostics);
+  const std::optional<Topology> topology = connect(document, diagnostics);
+  check_inertials(document, diagnostics);
+  const Identifiers identifiers = identifiers_of(document, diagnostics);
+  if (topology) check_joints(document, *topology, options.free_mimic_joints, diagnostics);
+  if (failed()) return std::nullopt;
+
+  const std::vector<model::JointLimits> limits = read_limits(document, diagnostics);
+  if (failed()) return std::nullopt;
+
+  treat_near_multiples(document, options.snap_angles, diagnostics);
+  note_ignored(document, diagnostics);
+  return build_tree(describe(document, *topology, identifiers, limits, options.floating_base), diagnostics);
+}
+
+}  // namespace robcogen::import
