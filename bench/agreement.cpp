@@ -1,33 +1,46 @@
 #include "agreement.h"
 
-#include <cmath>
 #include <limits>
+#include <locale>
 #include <sstream>
 
 namespace robcogen::bench {
 
 namespace {
 
-double largest(const Eigen::MatrixXd& m) {
-  return m.size() == 0 ? 0 : m.cwiseAbs().maxCoeff();
-}
-
-// Infinite where the two cannot be compared.
-double difference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  if (ours.rows() != theirs.rows() || ours.cols() != theirs.cols()) return kInfinite;
-  if (!ours.allFinite() || !theirs.allFinite()) return kInfinite;
-  const double absolute = largest(ours - theirs);
-  return absolute == 0 ? 0 : absolute / largest(ours);
-}
-
-// Columns as rows, so that a vector is one line.
-std::string printed(const Eigen::MatrixXd& m) {
+// "a, b, c"; the column of a matrix.
+std::string printed(const Eigen::MatrixXd& m, Eigen::Index column) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text.precision(10);
-  text << (m.cols() == 1 ? Eigen::MatrixXd(m.transpose()) : m);
+  text.precision(12);
+  for (Eigen::Index row = 0; row < m.rows(); ++row) text << (row == 0 ? "" : ", ") << m(row, column);
   return text.str();
+}
+
+// The relative difference, infinite where the two cannot be compared, and what to say of it.
+struct Difference {
+  double relative = 0;
+  std::string text;
+};
+
+Difference difference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  if (ours.rows() != theirs.rows() || ours.cols() != theirs.cols()) {
+    text << theirs.rows() << " x " << theirs.cols() << " and not " << ours.rows() << " x " << ours.cols();
+    return {kInfinite, text.str()};
+  }
+  if (ours.size() == 0) return {};
+  if (!ours.allFinite()) return {kInfinite, "the generated code's result is not finite"};
+  if (!theirs.allFinite()) return {kInfinite, "not finite"};
+  Eigen::Index row = 0, column = 0;
+  const double absolute = (ours - theirs).cwiseAbs().maxCoeff(&row, &column);
+  const double relative = absolute == 0 ? 0 : absolute / ours.cwiseAbs().maxCoeff();
+  text << "relative difference " << relative << ", at most " << kAgreement << " is rounding; row " << row
+       << " of column " << column << "\n  generated code: " << printed(ours, column)
+       << "\n  peer:           " << printed(theirs, column);
+  return {relative, text.str()};
 }
 
 }  // namespace
@@ -50,25 +63,17 @@ std::vector<std::string> disagreements(peers::Peer& peer, const std::vector<Comp
   std::vector<std::string> messages;
   for (const Computed& ours : computed) {
     if (!peer.has(ours.quantity)) continue;
-    double worst = 0;
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
+    double worst = kAgreement;
+    std::string message;
     for (std::size_t i = 0; i < states; ++i) {
       peer.run(ours.quantity, i);
-      const Eigen::MatrixXd expected = ours.result(i);
-      const Eigen::MatrixXd actual = peer.result(ours.quantity);
-      const double relative = difference(expected, actual);
-      if (relative <= kAgreement || relative <= worst) continue;
-      worst = relative;
-      message.str("");
-      message << peer.name() << " disagrees in " << name(ours.quantity) << ": relative difference " << relative
-              << " at state " << i << ", at most " << kAgreement << " is rounding\n"
-              << ours.function << ":\n"
-              << printed(expected) << "\n"
-              << peer.name() << ":\n"
-              << printed(actual) << "\n";
+      const Difference d = difference(ours.result(i), peer.result(ours.quantity));
+      if (d.relative <= worst) continue;
+      worst = d.relative;
+      message = peer.name() + " disagrees in " + name(ours.quantity) + " (" + ours.function + ") at state " +
+                std::to_string(i) + ": " + d.text;
     }
-    if (worst > 0) messages.push_back(message.str());
+    if (!message.empty()) messages.push_back(message);
   }
   return messages;
 }

@@ -6,6 +6,7 @@
 
 #include "agreement.h"
 #include "functions.h"
+#include "robcogen/results.h"
 
 namespace robcogen::bench {
 

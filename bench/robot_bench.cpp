@@ -43,7 +43,7 @@ bool add_peers(const Robot& robot, const std::vector<State<R>>& states, std::vec
     if (candidate.peer == nullptr) continue;
     candidate.peer->prepare(converted_states<R>(states));
     for (const std::string& message : disagreements(*candidate.peer, ours, kCheckedStates)) {
-      std::fprintf(stderr, "%s: %s", robot.name, message.c_str());
+      std::fprintf(stderr, "%s: %s\n", robot.name, message.c_str());
       agree = false;
     }
   }
