@@ -86,6 +86,30 @@ TEST_F(CorpusText, OfRobotsIsReadAndSurvivesPrinting) {
   EXPECT_EQ(refused, 2u);
 }
 
+TEST_F(CorpusText, OfMotionsIsReadAndSurvivesPrinting) {
+  EXPECT_GE(documents(".motdsl").size(), 2u);
+  for (const path& file : documents(".motdsl")) {
+    SCOPED_TRACE(file.filename().string());
+    Diagnostics diagnostics;
+    const auto document = language::motion::parse(test::source_of_file(file), diagnostics);
+    EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render();
+    EXPECT_GE(document.motions.size(), 7u);
+    expect_survives_printing(document, &language::motion::parse);
+  }
+}
+
+TEST_F(CorpusText, OfTransformsIsReadAndSurvivesPrinting) {
+  EXPECT_GE(documents(".ctdsl").size(), 2u);
+  for (const path& file : documents(".ctdsl")) {
+    SCOPED_TRACE(file.filename().string());
+    Diagnostics diagnostics;
+    const auto document = language::transforms::parse(test::source_of_file(file), diagnostics);
+    EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render();
+    EXPECT_GE(document.transforms.size(), 4u);
+    expect_survives_printing(document, &language::transforms::parse);
+  }
+}
+
 TEST_F(CorpusText, OfDesiredTransformsIsReadAndSurvivesPrinting) {
   std::size_t refused = 0;
   for (const path& file : documents(".dtdsl")) {

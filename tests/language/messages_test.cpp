@@ -1,4 +1,4 @@
-// Every message of the parsers, as a user sees it: bad/<name>.kindsl or bad/<name>.dtdsl must yield exactly
+// Every message of the parsers, as a user sees it: bad/<name>.kindsl, .dtdsl, .motdsl or .ctdsl must yield exactly
 // bad/<name>.expected (nothing for a document that is fine).
 //
 // With ROBCOGEN_ACCEPT_MESSAGES in the environment, the present messages are written to those files instead, for
@@ -31,6 +31,10 @@ std::string messages_of(const path& document) {
   Diagnostics diagnostics;
   if (document.extension() == ".dtdsl") {
     language::desired::parse(test::source_of_file(document), diagnostics);
+  } else if (document.extension() == ".motdsl") {
+    language::motion::parse(test::source_of_file(document), diagnostics);
+  } else if (document.extension() == ".ctdsl") {
+    language::transforms::parse(test::source_of_file(document), diagnostics);
   } else {
     language::kinematics::parse(test::source_of_file(document), diagnostics);
   }
@@ -85,10 +89,10 @@ TEST(Messages, OfEveryCodeHaveADocument) {
 TEST(Messages, BelongToADocument) {
   for (const auto& entry : std::filesystem::directory_iterator(folder())) {
     if (entry.path().extension() != ".expected") continue;
-    EXPECT_TRUE(
-        exists(path(entry.path()).replace_extension(".kindsl")) !=
-        exists(path(entry.path()).replace_extension(".dtdsl")))
-        << entry.path();
+    int documents = 0;
+    for (const char* extension : {".kindsl", ".dtdsl", ".motdsl", ".ctdsl"})
+      documents += exists(path(entry.path()).replace_extension(extension)) ? 1 : 0;
+    EXPECT_EQ(documents, 1) << entry.path();
   }
 }
 

@@ -2,6 +2,7 @@
 // smallest document that fails.
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <bit>
 #include <climits>
 #include <cmath>
@@ -10,6 +11,8 @@
 
 #include "language/desired/keywords.h"
 #include "language/kinematics/keywords.h"
+#include "language/motion/document.h"
+#include "language/transforms/document.h"
 #include "reading.h"
 
 namespace robcogen::language {
@@ -26,6 +29,16 @@ void showValue(const Document& document, std::ostream& stream) {
   stream << print(document);
 }
 }  // namespace desired
+namespace motion {
+void showValue(const Document& document, std::ostream& stream) {
+  stream << print(document);
+}
+}  // namespace motion
+namespace transforms {
+void showValue(const Document& document, std::ostream& stream) {
+  stream << print(document);
+}
+}  // namespace transforms
 // NOLINTEND(readability-identifier-naming)
 
 namespace {
@@ -229,6 +242,83 @@ rc::Gen<desired::Document> list() {
       rc::gen::set(&Document::transforms, pairs), rc::gen::set(&Document::jacobians, pairs));
 }
 
+// What only documents about frames have: parameters by group, and those that their use declares.
+ExpressionPtr qualified(const ExpressionPtr& from, const std::vector<std::string>& keywords, int how) {
+  if (!from) return from;
+  Expression e = *from;
+  if (e.kind == Kind::name || e.kind == Kind::constant) {
+    const auto is_keyword = [&](const std::string& word) {
+      return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+    };
+    e.escaped = e.escaped || is_keyword(e.name);
+  }
+  if (e.kind == Kind::name && how == 1) e.is_parameter = true;
+  if (e.kind == Kind::name && how == 2) e.group = "lengths";
+  e.left = qualified(e.left, keywords, how);
+  e.right = qualified(e.right, keywords, how);
+  return made(e);
+}
+
+rc::Gen<std::vector<AxisStep>> steps(const std::vector<std::string>& keywords) {
+  const auto amount = rc::gen::map(
+      rc::gen::pair(expression(2), rc::gen::inRange(0, 3)), [keywords](const std::pair<ExpressionPtr, int>& parts) {
+        return qualified(parts.first, keywords, parts.second);
+      });
+  return rc::gen::resize(
+      6, rc::gen::container<std::vector<AxisStep>>(rc::gen::build<AxisStep>(
+             rc::gen::set(&AxisStep::rotation), rc::gen::set(&AxisStep::axis, rc::gen::inRange(0, 3)),
+             rc::gen::set(&AxisStep::amount, amount))));
+}
+
+template <class T>
+rc::Gen<std::optional<T>> maybe(const rc::Gen<T>& what) {
+  return rc::gen::map(
+      rc::gen::maybe(what), [](const rc::Maybe<T>& m) { return m ? std::optional<T>(*m) : std::nullopt; });
+}
+
+rc::Gen<FramesHeader> header(const std::vector<std::string>& keywords) {
+  const auto names = rc::gen::resize(6, rc::gen::container<std::vector<Name>>(name<Name>(keywords)));
+  const auto some_names =
+      rc::gen::resize(6, rc::gen::nonEmpty(rc::gen::container<std::vector<Name>>(name<Name>(keywords))));
+  const auto group = rc::gen::build<ParameterGroup>(
+      rc::gen::set(&ParameterGroup::name, name<Name>(keywords)), rc::gen::set(&ParameterGroup::parameters, names),
+      rc::gen::set(&ParameterGroup::comments, comments()));
+  return rc::gen::build<FramesHeader>(
+      rc::gen::set(&FramesHeader::model, name<Name>(keywords)), rc::gen::set(&FramesHeader::frames, maybe(some_names)),
+      rc::gen::set(&FramesHeader::groups, rc::gen::resize(3, rc::gen::container<std::vector<ParameterGroup>>(group))),
+      rc::gen::set(&FramesHeader::comments, comments()));
+}
+
+rc::Gen<motion::Document> motions() {
+  using motion::Convention, motion::Document, motion::Motion;
+  const auto frame = name<Name>(motion::keywords());
+  const auto one = rc::gen::build<Motion>(
+      rc::gen::set(&Motion::from, frame), rc::gen::set(&Motion::to, frame),
+      rc::gen::set(&Motion::steps, steps(motion::keywords())), rc::gen::set(&Motion::name, maybe(frame)),
+      rc::gen::set(&Motion::comments, comments()));
+  return rc::gen::build<Document>(
+      rc::gen::set(&Document::header, header(motion::keywords())),
+      rc::gen::set(&Document::convention, rc::gen::element(Convention::local, Convention::fixed)),
+      rc::gen::set(&Document::convention_comments, comments()),
+      rc::gen::set(&Document::motions, rc::gen::resize(5, rc::gen::container<std::vector<Motion>>(one))),
+      rc::gen::set(&Document::trailing_comments, comments()));
+}
+
+rc::Gen<transforms::Document> transforms_document() {
+  using transforms::Document, transforms::MovedFramePosition, transforms::Transform;
+  const auto frame = name<Name>(transforms::keywords());
+  const auto one = rc::gen::build<Transform>(
+      rc::gen::set(&Transform::left, frame), rc::gen::set(&Transform::right, frame),
+      rc::gen::set(&Transform::primitives, steps(transforms::keywords())), rc::gen::set(&Transform::name, maybe(frame)),
+      rc::gen::set(&Transform::comments, comments()));
+  return rc::gen::build<Document>(
+      rc::gen::set(&Document::header, header(transforms::keywords())),
+      rc::gen::set(&Document::position, rc::gen::element(MovedFramePosition::left, MovedFramePosition::right)),
+      rc::gen::set(&Document::position_comments, comments()),
+      rc::gen::set(&Document::transforms, rc::gen::resize(5, rc::gen::container<std::vector<Transform>>(one))),
+      rc::gen::set(&Document::trailing_comments, comments()));
+}
+
 template <class Document>
 void survives_printing(const Document& document, Document (*parse)(std::shared_ptr<const Source>, Diagnostics&)) {
   const std::string text = print(document);
@@ -246,6 +336,14 @@ TEST(RandomDocuments, OfRobotsSurvivePrinting) {
 
 TEST(RandomDocuments, OfDesiredTransformsSurvivePrinting) {
   EXPECT_TRUE(rc::check([] { survives_printing(*list(), &desired::parse); }));
+}
+
+TEST(RandomDocuments, OfMotionsSurvivePrinting) {
+  EXPECT_TRUE(rc::check([] { survives_printing(*motions(), &motion::parse); }));
+}
+
+TEST(RandomDocuments, OfTransformsSurvivePrinting) {
+  EXPECT_TRUE(rc::check([] { survives_printing(*transforms_document(), &transforms::parse); }));
 }
 
 // The documents are worth the name: all that the syntax has does occur.

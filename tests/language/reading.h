@@ -12,6 +12,8 @@
 
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
+#include "language/motion/document.h"
+#include "language/transforms/document.h"
 
 namespace robcogen::test {
 
@@ -46,6 +48,20 @@ inline language::kinematics::Document read_robot(const std::string& text) {
 inline language::desired::Document read_desired(const std::string& text) {
   Diagnostics diagnostics;
   language::desired::Document document = language::desired::parse(source(text), diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render() << text;
+  return document;
+}
+
+inline language::motion::Document read_motions(const std::string& text) {
+  Diagnostics diagnostics;
+  language::motion::Document document = language::motion::parse(source(text), diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render() << text;
+  return document;
+}
+
+inline language::transforms::Document read_transforms(const std::string& text) {
+  Diagnostics diagnostics;
+  language::transforms::Document document = language::transforms::parse(source(text), diagnostics);
   EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render() << text;
   return document;
 }

@@ -1,5 +1,7 @@
 #include "model/rigid_motions.h"
 
+#include <algorithm>
+
 namespace robcogen::model {
 
 namespace {
@@ -21,6 +23,17 @@ std::vector<ElementaryMotion> steps_of(const Placement& placement) {
   return steps;
 }
 
+// A name that no parameter has.
+std::string variable_name(const KinematicTree& tree, const Joint& joint) {
+  std::string name = "q_" + joint.name;
+  const auto is_taken = [&] {
+    return std::any_of(
+        tree.parameters.begin(), tree.parameters.end(), [&](const Parameter& p) { return p.name == name; });
+  };
+  while (is_taken()) name += "_";
+  return name;
+}
+
 }  // namespace
 
 RigidMotions motions_of(const KinematicTree& tree) {
@@ -34,7 +47,7 @@ RigidMotions motions_of(const KinematicTree& tree) {
     const std::string joint_frame = implicit_frame_name(joint.name);
     const ElementaryMotion travel = {
         joint.type == JointType::revolute, Axis::z, Quantity::variable(static_cast<int>(i))};
-    motions.variables.push_back("q_" + joint.name);
+    motions.variables.push_back(variable_name(tree, joint));
     motions.motions.push_back(
         {implicit_frame_name(tree.links[at(joint.parent)].name), joint_frame, steps_of(joint.placement), ""});
     motions.motions.push_back({joint_frame, implicit_frame_name(tree.links[at(joint.child)].name), {travel}, ""});

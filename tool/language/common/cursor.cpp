@@ -61,6 +61,12 @@ bool Cursor::at_any(std::initializer_list<std::string_view> words) const {
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return at(word); });
 }
 
+bool Cursor::begins_line() const {
+  const std::string_view before = list_.source->text().substr(0, peek().span.begin);
+  const std::size_t last = before.find_last_not_of(" \t");
+  return last == std::string_view::npos || before[last] == '\n' || before[last] == '\r';
+}
+
 bool Cursor::at_name(std::size_t ahead) const {
   return peek(ahead).kind == Token::Kind::identifier && !is_keyword(peek(ahead));
 }

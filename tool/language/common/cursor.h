@@ -29,6 +29,8 @@ class Cursor {
   bool at(std::string_view symbol_or_keyword, std::size_t ahead = 0) const;
   bool at_any(std::initializer_list<std::string_view> words) const;
   bool at_keyword() const { return is_keyword(peek()); }
+  // Nothing but blanks stands before the present token in its line.
+  bool begins_line() const;
   // At an identifier that is no keyword.
   bool at_name(std::size_t ahead = 0) const;
   bool accept(std::string_view symbol_or_keyword);

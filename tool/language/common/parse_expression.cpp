@@ -210,6 +210,7 @@ class ExpressionParser {
     e.escaped = name.escaped;
     if (e.kind == Kind::name) e.group = group.text;
     e.span = {group.span.begin, name.span.end};
+    if (e.kind == Kind::name) accept_default(e);
     return std::make_shared<const Expression>(std::move(e));
   }
 

@@ -3,8 +3,8 @@
 //     sum     = product (('+' | '-') product)*
 //     product = unary (('*' | '/')? unary)*          without a sign between: a name or `<constant>` after a number
 //     unary   = ('-' | '+')* primary
-//     primary = NUMBER | NAME ('[' NUMBER ']')? | NAME '.' NAME | 'p' ':' NAME ('[' NUMBER ']')? | constant
-//             | FUNCTION '(' sum ')' | '(' sum ')'
+//     primary = NUMBER | NAME ('[' NUMBER ']')? | NAME '.' NAME ('[' NUMBER ']')? | constant
+//             | 'p' ':' NAME ('[' NUMBER ']')? | FUNCTION '(' sum ')' | '(' sum ')'
 //     constant = '<' NAME ('=' NUMBER)? '>' | 'c' ':' NAME (':' NUMBER)? | 'consts' '.' NAME
 //
 // A name right after a number multiplies it, as strongly as `*`: `2.0 PI/3.0`, `0.5 len`, `2.0a`. The first RobCoGen

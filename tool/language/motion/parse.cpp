@@ -48,8 +48,9 @@ class Parser {
 
   bool at_motion() const { return cursor_.at_name() && cursor_.at("->", 1); }
 
+  // To the next motion, or to what may be meant as one.
   void skip_to_motion() {
-    cursor_.skip_until([&] { return at_motion(); });
+    cursor_.skip_until([&] { return at_motion() || (cursor_.at_name() && cursor_.begins_line()); });
   }
 
   void motions() {
@@ -57,8 +58,8 @@ class Parser {
       try {
         document_.motions.push_back(motion());
       } catch (const SyntaxError&) {
-        // A name that begins the faulty motion begins no other one.
-        if (at_motion() && cursor_.peek().span.begin == begin_) cursor_.take();
+        // What begins the faulty motion begins no other one.
+        if (!cursor_.at_end() && cursor_.peek().span.begin == begin_) cursor_.take();
         skip_to_motion();
       }
     }

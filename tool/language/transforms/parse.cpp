@@ -46,8 +46,9 @@ class Parser {
 
   bool at_transform() const { return cursor_.at("{") && cursor_.at("}", 2) && cursor_.at("_X_", 3); }
 
+  // To the next transform, or to what may be meant as one.
   void skip_to_transform() {
-    cursor_.skip_until([&] { return at_transform(); });
+    cursor_.skip_until([&] { return at_transform() || (cursor_.at("{") && cursor_.begins_line()); });
   }
 
   void transforms() {
@@ -55,8 +56,8 @@ class Parser {
       try {
         document_.transforms.push_back(transform());
       } catch (const SyntaxError&) {
-        // Its own beginning begins no other transform.
-        if (at_transform() && cursor_.peek().span.begin == begin_) cursor_.take();
+        // What begins the faulty transform begins no other one.
+        if (!cursor_.at_end() && cursor_.peek().span.begin == begin_) cursor_.take();
         skip_to_transform();
       }
     }
