@@ -23,8 +23,7 @@ std::optional<model::CoordinateTransforms> coordinate_transforms(
     const language::transforms::Document& document,
     Diagnostics& diagnostics);
 
-// left_X_right
-using FrameNames = std::pair<std::string, std::string>;
+using model::FrameNames;
 
 // The transforms that a list asks of a model with these frames, each once. Lenient as for robots: see
 // desired_transforms (import/kinematics.h). Jacobians are refused: they need joints.

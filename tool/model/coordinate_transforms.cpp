@@ -1,6 +1,7 @@
 #include "model/coordinate_transforms.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <string_view>
 
@@ -88,6 +89,28 @@ std::optional<CoordinateTransform> transform_between(
   // A user's name belongs to the transform that the motion itself stands for, not to its inverse.
   if (walk->size() == 1 && !walk->front().backwards) transform.name = walk->front().motion->name;
   return transform;
+}
+
+std::vector<FrameNames> default_transforms(const RigidMotions& motions) {
+  std::vector<FrameNames> pairs;
+  for (const Motion& motion : motions.motions) {
+    pairs.emplace_back(motion.from, motion.to);
+    pairs.emplace_back(motion.to, motion.from);
+  }
+  return pairs;
+}
+
+CoordinateTransforms transforms_of(
+    const RigidMotions& motions,
+    const std::vector<FrameNames>& pairs,
+    MovedFramePosition position) {
+  CoordinateTransforms result = {motions.name, position, motions.parameters, motions.variables, {}};
+  for (const auto& [left, right] : pairs) {
+    std::optional<CoordinateTransform> transform = transform_between(motions, left, right, position);
+    assert(transform && "the frames are connected");
+    result.transforms.push_back(std::move(*transform));
+  }
+  return result;
 }
 
 }  // namespace robcogen::model

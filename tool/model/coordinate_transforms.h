@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/rigid_motions.h"
@@ -41,6 +42,18 @@ std::optional<CoordinateTransform> transform_between(
     const RigidMotions& motions,
     const std::string& left,
     const std::string& right,
+    MovedFramePosition position = MovedFramePosition::right);
+
+// left, right of left_X_right.
+using FrameNames = std::pair<std::string, std::string>;
+
+// One transform for each motion, and its inverse.
+std::vector<FrameNames> default_transforms(const RigidMotions& motions);
+
+// The transforms between these frames, in their order. All must be connected.
+CoordinateTransforms transforms_of(
+    const RigidMotions& motions,
+    const std::vector<FrameNames>& pairs,
     MovedFramePosition position = MovedFramePosition::right);
 
 }  // namespace robcogen::model
