@@ -53,7 +53,7 @@ void read_motions(const std::string& name, Diagnostics& diagnostics) {
   const path list = file(name, ".dtdsl");
   if (!motions || !exists(list)) return;
   const auto pairs = language::desired::parse(test::source(list), diagnostics);
-  import::desired_frame_pairs(pairs, motions->name, motions->frames, diagnostics);
+  import::desired_frame_pairs(pairs, *motions, diagnostics);
 }
 
 void read_transforms(const std::string& name, Diagnostics& diagnostics) {
@@ -101,7 +101,7 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
 
 // Codes are the string literals in kebab case, and whatever is given literally to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
-  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([^"]+)")re");
+  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([a-z]+(?:-[a-z]+)*)")re");
   std::set<std::string> codes;
   for (const char* phase : {"model", "import"}) {
     for (const auto& entry : std::filesystem::directory_iterator(path(ROBCOGEN_SOURCE_DIR) / "tool" / phase)) {

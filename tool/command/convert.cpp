@@ -1,10 +1,13 @@
+// Models from one language to another: robots to robots, robots to motions, and both to coordinate transforms.
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "command/command.h"
+#include "export/frames.h"
 #include "export/kinematics.h"
 #include "export/urdf.h"
+#include "import/frames.h"
 #include "import/kinematics.h"
 #include "support/files.h"
 
@@ -15,12 +18,47 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string from, to;
+  std::string desired;
+  std::string position = "right";
+  bool strict = false;
   import::UrdfOptions urdf;
   std::string error_format = "gnu";
 };
 
-bool is_robot_document(const fs::path& file) {
-  return file.extension() == ".kindsl";
+enum class Language { robot, urdf, motions, transforms };
+
+Language language_of(const fs::path& file) {
+  const fs::path extension = file.extension();
+  if (extension == ".kindsl") return Language::robot;
+  if (extension == ".urdf") return Language::urdf;
+  if (extension == ".motdsl") return Language::motions;
+  if (extension == ".ctdsl") return Language::transforms;
+  throw Failure{
+      wrong_usage,
+      fmt::format(
+          "robcogen: error: cannot convert '{}': the languages are .kindsl, .urdf, .motdsl and .ctdsl", file.string())};
+}
+
+bool is_robot(Language language) {
+  return language == Language::robot || language == Language::urdf;
+}
+
+void require_conversion(const Options& options) {
+  const Language from = language_of(options.from), to = language_of(options.to);
+  if (from == to && from != Language::urdf)
+    throw Failure{
+        wrong_usage,
+        "robcogen: error: both files are of one language\nhint: 'robcogen print' writes a document in canonical form"};
+  if (from == Language::transforms || (from == Language::motions && to != Language::transforms))
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: '{}' does not say enough to make '{}'\nhint: robots become motions, and "
+                         "robots and motions "
+                         "become transforms",
+                         options.from, options.to)};
+  if (!options.desired.empty() && to != Language::transforms)
+    throw Failure{wrong_usage, "robcogen: error: --desired chooses transforms: the file to write must be a .ctdsl"};
+  require_urdf(options.from, options.urdf);
 }
 
 void require_values(const Robot& robot) {
@@ -35,10 +73,9 @@ void require_values(const Robot& robot) {
           robot.model.string(), robot.tree.name, fmt::join(names, ", "))};
 }
 
-std::string robot_document(const Robot& robot) {
-  language::kinematics::Document document = exporting::kinematics_document(robot.tree);
-  document.comments.push_back(fmt::format("// Converted from {}.", robot.model.filename().string()));
-  return language::kinematics::print(document);
+// Where a document comes from, for its reader.
+std::vector<std::string> origin(const Options& options) {
+  return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
 }
 
 // The robot language knows no joint limits: said once.
@@ -51,29 +88,80 @@ void mention_lost_limits(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
-Status convert(const Options& options) {
-  const fs::path from = options.from, to = options.to;
-  for (const fs::path& file : {from, to}) {
-    if (!is_urdf(file) && !is_robot_document(file))
-      throw Failure{
-          wrong_usage,
-          fmt::format("robcogen: error: cannot convert '{}': it is neither .kindsl nor .urdf", file.string())};
+std::string robot_document(const Options& options, const Robot& robot) {
+  language::kinematics::Document document = exporting::kinematics_document(robot.tree);
+  document.comments = origin(options);
+  return language::kinematics::print(document);
+}
+
+std::string motion_document(const Options& options, const model::RigidMotions& motions) {
+  language::motion::Document document = exporting::motion_document(motions);
+  document.header.comments = origin(options);
+  return language::motion::print(document);
+}
+
+std::string transforms_document(
+    const Options& options,
+    const model::RigidMotions& motions,
+    const std::vector<model::FrameNames>& pairs) {
+  const auto position = options.position == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
+  language::transforms::Document document =
+      exporting::transforms_document(model::transforms_of(motions, pairs, position));
+  document.header.comments = origin(options);
+  return language::transforms::print(document);
+}
+
+std::optional<std::string> convert_robot(const Options& options, Diagnostics& diagnostics) {
+  Reading reading;
+  if (!options.desired.empty()) reading.desired = options.desired;
+  reading.strict = options.strict;
+  reading.urdf = options.urdf;
+  const std::optional<Robot> robot = load_robot(options.from, reading, diagnostics);
+  if (!robot) return std::nullopt;
+  switch (language_of(options.to)) {
+    case Language::robot:
+      mention_lost_limits(*robot, diagnostics);
+      return robot_document(options, *robot);
+    case Language::urdf:
+      require_values(*robot);
+      return exporting::urdf(robot->tree);
+    case Language::motions:
+      return motion_document(options, model::motions_of(robot->tree));
+    case Language::transforms:
+      break;
   }
-  if (is_robot_document(from) && is_robot_document(to))
-    throw Failure{
-        wrong_usage,
-        "robcogen: error: both files are robot documents\nhint: 'robcogen print' writes a document in canonical form"};
-  require_urdf(from, options.urdf);
+  std::vector<model::FrameNames> pairs;
+  for (const model::FramePair& pair : robot->desired.transforms) pairs.emplace_back(pair.left.name, pair.right.name);
+  return transforms_document(options, model::motions_of(robot->tree), pairs);
+}
+
+std::optional<std::string> convert_motions(const Options& options, Diagnostics& diagnostics) {
+  const language::motion::Document document = language::motion::parse(read_source(options.from), diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  const std::optional<model::RigidMotions> motions = import::rigid_motions(document, diagnostics);
+  if (!motions) return std::nullopt;
+  std::vector<model::FrameNames> pairs = model::default_transforms(*motions);
+  if (!options.desired.empty()) {
+    const language::desired::Document list = language::desired::parse(read_source(options.desired), diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+    pairs = import::desired_frame_pairs(list, *motions, diagnostics);
+    if (options.strict) promote_desired_warnings(diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+  }
+  return transforms_document(options, *motions, pairs);
+}
+
+Status convert(const Options& options) {
+  require_conversion(options);
   Diagnostics diagnostics;
-  const std::optional<Robot> robot = load_robot(from, {{}, false, options.urdf}, diagnostics);
-  if (robot && is_robot_document(to)) mention_lost_limits(*robot, diagnostics);
+  const std::optional<std::string> text =
+      is_robot(language_of(options.from)) ? convert_robot(options, diagnostics) : convert_motions(options, diagnostics);
   fmt::print(stderr, "{}", diagnostics.render(format_of(options.error_format)));
-  if (!robot) return wrong_input;
-  if (is_urdf(to)) require_values(*robot);
-  const std::string text = is_urdf(to) ? exporting::urdf(robot->tree) : robot_document(*robot);
-  std::string error;
+  if (!text) return wrong_input;
+  const fs::path to = options.to;
   const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
-  if (!write_files_if_changed(folder, {{to.filename(), text}}, error))
+  std::string error;
+  if (!write_files_if_changed(folder, {{to.filename(), *text}}, error))
     throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
   return ok;
 }
@@ -83,9 +171,16 @@ Status convert(const Options& options) {
 Action declare_convert(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("convert", "Writes a model in another language");
   auto options = std::make_shared<Options>();
-  subcommand->add_option("from", options->from, "Robot (.kindsl or .urdf)")->required();
-  subcommand->add_option("to", options->to, "File to write; its ending says the language: .kindsl or .urdf")
+  subcommand->add_option("from", options->from, "Robot (.kindsl, .urdf) or motions (.motdsl)")->required();
+  subcommand
+      ->add_option(
+          "to", options->to,
+          "File to write; its ending says the language: .kindsl, .urdf, .motdsl, or .ctdsl for coordinate transforms")
       ->required();
+  subcommand->add_option("--desired", options->desired, "Which transforms a .ctdsl gets (.dtdsl)");
+  subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
+      ->check(CLI::IsMember({"left", "right"}));
+  subcommand->add_flag("--strict", options->strict, "Warnings of the desired-transforms document are errors");
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return convert(*options); };

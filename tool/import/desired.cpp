@@ -20,6 +20,13 @@ struct Frames {
   model::NameIndex index;
 };
 
+// A pair of the list, by index.
+struct Resolved {
+  int left;
+  int right;
+  Place place;
+};
+
 class FrameResolver {
  public:
   FrameResolver(const desired::Document& document, Frames& frames, Diagnostics& diagnostics)
@@ -47,9 +54,9 @@ class FrameResolver {
     }
   }
 
-  // Pairs whose frames exist, each once, by index. `what` is what a pair stands for.
-  std::vector<std::pair<int, int>> resolve(const std::vector<desired::Pair>& pairs, const std::string& what) {
-    std::vector<std::pair<int, int>> resolved;
+  // Pairs whose frames exist, each once. `what` is what a pair stands for.
+  std::vector<Resolved> resolve(const std::vector<desired::Pair>& pairs, const std::string& what) {
+    std::vector<Resolved> resolved;
     std::map<std::pair<int, int>, Place> seen;
     for (const desired::Pair& pair : pairs) {
       const auto left = frame(pair.left, what);
@@ -57,7 +64,7 @@ class FrameResolver {
       if (!left || !right) continue;
       const auto [earlier, is_new] = seen.insert({{*left, *right}, place(pair.span)});
       if (is_new) {
-        resolved.emplace_back(*left, *right);
+        resolved.push_back({*left, *right, place(pair.span)});
       } else {
         diagnostics_
             .warning(
@@ -98,6 +105,21 @@ class FrameResolver {
   Diagnostics& diagnostics_;
 };
 
+// "'A' is connected with 'B' and 'C'", for a hint.
+std::string connections(const model::RigidMotions& motions, const std::string& frame) {
+  constexpr std::size_t kShown = 5;
+  std::vector<std::string> names;
+  for (const std::string& other : motions.frames) {
+    if (other != frame && model::transform_between(motions, frame, other)) names.push_back(fmt::format("'{}'", other));
+  }
+  if (names.empty()) return fmt::format("'{}' is connected with no frame", frame);
+  if (names.size() > kShown) {
+    names.resize(kShown);
+    names.push_back("…");
+  }
+  return fmt::format("'{}' is connected with {}", frame, fmt::join(names, ", "));
+}
+
 }  // namespace
 
 model::DesiredTransforms desired_transforms(
@@ -112,7 +134,7 @@ model::DesiredTransforms desired_transforms(
   resolver.check_list();
   const auto resolve = [&](const std::vector<desired::Pair>& pairs, const std::string& what) {
     std::vector<model::FramePair> result;
-    for (const auto& [left, right] : resolver.resolve(pairs, what))
+    for (const auto& [left, right, place] : resolver.resolve(pairs, what))
       result.push_back({all[static_cast<std::size_t>(left)], all[static_cast<std::size_t>(right)]});
     return result;
   };
@@ -124,11 +146,10 @@ model::DesiredTransforms desired_transforms(
 
 std::vector<FrameNames> desired_frame_pairs(
     const desired::Document& document,
-    const std::string& model,
-    const std::vector<std::string>& frame_names,
+    const model::RigidMotions& motions,
     Diagnostics& diagnostics) {
-  Frames frames = {"model", model, {}};
-  for (const std::string& name : frame_names) frames.index.add(name);
+  Frames frames = {"model", motions.name, {}};
+  for (const std::string& name : motions.frames) frames.index.add(name);
   FrameResolver resolver(document, frames, diagnostics);
   resolver.check_name();
   resolver.check_list();
@@ -138,8 +159,15 @@ std::vector<FrameNames> desired_frame_pairs(
         "Jacobians are of robots: motions have no joints");
   }
   std::vector<FrameNames> result;
-  for (const auto& [left, right] : resolver.resolve(document.transforms, "transform"))
-    result.emplace_back(frames.index.name_of(left), frames.index.name_of(right));
+  for (const auto& [left_index, right_index, place] : resolver.resolve(document.transforms, "transform")) {
+    const std::string &left = frames.index.name_of(left_index), &right = frames.index.name_of(right_index);
+    if (model::transform_between(motions, left, right)) {
+      result.emplace_back(left, right);
+      continue;
+    }
+    diagnostics.error("not-connected", place, fmt::format("no motions lead from frame '{}' to frame '{}'", left, right))
+        .hint = fmt::format("{}; {}", connections(motions, left), connections(motions, right));
+  }
   return result;
 }
 

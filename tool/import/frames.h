@@ -25,12 +25,11 @@ std::optional<model::CoordinateTransforms> coordinate_transforms(
 
 using model::FrameNames;
 
-// The transforms that a list asks of a model with these frames, each once. Lenient as for robots: see
-// desired_transforms (import/kinematics.h). Jacobians are refused: they need joints.
+// The transforms that a list asks of a model of motions, each once. Lenient as for robots: see desired_transforms
+// (import/kinematics.h). Frames that no motions connect are an error, and so are Jacobians: they need joints.
 std::vector<FrameNames> desired_frame_pairs(
     const language::desired::Document& document,
-    const std::string& model,
-    const std::vector<std::string>& frames,
+    const model::RigidMotions& motions,
     Diagnostics& diagnostics);
 
 }  // namespace robcogen::import

@@ -1,8 +1,8 @@
 #include "model/coordinate_transforms.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
+#include <stdexcept>
 #include <string_view>
 
 namespace robcogen::model {
@@ -107,7 +107,7 @@ CoordinateTransforms transforms_of(
   CoordinateTransforms result = {motions.name, position, motions.parameters, motions.variables, {}};
   for (const auto& [left, right] : pairs) {
     std::optional<CoordinateTransform> transform = transform_between(motions, left, right, position);
-    assert(transform && "the frames are connected");
+    if (!transform) throw std::logic_error("transform between frames that no motions connect");
     result.transforms.push_back(std::move(*transform));
   }
   return result;
