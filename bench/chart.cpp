@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <string_view>
 
@@ -76,7 +75,10 @@ Axes axes(const std::vector<ChartPanel>& panels) {
     a.high = std::pow(10, std::ceil(std::log10(most)));
     if (a.high <= a.low) a.high = 10 * a.low;
   }
-  for (const auto& [freedom, names] : robots) a.robots[freedom] = fmt::format("{}", fmt::join(names, ", "));
+  for (const auto& [freedom, names] : robots) {
+    std::string& all = a.robots[freedom];
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  }
   return a;
 }
 

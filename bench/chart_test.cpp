@@ -103,7 +103,7 @@ TEST(Chart, PlacesAreLinearInFreedomAndLogarithmicInTime) {
   const std::string drawing = svg(example());
   const std::vector<double> x = circles(drawing, "cx"), y = circles(drawing, "cy");
   ASSERT_EQ(x.size(), 7);  // one in the legend, three a panel
-  for (const std::size_t first : {1, 4}) {
+  for (const std::size_t first : {std::size_t{1}, std::size_t{4}}) {
     EXPECT_NEAR(x[first + 1] - x[first], x[first + 2] - x[first + 1], kPixels);
     EXPECT_GT(x[first + 1], x[first]);
     EXPECT_NEAR(y[first + 1] - y[first], y[first + 2] - y[first + 1], kPixels);

@@ -68,13 +68,14 @@ std::string text_of(const std::string& path) {
 
 // nullopt, said on standard error, when the program or its results are no good.
 std::optional<Results> measure(const std::string& program) {
-  // A file, because libraries print what they like on standard output.
+  // A file, because libraries print what they like on standard output. With JSON there, too, standard error is left for
+  // what went wrong.
   const std::string file = program + ".json";
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   const std::string command = fmt::format(
-      "{} --benchmark_out={} --benchmark_out_format=json --benchmark_repetitions={} --benchmark_min_time={}"
-      " --benchmark_enable_random_interleaving=true",
+      "{} --benchmark_out={} --benchmark_out_format=json --benchmark_format=json --benchmark_repetitions={}"
+      " --benchmark_min_time={} --benchmark_enable_random_interleaving=true",
       quoted(program), quoted(file), kRepetitions, kMinTime);
   if (!output_of(command)) {
     fmt::print(stderr, "report: {} failed\n", program);

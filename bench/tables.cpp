@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "comparison.h"
 
@@ -64,24 +63,26 @@ std::string mean_rows(const std::vector<Mean>& means, const std::vector<std::str
 // One line for each library and reason, with the robots, unless it is so for all of them.
 std::string absent_rows(const std::vector<Results>& robots) {
   std::vector<Absence> absences;
-  std::vector<std::vector<std::string>> whose;
+  std::vector<std::size_t> counts;
+  std::vector<std::string> names;
   for (const Results& results : robots) {
     for (const Absence& absence : results.absent) {
       const auto known = std::find_if(absences.begin(), absences.end(), [&](const Absence& other) {
         return other.library == absence.library && other.reason == absence.reason;
       });
-      const std::ptrdiff_t index = known - absences.begin();
+      const auto index = static_cast<std::size_t>(known - absences.begin());
       if (known == absences.end()) {
         absences.push_back(absence);
-        whose.emplace_back();
+        counts.push_back(0);
+        names.emplace_back();
       }
-      whose[static_cast<std::size_t>(index)].push_back(results.robot);
+      names[index] += (counts[index]++ == 0 ? "" : ", ") + results.robot;
     }
   }
   std::string rows;
   for (std::size_t i = 0; i < absences.size(); ++i) {
     rows += fmt::format("not measured: {}: {}", absences[i].library, absences[i].reason);
-    if (whose[i].size() < robots.size()) rows += fmt::format(" ({})", fmt::join(whose[i], ", "));
+    if (counts[i] < robots.size()) rows += fmt::format(" ({})", names[i]);
     rows += "\n";
   }
   return rows;
