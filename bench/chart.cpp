@@ -232,7 +232,10 @@ std::string panel(const Axes& a, const ChartPanel& content, double top) {
   drawing += text(
       16, middle, "middle", "time of a call (logarithmic)",
       fmt::format(" transform=\"rotate(-90 16 {:.2f})\"", middle));
-  for (const ChartSeries& series : content.series) drawing += curve(a, top, series);
+  // The first above all others.
+  for (auto series = content.series.rbegin(); series != content.series.rend(); ++series) {
+    drawing += curve(a, top, *series);
+  }
   return drawing;
 }
 
