@@ -1,0 +1,35 @@
+// Two descriptions of one robot, compared by what they compute.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::test {
+
+// The largest differences between two robots at random states, relative to what is compared. Joints are taken by name;
+// forces and accelerations are weighed by the inertia that each joint meets, so that a finger counts as much as a hip.
+struct Differences {
+  double inertia_matrix = 0;    // of H(i, j), relative to sqrt(H(i, i) H(j, j))
+  double inverse_dynamics = 0;  // with the base's wrench, if it floats
+  double forward_dynamics = 0;  // with the base's acceleration, if it floats
+  double poses = 0;             // of links in the base, by name: see `named_frame`
+};
+
+// Both have the same joints by name, and are fixed or floating alike; otherwise throws.
+Differences differences(
+    const model::KinematicTree& found,
+    const model::KinematicTree& expected,
+    std::uint64_t seed,
+    int states);
+
+// The names under which a URDF has links and frames of this robot: those of its links and of its user frames that are
+// not hidden.
+std::vector<std::string> named_frames(const model::KinematicTree& tree);
+
+// What this name calls: the user frame, or else the link frame.
+model::Frame named_frame(const model::KinematicTree& tree, const std::string& name);
+
+}  // namespace robcogen::test
