@@ -23,7 +23,7 @@ TEST(Command, SaysItsVersionAndHelp) {
   EXPECT_EQ(version.output.rfind("robcogen ", 0), 0U) << version.output;
   const Outcome help = run_tool("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* word : {"generate", "check", "print", "ops", "eval"})
+  for (const char* word : {"generate", "check", "print", "ops", "eval", "convert"})
     EXPECT_NE(help.output.find(word), std::string::npos) << word;
 }
 
