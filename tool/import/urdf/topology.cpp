@@ -50,7 +50,9 @@ class Connector {
       adopt(static_cast<int>(j));
     }
     // What is missing or twice would be reported as roots once more.
-    if (diagnostics_.error_count() > errors_before || document_.links.empty()) return std::nullopt;
+    const bool is_complete = std::count(topology_.parent.begin(), topology_.parent.end(), -1) == 0 &&
+                             std::count(topology_.child.begin(), topology_.child.end(), -1) == 0;
+    if (!is_complete || diagnostics_.error_count() > errors_before || document_.links.empty()) return std::nullopt;
     find_root();
     walk_from_root();
     report_cycles();

@@ -1,0 +1,359 @@
+// What a URDF says and what comes of it, by numbers worked out by hand.
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <locale>
+
+#include "reading.h"
+
+namespace robcogen {
+namespace {
+
+using model::KinematicTree;
+using model::Placement;
+using model::Quantity;
+using test::tree_of;
+
+constexpr const char* kUnitInertial =
+    R"(<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>)";
+
+std::string link(const std::string& name, const std::string& inertial = kUnitInertial) {
+  return "<link name=\"" + name + "\">" + inertial + "</link>\n";
+}
+
+std::string joint(
+    const std::string& name,
+    const std::string& type,
+    const std::string& parent,
+    const std::string& child,
+    const std::string& inner) {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" + child +
+         "\"/>" + inner + "</joint>\n";
+}
+
+std::string robot(const std::string& body) {
+  return "<robot name=\"robot\">\n" + body + "</robot>\n";
+}
+
+constexpr const char* kAboutZ = R"(<axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)";
+
+// base, and an arm that turns about z, with what is given beside.
+std::string arm(const std::string& inertial, const std::string& more = "", const std::string& inner = kAboutZ) {
+  return robot(link("base", "") + link("arm", inertial) + joint("hinge", "revolute", "base", "arm", inner) + more);
+}
+
+std::string inertial(const std::string& origin, const std::string& mass, const std::string& tensor) {
+  return "<inertial>" + origin + "<mass value=\"" + mass + "\"/><inertia " + tensor + "/></inertial>";
+}
+
+const model::Inertia& inertia_of(const KinematicTree& tree, const std::string& name) {
+  return *tree.links[static_cast<std::size_t>(*tree.find_link(name))].inertia;
+}
+
+const model::UserFrame& frame(const KinematicTree& tree, const std::string& name) {
+  for (const model::UserFrame& f : tree.user_frames)
+    if (f.name == name) return f;
+  ADD_FAILURE() << "no frame '" << name << "'";
+  return tree.user_frames.front();
+}
+
+// As a document would spell them.
+std::string text(const Quantity& q) {
+  return model::print(q, {});
+}
+std::string text(const std::array<Quantity, 3>& v) {
+  return text(v[0]) + " " + text(v[1]) + " " + text(v[2]);
+}
+std::string text(const Placement& p) {
+  return text(p.translation) + ", " + text(p.rotation);
+}
+std::string moments(const model::Inertia& i) {
+  return text(i.ixx) + " " + text(i.iyy) + " " + text(i.izz);
+}
+std::string products(const model::Inertia& i) {
+  return text(i.ixy) + " " + text(i.ixz) + " " + text(i.iyz);
+}
+
+// --- faults that tools of this kind have had ---------------------------------------------------------------------
+
+TEST(HistoricalFaults, FixedJointIsLumpedInTheFrameOfTheLinkThatCarriesIt) {
+  // The tool is a point of 2 kg at (0, 0, 1) of its frame, which stands at (1, 0, 0), turned a quarter about x: the
+  // point is at (1, -1, 0) of the arm. Snapped, so that all is exact.
+  const std::string tool =
+      link("tool", inertial("<origin xyz=\"0 0 1\"/>", "2", R"(ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="3")")) +
+      joint("mount", "fixed", "arm", "tool", R"(<origin xyz="1 0 0" rpy="1.5707963267948966 0 0"/>)");
+  const KinematicTree tree = tree_of(arm("", tool), {.snap_angles = true});
+  const model::Inertia& i = inertia_of(tree, "arm");
+  EXPECT_EQ(text(i.mass), "2.0");
+  EXPECT_EQ(text(i.com), "1.0 -1.0 0.0");
+  // About the point, y and z change places: (1, 3, 2). Then 2 kg * (1, 1, 2) and the product 2 * 1 * -1.
+  EXPECT_EQ(moments(i), "3.0 5.0 6.0");
+  EXPECT_EQ(products(i), "-2.0 0.0 0.0");
+  EXPECT_EQ(text(frame(tree, "tool").placement), "1.0 0.0 0.0, PI/2.0 0.0 0.0");
+}
+
+TEST(HistoricalFaults, LumpedMassesKeepTheirDecimals) {
+  const std::string more =
+      link("tool", inertial("<origin xyz=\"0.4 0 0\"/>", "0.1", R"(ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0")")) +
+      joint("mount", "fixed", "arm", "tool", R"(<origin xyz="0.2 0 0"/>)");
+  const KinematicTree tree = tree_of(arm(
+      inertial("<origin xyz=\"0.3 0 0\"/>", "0.2", R"(ixx="0" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1")"), more));
+  const model::Inertia& i = inertia_of(tree, "arm");
+  EXPECT_TRUE(i.mass.number() == *Number::parse("0.3"));
+  EXPECT_TRUE(i.com[0].number() == *Number::parse("0.4"));  // (0.2 * 0.3 + 0.1 * 0.6) / 0.3
+  EXPECT_TRUE(i.izz.number() == *Number::parse("0.154"));   // 0.1 + 0.2 * 0.09 + 0.1 * 0.36
+}
+
+TEST(HistoricalFaults, InertialRpyTurnsTheTensor) {
+  const KinematicTree tree = tree_of(
+      arm(inertial(
+          R"(<origin rpy="0 0 1.5707963267948966"/>)", "1", R"(ixx="1" ixy="0.2" ixz="0" iyy="2" iyz="0" izz="2.5")")),
+      {.snap_angles = true});
+  EXPECT_EQ(moments(inertia_of(tree, "arm")), "2.0 1.0 2.5");
+  // The tensor's ixy changes its sign in the turn; the model's is the product, of the other sign.
+  EXPECT_EQ(products(inertia_of(tree, "arm")), "0.2 0.0 0.0");
+}
+
+TEST(HistoricalFaults, InertialRpyCountsAlsoWhenItsAnglesSumToZero) {
+  const KinematicTree tree = tree_of(
+      arm(inertial(
+          R"(<origin rpy="1.5707963267948966 0 -1.5707963267948966"/>)", "1",
+          R"(ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="2.5")")),
+      {.snap_angles = true});
+  // R = Rz(-PI/2) Rx(PI/2) takes x to -y, y to z, z to -x.
+  EXPECT_EQ(moments(inertia_of(tree, "arm")), "2.5 1.0 2.0");
+}
+
+TEST(HistoricalFaults, ProductsOfInertiaHaveTheOtherSignOfTensorElements) {
+  const KinematicTree tree =
+      tree_of(arm(inertial("", "1", R"(ixx="1" ixy="0.1" ixz="-0.2" iyy="1" iyz="0.3" izz="1")")));
+  EXPECT_EQ(products(inertia_of(tree, "arm")), "-0.1 0.2 -0.3");
+}
+
+TEST(HistoricalFaults, InertiaAboutTheCentreOfMassIsMovedToTheOrigin) {
+  const KinematicTree tree =
+      tree_of(arm(inertial(R"(<origin xyz="1 2 3"/>)", "2", R"(ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1")")));
+  const model::Inertia& i = inertia_of(tree, "arm");
+  EXPECT_EQ(text(i.com), "1.0 2.0 3.0");
+  EXPECT_EQ(moments(i), "27.0 21.0 11.0");  // 1 + 2 (4 + 9), 1 + 2 (1 + 9), 1 + 2 (1 + 4)
+  EXPECT_EQ(products(i), "4.0 6.0 12.0");
+}
+
+TEST(HistoricalFaults, MasslessLeafIsAnErrorThatNamesItsJoint) {
+  const auto result =
+      test::imported(arm(kUnitInertial, link("hand", "") + joint("wrist", "revolute", "arm", "hand", kAboutZ)));
+  EXPECT_FALSE(result.tree);
+  ASSERT_EQ(result.of_code("singular-inertia").size(), 1u);
+  EXPECT_NE(result.of_code("singular-inertia")[0]->message.find("'wrist'"), std::string::npos);
+}
+
+TEST(HistoricalFaults, DecimalCommaIsAnErrorAndNotTheNumberBeforeIt) {
+  const auto result = test::imported(arm(inertial("", "1,5", R"(ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1")")));
+  EXPECT_FALSE(result.tree);
+  ASSERT_EQ(result.of_code("not-a-number").size(), 1u);
+  EXPECT_NE(result.of_code("not-a-number")[0]->message.find("'1,5'"), std::string::npos);
+}
+
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(HistoricalFaults, LocaleWithADecimalCommaChangesNothing) {
+  const std::string document = arm(
+      inertial(
+          R"(<origin xyz="0.125 0 0" rpy="0 0.3 0"/>)", "1.5", R"(ixx="1.25" ixy="0" ixz="0" iyy="1" iyz="0" izz="1")"),
+      "", R"(<axis xyz="0 0 1"/><limit lower="-0.5" upper="0.75" effort="1.5" velocity="2.5"/>)");
+  const KinematicTree here = tree_of(document);
+  const std::string c = std::setlocale(LC_ALL, nullptr);
+  const std::locale cpp = std::locale::global({std::locale(), new Comma});
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where the system has it
+  const KinematicTree there = tree_of(document);
+  std::locale::global(cpp);
+  std::setlocale(LC_ALL, c.c_str());
+  EXPECT_EQ(text(inertia_of(there, "arm").com), "0.125 0.0 0.0");
+  EXPECT_EQ(moments(inertia_of(there, "arm")), moments(inertia_of(here, "arm")));
+  EXPECT_TRUE(there.joints[0].limits == here.joints[0].limits);
+  EXPECT_EQ(there.joints[0].limits.upper, 0.75);
+}
+
+TEST(HistoricalFaults, NamesThatBecomeOneAreAnErrorThatShowsBoth) {
+  const auto result = test::imported(robot(link("a-b") + link("a_b") + joint("j", "fixed", "a-b", "a_b", "")));
+  EXPECT_FALSE(result.tree);
+  ASSERT_EQ(result.of_code("name-collision").size(), 1u);
+  const std::string& message = result.of_code("name-collision")[0]->message;
+  EXPECT_NE(message.find("'a-b'"), std::string::npos);
+  EXPECT_NE(message.find("'a_b'"), std::string::npos);
+}
+
+// --- frames ------------------------------------------------------------------------------------------------------
+
+TEST(Urdf, JointFrameHasZAlongTheAxis) {
+  const KinematicTree tree =
+      tree_of(arm(kUnitInertial, "", R"(<origin xyz="1 2 3"/><axis xyz="0 1 0"/><limit effort="1" velocity="1"/>)"));
+  EXPECT_EQ(text(tree.joints[0].placement), "1.0 2.0 3.0, -PI/2.0 0.0 0.0");
+  EXPECT_EQ(text(frame(tree, "arm").placement), "0.0 0.0 0.0, PI/2.0 0.0 0.0");
+}
+
+TEST(Urdf, AxisThatIsNotGivenIsX) {
+  const KinematicTree tree = tree_of(arm(kUnitInertial, "", R"(<limit effort="1" velocity="1"/>)"));
+  EXPECT_EQ(text(tree.joints[0].placement), "0.0 0.0 0.0, 0.0 PI/2.0 0.0");
+}
+
+TEST(Urdf, FixedAxisAnglesAreRollThenPitchThenYaw) {
+  const KinematicTree tree = tree_of(
+      arm(kUnitInertial, "",
+          R"(<origin rpy="1.5707963 1.5707963 0"/><axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)"),
+      {.snap_angles = true});
+  // Ry(PI/2) Rx(PI/2): x goes to -z, y to x... in the order of the model: Ry first, and then about the turned x.
+  const auto R = model::rotation_matrix(tree.joints[0].placement);
+  const double wanted[3][3] = {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(model::evaluate(R[i][j]), wanted[i][j]) << i << " " << j;
+}
+
+TEST(Urdf, EveryLinkIsAUserFrame) {
+  const KinematicTree tree = tree_of(
+      arm(kUnitInertial, link("palm", "") +
+                             joint("mount", "fixed", "arm", "palm", R"(<origin xyz="0.5 0 0" rpy="0.3 0 0"/>)") +
+                             link("tip", "") + joint("end", "fixed", "palm", "tip", R"(<origin xyz="1 0 0"/>)")));
+  ASSERT_EQ(tree.user_frames.size(), 4u);
+  EXPECT_EQ(tree.links.size(), 2u);
+  EXPECT_EQ(frame(tree, "base").link, 0);
+  EXPECT_EQ(text(frame(tree, "base").placement), "0.0 0.0 0.0, 0.0 0.0 0.0");
+  EXPECT_EQ(text(frame(tree, "palm").placement), "0.5 0.0 0.0, 0.3 0.0 0.0");
+  EXPECT_EQ(text(frame(tree, "tip").placement), "1.5 0.0 0.0, 0.3 0.0 0.0");
+  EXPECT_EQ(frame(tree, "tip").link, 1);
+}
+
+TEST(Urdf, KeepsTheOrderOfTheFile) {
+  const KinematicTree tree = tree_of(robot(
+      joint("z", "revolute", "m", "a", kAboutZ) + link("q") + link("m") + joint("y", "revolute", "root", "q", kAboutZ) +
+      link("a") + link("root", "") + joint("x", "prismatic", "root", "m", kAboutZ)));
+  std::string links, joints;
+  for (const model::Link& l : tree.links) links += l.name + " ";
+  for (const model::Joint& j : tree.joints) joints += j.name + " ";
+  EXPECT_EQ(links, "root q m a ");
+  EXPECT_EQ(joints, "z y x ");
+  EXPECT_EQ(tree.joints[2].type, model::JointType::prismatic);
+}
+
+// --- limits, base, names -----------------------------------------------------------------------------------------
+
+model::JointLimits limits_of(const std::string& type, const std::string& limit) {
+  return tree_of(robot(
+                     link("base", "") + link("arm") +
+                     joint("hinge", type, "base", "arm", R"(<axis xyz="0 0 1"/>)" + limit)))
+      .joints[0]
+      .limits;
+}
+
+TEST(Urdf, LimitsAreThoseOfTheDocument) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(
+      (limits_of("revolute", R"(<limit lower="-1.5" upper="2" effort="3" velocity="0.1"/>)") ==
+       model::JointLimits{-1.5, 2, 0.1, 3}));
+  EXPECT_TRUE((limits_of("prismatic", "") == model::JointLimits{}));
+  // Of a limit that is there, URDF takes positions that are not for zero.
+  EXPECT_TRUE((limits_of("prismatic", R"(<limit upper="2"/>)") == model::JointLimits{0, 2, kNone, kNone}));
+  EXPECT_TRUE(
+      (limits_of("continuous", R"(<limit lower="-1" upper="1" effort="3" velocity="4"/>)") ==
+       model::JointLimits{-kNone, kNone, 4, 3}));
+  EXPECT_TRUE((limits_of("continuous", "") == model::JointLimits{}));
+}
+
+TEST(Urdf, RootFloatsWhenAskedTo) {
+  const std::string body = link("trunk") + link("leg") + joint("hip", "revolute", "trunk", "leg", kAboutZ);
+  EXPECT_FALSE(tree_of(robot(body)).floating_base);
+  const KinematicTree tree = tree_of(robot(body), {.floating_base = true});
+  EXPECT_TRUE(tree.floating_base);
+  EXPECT_EQ(tree.links[0].name, "trunk");
+  EXPECT_TRUE(tree.links[0].inertia.has_value());
+}
+
+TEST(Urdf, FloatingJointOfTheRootMakesItsChildTheBase) {
+  const auto result = test::imported(robot(
+      link("world", "") + link("trunk") + joint("free", "floating", "world", "trunk", R"(<origin xyz="0 0 1"/>)") +
+      link("leg") + joint("hip", "revolute", "trunk", "leg", kAboutZ)));
+  ASSERT_TRUE(result.tree) << result.diagnostics.render();
+  EXPECT_TRUE(result.tree->floating_base);
+  EXPECT_EQ(result.tree->links[0].name, "trunk");
+  EXPECT_EQ(result.tree->user_frames.size(), 2u);
+  EXPECT_EQ(text(frame(*result.tree, "trunk").placement), "0.0 0.0 0.0, 0.0 0.0 0.0");
+  EXPECT_EQ(result.of_code("root-left-out").size(), 1u);
+}
+
+TEST(Urdf, NamesBecomeIdentifiers) {
+  const auto result = test::imported(robot(
+      link("2nd base", "") + link("löwer/arm") + joint("löwer/arm", "revolute", "2nd base", "löwer/arm", kAboutZ)));
+  ASSERT_TRUE(result.tree) << result.diagnostics.render();
+  EXPECT_EQ(result.tree->links[0].name, "_2nd_base");
+  EXPECT_EQ(result.tree->links[1].name, "l_wer_arm");
+  EXPECT_EQ(result.tree->joints[0].name, "l_wer_arm_joint");
+  EXPECT_EQ(result.of_code("joint-renamed").size(), 1u);
+}
+
+TEST(Urdf, LinkWithAnInertialOfZerosIsMassless) {
+  const KinematicTree tree = tree_of(
+      arm(inertial(R"(<origin xyz="1 2 3"/>)", "0", R"(ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0")"),
+          link("tool") + joint("mount", "fixed", "arm", "tool", "")));
+  EXPECT_EQ(text(inertia_of(tree, "arm").mass), "1.0");
+  EXPECT_EQ(text(inertia_of(tree, "arm").com), "0.0 0.0 0.0");
+}
+
+// --- angles ------------------------------------------------------------------------------------------------------
+
+TEST(Urdf, AnglesAreSnappedOnlyOnRequest) {
+  const std::string document =
+      arm(kUnitInertial, "",
+          R"(<origin rpy="0.3 1.5707963267948966 0.261799"/><axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)");
+  const auto as_is = test::imported(document);
+  ASSERT_EQ(as_is.of_code("angles-near-multiples").size(), 1u);
+  EXPECT_NE(as_is.of_code("angles-near-multiples")[0]->message.find("2 angles"), std::string::npos);
+  EXPECT_TRUE(as_is.of_code("angle-snapped").empty());
+
+  const auto snapped = test::imported(document, {.snap_angles = true});
+  EXPECT_TRUE(snapped.of_code("angles-near-multiples").empty());
+  ASSERT_EQ(snapped.of_code("angle-snapped").size(), 2u);
+  const std::string& message = snapped.of_code("angle-snapped")[1]->message;
+  EXPECT_NE(message.find("yaw of the origin of joint 'hinge': 0.261799 becomes PI/12.0"), std::string::npos) << message;
+}
+
+TEST(Urdf, AnglesOfLinksWithoutMassAreNotCounted) {
+  const std::string none =
+      inertial(R"(<origin rpy="1.5707963 0 0"/>)", "0", R"(ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0")");
+  const auto result = test::imported(arm(kUnitInertial, link("tip", none) + joint("end", "fixed", "arm", "tip", "")));
+  EXPECT_TRUE(result.of_code("angles-near-multiples").empty());
+}
+
+// --- sizes -------------------------------------------------------------------------------------------------------
+
+std::string chain(int links, const char* type) {
+  std::string body = link("l0", "");
+  for (int i = 1; i < links; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1);
+    body += link("l" + n) +
+            joint(
+                "j" + n, type, "l" + before, "l" + n,
+                R"(<origin xyz="0.1 0 0" rpy="0.1 0.2 0.3"/><axis xyz="0 1 0"/><limit effort="1" velocity="1"/>)");
+  }
+  return robot(body);
+}
+
+TEST(Urdf, LongChainsNeedNoDeepStack) {
+  constexpr int kLinks = 20000;
+  EXPECT_EQ(tree_of(chain(kLinks, "fixed")).user_frames.size(), static_cast<std::size_t>(kLinks));
+  EXPECT_EQ(tree_of(chain(kLinks, "revolute")).dof(), kLinks - 1);
+}
+
+TEST(Urdf, LineOfMegabytesIsRead) {
+  const std::string blanks(std::size_t{10} << 20, ' ');
+  EXPECT_EQ(tree_of(robot(blanks + link("base", "") + blanks)).links.size(), 1u);
+}
+
+TEST(Urdf, TextThatIsTooLargeIsRefused) {
+  const auto result = test::imported(robot(std::string(std::size_t{65} << 20, ' ')));
+  EXPECT_EQ(result.of_code("too-large").size(), 1u);
+}
+
+}  // namespace
+}  // namespace robcogen

@@ -1,0 +1,17 @@
+#include <gtest/gtest.h>
+
+#include "import/urdf.h"
+
+namespace robcogen {
+namespace {
+
+TEST(Urdf, IsRefusedWithTheWayToHaveItRead) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(import::urdf(std::make_shared<Source>("arm.urdf", "<robot/>"), {}, diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].code, "urdf-unavailable");
+  EXPECT_NE(diagnostics.all()[0].hint.find("liburdfdom-dev"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace robcogen
