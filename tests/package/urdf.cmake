@@ -10,7 +10,7 @@ run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/urdf -B ${bui
     -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL} -DCMAKE_CXX_COMPILER=${CXX_COMPILER})
 # Serially: the messages of the two robots must not mix.
 run(output ${CMAKE_COMMAND} --build ${build_dir} --target arm_codegen)
-expect_words("near angles" "${output}" "3 angles are within 1e-06 of a multiple of PI/12")
+expect_words("near angles" "${output}" "3 angles of this robot are within 1e-6 of a multiple of PI/12")
 run(output ${CMAKE_COMMAND} --build ${build_dir} --target flying_arm_codegen)
 expect_words("snapped angles" "${output}" "[angle-snapped]")
 run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
