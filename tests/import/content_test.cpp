@@ -327,13 +327,14 @@ TEST(Urdf, AnglesOfLinksWithoutMassAreNotCounted) {
 
 // --- sizes -------------------------------------------------------------------------------------------------------
 
-std::string chain(int links, const char* type) {
+// A chain in which every other joint is fixed.
+std::string chain(int links) {
   std::string body = link("l0", "");
   for (int i = 1; i < links; ++i) {
     const std::string n = std::to_string(i), before = std::to_string(i - 1);
     body += link("l" + n) +
             joint(
-                "j" + n, type, "l" + before, "l" + n,
+                "j" + n, i % 2 == 0 ? "fixed" : "revolute", "l" + before, "l" + n,
                 R"(<origin xyz="0.1 0 0" rpy="0.1 0.2 0.3"/><axis xyz="0 1 0"/><limit effort="1" velocity="1"/>)");
   }
   return robot(body);
@@ -341,8 +342,7 @@ std::string chain(int links, const char* type) {
 
 TEST(Urdf, LongChainsNeedNoDeepStack) {
   constexpr int kLinks = 20000;
-  EXPECT_EQ(tree_of(chain(kLinks, "fixed")).user_frames.size(), static_cast<std::size_t>(kLinks));
-  EXPECT_EQ(tree_of(chain(kLinks, "revolute")).dof(), kLinks - 1);
+  EXPECT_EQ(tree_of(chain(kLinks)).dof(), kLinks / 2);
 }
 
 TEST(Urdf, LineOfMegabytesIsRead) {

@@ -25,7 +25,7 @@ using Taken = std::map<std::string, const Name*>;
 
 void take(Taken& taken, const std::string& identifier, const Name& name, const char* kind, Diagnostics& diagnostics) {
   const auto [earlier, is_new] = taken.insert({identifier, &name});
-  if (!is_new) {
+  if (!is_new && earlier->second->text != name.text) {  // else it was reported as declared twice
     diagnostics
         .error(
             "name-collision", name.place,
@@ -67,7 +67,7 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
   }
   for (const Joint& joint : document.joints) {
     std::string name = is_movable(joint) ? identifier(joint.name.text) : "";
-    if (const auto link = links.find(name); link != links.end()) {
+    if (const auto link = links.find(name); link != links.end() && !name.empty()) {
       const std::string longer = name + "_joint";
       if (const auto other = links.find(longer); other != links.end()) {
         diagnostics

@@ -15,12 +15,20 @@ constexpr int kStepsInHalfTurn = 12;
 
 constexpr std::array<const char*, 3> kAngleNames = {"roll", "pitch", "yaw"};
 
-// The multiple of PI/12 that is near, unless the angle is one already.
-std::optional<Number> near_multiple(const Number& angle) {
-  if (angle.is_zero() || angle.is_pi_multiple()) return std::nullopt;
-  const auto steps = std::llround(angle.value() / (std::numbers::pi / kStepsInHalfTurn));
-  const Number multiple = Number::pi_multiple(steps, kStepsInHalfTurn);
-  return std::abs(multiple.value() - angle.value()) <= kNear ? std::optional(multiple) : std::nullopt;
+struct Snap {
+  Number multiple;
+  double change = 0.0;
+};
+
+// The multiple of PI/12 that is near, unless the angle is zero.
+std::optional<Snap> near_multiple(const Number& angle) {
+  if (angle.is_zero()) return std::nullopt;
+  constexpr long double kStep = std::numbers::pi_v<long double> / kStepsInHalfTurn;
+  const auto steps = std::llround(angle.value() / kStep);
+  // In long double, as the nearest double of PI/2 is not PI/2 either.
+  const auto change = static_cast<double>(static_cast<long double>(steps) * kStep - angle.value());
+  return std::abs(change) <= kNear ? std::optional<Snap>({Number::pi_multiple(steps, kStepsInHalfTurn), change})
+                                   : std::nullopt;
 }
 
 class Snapper {
@@ -30,16 +38,16 @@ class Snapper {
   void treat(Origin& origin, const std::string& owner) {
     for (std::size_t i = 0; i < 3; ++i) {
       Number& angle = origin.rpy[i];
-      const std::optional<Number> multiple = near_multiple(angle);
-      if (!multiple) continue;
+      const std::optional<Snap> snap = near_multiple(angle);
+      if (!snap) continue;
       if (++count_ == 1) first_ = origin.rpy_places[i];
       if (!snap_) continue;
       diagnostics_.note(
           "angle-snapped", origin.rpy_places[i],
           fmt::format(
               "{} of {}: {} becomes {}, a change of {:.1e} rad", kAngleNames[i], owner, print_double(angle.value()),
-              print(*multiple), multiple->value() - angle.value()));
-      angle = *multiple;
+              print(snap->multiple), snap->change));
+      angle = snap->multiple;
     }
   }
 
