@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
-#include <numbers>
+#include <locale>
 
 #include "robots.h"
 #include "urdf_reader.h"
@@ -174,6 +175,16 @@ TEST(Urdf, AxesAreUnitVectors) {
   EXPECT_NEAR(axis.x, std::sin(0.4) * std::sin(-2.0) - std::cos(0.4) * std::sin(1.1) * std::cos(-2.0), kCancelled);
 }
 
+// Where a document has the nearest double of PI/2, no crumbs of 1e-17 remain.
+TEST(Urdf, AxesAlongAxesAreExact) {
+  const UrdfReader urdf = exported(
+      document("", "", "frames { arm { translation = (0.0, 0.0, 0.0) rotation = (1.5707963267948966, 0.0, 0.3) } }"));
+  const auto [x, y, z] = components(urdf.model().getJoint("elbow")->axis);
+  EXPECT_EQ(x, std::sin(0.3));
+  EXPECT_EQ(y, std::cos(0.3));
+  EXPECT_EQ(z, 0.0);
+}
+
 // Only the ref_frame of mass properties can mean such a frame.
 TEST(Urdf, LeavesOutHiddenFrames) {
   const UrdfReader urdf =
@@ -235,6 +246,20 @@ TEST(Urdf, EscapesText) {
   KinematicTree tree = read(document("", "", ""));
   tree.name = R"(<a & "b">)";
   EXPECT_EQ(exported(tree).model().getName(), tree.name);
+}
+
+struct DecimalComma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Urdf, DoesNotDependOnTheLocale) {
+  const KinematicTree tree = read(document("", "", ""));
+  const std::string text = exporting::urdf(tree);
+  const std::locale before = std::locale::global(std::locale(std::locale(), new DecimalComma));
+  EXPECT_EQ(exporting::urdf(tree), text);
+  std::locale::global(before);
 }
 
 TEST(Urdf, OfALoneBaseIsALink) {

@@ -26,12 +26,15 @@ model::Inertia moved_to_link_frame(const model::Inertia& inertia) {
 
 class Writer {
  public:
-  explicit Writer(const model::KinematicTree& tree) : tree_(tree) {}
+  explicit Writer(const model::KinematicTree& tree) : tree_(tree), frames_(tree.links.size()) {
+    for (const model::UserFrame& frame : tree.user_frames)
+      frames_[static_cast<std::size_t>(frame.link)].push_back(&frame);
+  }
 
   kinematics::Document document() const {
     kinematics::Document document;
     document.robot.text = tree_.name;
-    for (std::size_t i = 0; i < tree_.links.size(); ++i) document.links.push_back(link(static_cast<int>(i)));
+    for (std::size_t i = 0; i < tree_.links.size(); ++i) document.links.push_back(link(i));
     for (const model::Joint& joint : tree_.joints) document.joints.push_back(write(joint));
     return document;
   }
@@ -54,15 +57,15 @@ class Writer {
   }
 
   // A frame of the link that is where its mass properties are given.
-  const model::UserFrame* reference_frame(int link, const model::Placement& reference) const {
-    for (const model::UserFrame& frame : tree_.user_frames) {
-      if (frame.link == link && same(frame.placement, reference)) return &frame;
+  const model::UserFrame* reference_frame(std::size_t link, const model::Placement& reference) const {
+    for (const model::UserFrame* frame : frames_[link]) {
+      if (same(frame->placement, reference)) return frame;
     }
     return nullptr;
   }
 
-  kinematics::Inertia inertia_of(int link) const {
-    const model::Inertia& given = *tree_.links[static_cast<std::size_t>(link)].inertia;
+  kinematics::Inertia inertia_of(std::size_t link) const {
+    const model::Inertia& given = *tree_.links[link].inertia;
     const model::UserFrame* frame = given.reference ? reference_frame(link, *given.reference) : nullptr;
     if (frame == nullptr) return write(given.reference ? moved_to_link_frame(given) : given);
     kinematics::Inertia inertia = write(given);
@@ -75,21 +78,21 @@ class Writer {
             write(i.ixy),  write(i.ixz), write(i.iyz), {},           {}};
   }
 
-  kinematics::Link link(int index) const {
-    const model::Link& from = tree_.links[static_cast<std::size_t>(index)];
+  kinematics::Link link(std::size_t index) const {
+    const model::Link& from = tree_.links[index];
     kinematics::Link link;
     link.name.text = from.name;
     link.is_base = index == 0;
     link.floating = link.is_base && tree_.floating_base;
-    if (!link.is_base) link.id = index;
+    if (!link.is_base) link.id = static_cast<int>(index);
     if (from.inertia) link.inertia = inertia_of(index);
     for (const int child : from.child_joints) {
       const model::Joint& joint = tree_.joints[static_cast<std::size_t>(child)];
       const model::Link& carried = tree_.links[static_cast<std::size_t>(joint.child)];
       link.children.push_back({{carried.name, {}}, {joint.name, {}}});
     }
-    for (const model::UserFrame& frame : tree_.user_frames) {
-      if (frame.link == index) link.frames.push_back({{frame.name, {}}, write(frame.placement)});
+    for (const model::UserFrame* frame : frames_[index]) {
+      link.frames.push_back({{frame->name, {}}, write(frame->placement)});
     }
     return link;
   }
@@ -104,6 +107,7 @@ class Writer {
   }
 
   const model::KinematicTree& tree_;
+  std::vector<std::vector<const model::UserFrame*>> frames_;  // by link
 };
 
 }  // namespace

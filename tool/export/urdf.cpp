@@ -51,7 +51,8 @@ std::vector<const UserFrame*> own_frames(const KinematicTree& tree) {
 
 class UniqueNames {
  public:
-  void reserve(const std::string& name) { taken_.insert(name); }
+  // Whether the name was free.
+  bool reserve(const std::string& name) { return taken_.insert(name).second; }
   // `wish`, or `wish_2` and so on.
   std::string add(const std::string& wish) {
     std::string name = wish;
@@ -81,10 +82,9 @@ Names choose_names(const KinematicTree& tree, const std::vector<const UserFrame*
   Names names;
   for (const UserFrame& frame : tree.user_frames) {
     if (frame.hidden || own[at(frame.link)] == &frame) continue;
-    names.frame_links.push_back({&frame, tree.find_link(frame.name) ? "" : frame.name, ""});
-    links.reserve(frame.name);
+    names.frame_links.push_back({&frame, links.reserve(frame.name) ? frame.name : "", ""});
   }
-  // Names that are given come before names that are made.
+  // Names that are given come before names that are made, as where a frame has a link's name.
   for (FrameLink& made : names.frame_links) {
     if (made.link.empty()) made.link = links.add(made.frame->name + "_frame");
     made.joint = joints.add(made.link + "_fixed");
