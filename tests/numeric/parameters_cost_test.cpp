@@ -1,0 +1,70 @@
+// What parameters cost: operations of a parametric robot against those of its constant twin.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "algorithm/robot_programs.h"
+#include "import/kinematics.h"
+#include "pass/passes.h"
+#include "pass/split_parameters.h"
+#include "symbolic/count.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using model::KinematicTree;
+using model::ParameterKind;
+using model::Quantity;
+
+// Constants fold into fewer sums than values that are only known to be constant: inverse and forward dynamics, and the
+// smaller functions, where the same few sums weigh more.
+constexpr double kMost = 1.08, kMostOfSmall = 1.3;
+
+KinematicTree robot_of(const std::string& name) {
+  const auto path = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / name / (name + ".kindsl");
+  std::ifstream file(path, std::ios::binary);
+  const auto source = std::make_shared<Source>(path.string(), std::string(std::istreambuf_iterator<char>(file), {}));
+  Diagnostics diagnostics;
+  const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  EXPECT_TRUE(tree.has_value()) << diagnostics.render();
+  return tree.value_or(KinematicTree());
+}
+
+// With every length and every mass a parameter, a robot costs hardly more than its constant twin.
+TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
+  for (const std::string name : {"hyl", "puma560", "quadruped_fixed", "quadruped"}) {
+    const KinematicTree constant = robot_of(name);
+    KinematicTree robot = constant;
+    const auto make_parameter = [&](Quantity& q, ParameterKind kind) {
+      if (q.is_zero()) return;
+      q = Quantity::parameter(static_cast<int>(robot.parameters.size()));
+      robot.parameters.push_back({"p" + std::to_string(robot.parameters.size()), kind, {}, {}});
+    };
+    for (model::Joint& joint : robot.joints)
+      for (Quantity& q : joint.placement.translation) make_parameter(q, ParameterKind::length);
+    for (model::Link& link : robot.links)
+      if (link.inertia) make_parameter(link.inertia->mass, ParameterKind::inertial);
+    std::vector<bool> is_dynamics;
+    for (const model::Parameter& p : robot.parameters) is_dynamics.push_back(model::is_dynamics(p.kind));
+
+    std::vector<symbolic::Program> programs, constants;
+    for (const std::string& group : algorithm::groups()) {
+      if (group == "transforms" || group == "jacobians") continue;
+      for (const algorithm::RobotFunction& f : algorithm::functions(robot, {}, group)) programs.push_back(f.program);
+      for (const algorithm::RobotFunction& f : algorithm::functions(constant, {}, group))
+        constants.push_back(f.program);
+    }
+    const pass::SplitPrograms split = pass::split_parameters(programs, is_dynamics);
+    for (std::size_t k = 0; k < programs.size(); ++k) {
+      const int parametric_cost = symbolic::count(pass::run(split.programs[k])).instructions;
+      const int constant_cost = symbolic::count(pass::run(constants[k])).instructions;
+      const bool is_main = programs[k].name.find("dynamics") != std::string::npos;
+      EXPECT_LE(parametric_cost, (is_main ? kMost : kMostOfSmall) * constant_cost) << name << " " << programs[k].name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::numeric

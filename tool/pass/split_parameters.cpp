@@ -1,0 +1,237 @@
+#include "pass/split_parameters.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "pass/statements.h"
+#include "symbolic/apply.h"
+#include "symbolic/expression.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Expression;
+using symbolic::Graph;
+using symbolic::InputArray;
+using symbolic::Node;
+using symbolic::Operand;
+using symbolic::OutputArray;
+using symbolic::Program;
+using symbolic::Role;
+using symbolic::Statement;
+
+// Where the elements of the parameters stand among a program's inputs.
+struct Range {
+  int begin = 0;
+  int end = 0;
+  bool contains(int element) const { return element >= begin && element < end; }
+};
+
+std::optional<Range> parameters_of(const Program& program) {
+  int begin = 0;
+  for (const InputArray& array : program.inputs) {
+    const int end = begin + static_cast<int>(array.elements.size());
+    if (array.role == Role::parameters) return Range{begin, end};
+    begin = end;
+  }
+  return std::nullopt;
+}
+
+// What follows from the parameters alone, of all programs, in one graph whose inputs are the parameters.
+class Derived {
+ public:
+  // Values of the statements of a program that read nothing but parameters and constants; nullopt for the others.
+  std::vector<std::optional<Expression>> add(const Program& program, const Range& parameters) {
+    std::vector<std::optional<Expression>> values(program.statements.size());
+    for (std::size_t i = 0; i < program.statements.size(); ++i) {
+      const Statement& s = program.statements[i];
+      const auto a = read(program, parameters, values, s.a);
+      const auto b = symbolic::is_binary(s.op) ? read(program, parameters, values, s.b) : Expression();
+      if (!a || !b) continue;
+      values[i] = symbolic::apply(s.op, *a, *b);
+      if (s.named) graph_.name(*values[i], s.name);
+      if (!values[i]->is_constant()) names_.insert({values[i]->node(), s.name});
+    }
+    return values;
+  }
+
+  // The value of an operand that reads nothing but parameters and constants.
+  std::optional<Expression> read(
+      const Program& program,
+      const Range& parameters,
+      const std::vector<std::optional<Expression>>& values,
+      const Operand& o) {
+    const auto i = static_cast<std::size_t>(o.index);
+    std::optional<Expression> value;
+    if (o.kind == Operand::Kind::constant) value = graph_.constant(program.constants[i]);
+    if (o.kind == Operand::Kind::statement) value = values[i];
+    if (o.kind == Operand::Kind::input && parameters.contains(o.index)) {
+      value = graph_.input(o.index - parameters.begin);
+      const InputArray& array = *std::find_if(
+          program.inputs.begin(), program.inputs.end(),
+          [](const InputArray& input) { return input.role == Role::parameters; });
+      names_.insert({value->node(), array.elements[static_cast<std::size_t>(o.index - parameters.begin)]});
+    }
+    if (value && o.negative) value = -*value;
+    return value;
+  }
+
+  // Keeps the value in the cache.
+  void keep(const Expression& value) {
+    if (!value.is_constant() && kept_.insert(value.node()).second) order_.push_back(value.negative() ? -value : value);
+  }
+
+  // Settles the places of what is kept: first what depends on kinematics parameters alone, then dynamics, then both.
+  void arrange(const std::vector<bool>& is_dynamics) {
+    std::vector<unsigned> uses;  // by node: bit 0 kinematics, bit 1 dynamics
+    for (const Node& n : graph_.nodes()) {
+      unsigned mask = 0;
+      if (n.kind == Node::Kind::input) mask = is_dynamics[static_cast<std::size_t>(n.a)] ? 2U : 1U;
+      if (n.kind == Node::Kind::operation) {
+        mask = uses[static_cast<std::size_t>(n.a)];
+        if (symbolic::is_binary(n.op)) mask |= uses[static_cast<std::size_t>(n.b)];
+      }
+      uses.push_back(mask);
+    }
+    for (const unsigned part : {1U, 2U, 3U}) {
+      std::vector<Expression>& values = parts_[part - 1];
+      for (const Expression& value : order_)
+        if (uses[static_cast<std::size_t>(value.node())] == part) values.push_back(value);
+      for (const Expression& value : values) {
+        places_[value.node()] = static_cast<int>(labels_.size());
+        labels_.push_back(label(value));
+      }
+    }
+  }
+
+  int place(const Expression& value) const { return places_.at(value.node()); }
+  const std::vector<std::string>& labels() const { return labels_; }
+
+  Program part(std::size_t index, const std::string& name, const InputArray& parameters) const {
+    const int rows = static_cast<int>(parts_[index].size());
+    return graph_.program(name, {parameters}, {{"cache", Role::value, rows, 1, {}}}, {parts_[index]});
+  }
+
+ private:
+  // The name that a statement gave it, or its parameter's own; numbered where another value has it.
+  std::string label(const Expression& value) {
+    const std::string& wanted = names_.at(value.node());
+    std::string name = wanted;
+    for (int k = 2; !taken_.insert(name).second; ++k) name = wanted + "_" + std::to_string(k);
+    return name;
+  }
+
+  Graph graph_;
+  std::map<int, std::string> names_;  // by node
+  std::set<int> kept_;
+  std::vector<Expression> order_;
+  std::vector<Expression> parts_[3];
+  std::map<int, int> places_;  // by node
+  std::vector<std::string> labels_;
+  std::set<std::string> taken_;
+};
+
+// One program, and what of it follows from the parameters.
+struct Half {
+  const Program* program;
+  std::optional<Range> parameters;
+  std::vector<std::optional<Expression>> values;
+};
+
+// Calls f on every operand of a statement that is left, and on every element of an output.
+template <class F>
+void for_each_operand_left(const Half& half, F f) {
+  for (std::size_t i = 0; i < half.program->statements.size(); ++i) {
+    if (half.values[i]) continue;
+    const Statement& s = half.program->statements[i];
+    f(s.a);
+    if (symbolic::is_binary(s.op)) f(s.b);
+  }
+  for (const OutputArray& array : half.program->outputs)
+    for (const Operand& o : array.values) f(o);
+}
+
+// What is left of a program, built anew over the cache.
+class Rest {
+ public:
+  Rest(const Half& half, Derived& derived) : half_(half), derived_(derived), left_(half.program->statements.size()) {}
+
+  Program build() {
+    const Program& program = *half_.program;
+    int section = -1;
+    for (std::size_t i = 0; i < program.statements.size(); ++i) {
+      if (half_.values[i]) continue;
+      const Statement& s = program.statements[i];
+      if (s.section != section) {
+        section = s.section;
+        const symbolic::Section& title = program.sections[static_cast<std::size_t>(section)];
+        graph_.begin_section(title.title, title.prefix);
+      }
+      const Expression a = read(s.a);
+      const Expression b = symbolic::is_binary(s.op) ? read(s.b) : Expression();
+      left_[i] = symbolic::apply(s.op, a, b);
+      if (s.named) graph_.name(left_[i], s.name);
+    }
+    std::vector<OutputArray> shapes = program.outputs;
+    std::vector<std::vector<Expression>> outputs;
+    for (OutputArray& array : shapes) {
+      std::vector<Expression>& values = outputs.emplace_back();
+      for (const Operand& o : array.values) values.push_back(read(o));
+      array.values.clear();
+    }
+    std::vector<InputArray> inputs = program.inputs;
+    for (InputArray& array : inputs)
+      if (array.role == Role::parameters) array.elements = derived_.labels();
+    return graph_.program(program.name, inputs, shapes, outputs);
+  }
+
+ private:
+  Expression read(const Operand& o) {
+    if (const auto value = derived_.read(*half_.program, *half_.parameters, half_.values, o)) {
+      if (value->is_constant()) return graph_.constant(value->number());
+      const Expression cached = graph_.input(half_.parameters->begin + derived_.place(*value));
+      return value->negative() ? -cached : cached;
+    }
+    const int grown = static_cast<int>(derived_.labels().size()) - (half_.parameters->end - half_.parameters->begin);
+    const Expression e = o.kind == Operand::Kind::statement
+                             ? left_[static_cast<std::size_t>(o.index)]
+                             : graph_.input(o.index < half_.parameters->begin ? o.index : o.index + grown);
+    return o.negative ? -e : e;
+  }
+
+  const Half& half_;
+  Derived& derived_;
+  Graph graph_;
+  std::vector<Expression> left_;
+};
+
+}  // namespace
+
+SplitPrograms split_parameters(const std::vector<Program>& programs, const std::vector<bool>& is_dynamics) {
+  Derived derived;
+  std::vector<Half> halves;
+  InputArray parameters = {"parameters", Role::parameters, {}};
+  for (const Program& program : programs) {
+    Half& half = halves.emplace_back(Half{&program, parameters_of(program), {}});
+    if (!half.parameters) continue;
+    for (const InputArray& array : program.inputs)
+      if (array.role == Role::parameters) parameters = array;
+    half.values = derived.add(program, *half.parameters);
+    for_each_operand_left(half, [&](const Operand& o) {
+      if (const auto value = derived.read(program, *half.parameters, half.values, o)) derived.keep(*value);
+    });
+  }
+  derived.arrange(is_dynamics);
+
+  SplitPrograms result;
+  for (const Half& half : halves)
+    result.programs.push_back(half.parameters ? Rest(half, derived).build() : *half.program);
+  result.kinematics = derived.part(0, "update_kinematics", parameters);
+  result.dynamics = derived.part(1, "update_dynamics", parameters);
+  result.both = derived.part(2, "update_both", parameters);
+  return result;
+}
+
+}  // namespace robcogen::pass

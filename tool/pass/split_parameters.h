@@ -1,0 +1,28 @@
+// The programs of a parametric robot, without what follows from its parameters alone.
+//
+// Between two changes of the parameters, cosines of parametric angles, regrouped inertias, products of lengths and
+// masses are constants. They are computed once, when the parameters change, into a cache that all programs read: what
+// is left of a program costs as much as that of a robot with constants.
+#pragma once
+
+#include <vector>
+
+#include "symbolic/program.h"
+
+namespace robcogen::pass {
+
+struct SplitPrograms {
+  // As given, in order; the input array of role `parameters` has become the cache: one array for all programs.
+  std::vector<symbolic::Program> programs;
+  // parameters -> a part of the cache: the first part depends on kinematics parameters only, the second one on dynamics
+  // parameters only, the third on both. Each has one output, and these stand in the cache one after the other.
+  symbolic::Program kinematics;
+  symbolic::Program dynamics;
+  symbolic::Program both;
+};
+
+// `is_dynamics` tells of each parameter which interface it belongs to. Programs without an input of role `parameters`
+// stay as they are.
+SplitPrograms split_parameters(const std::vector<symbolic::Program>& programs, const std::vector<bool>& is_dynamics);
+
+}  // namespace robcogen::pass
