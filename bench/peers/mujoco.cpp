@@ -1,6 +1,7 @@
 // MuJoCo: recursive Newton-Euler, composite rigid bodies and a sparse factorization. It reads URDF itself.
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
