@@ -91,10 +91,15 @@ class Writer {
       const model::Link& carried = tree_.links[static_cast<std::size_t>(joint.child)];
       link.children.push_back({{carried.name, {}}, {joint.name, {}}});
     }
-    for (const model::UserFrame* frame : frames_[index]) {
-      link.frames.push_back({{frame->name, {}}, write(frame->placement)});
-    }
+    for (const model::UserFrame* frame : frames_[index]) link.frames.push_back(write(*frame));
     return link;
+  }
+
+  kinematics::Frame write(const model::UserFrame& from) const {
+    kinematics::Frame frame;
+    frame.name.text = from.name;
+    frame.placement = write(from.placement);
+    return frame;
   }
 
   kinematics::Joint write(const model::Joint& from) const {

@@ -84,7 +84,7 @@ Names choose_names(const KinematicTree& tree, const std::vector<const UserFrame*
     if (frame.hidden || own[at(frame.link)] == &frame) continue;
     names.frame_links.push_back({&frame, links.reserve(frame.name) ? frame.name : "", ""});
   }
-  // Names that are given come before names that are made, as where a frame has a link's name.
+  // Names that are made give way to all that are given.
   for (FrameLink& made : names.frame_links) {
     if (made.link.empty()) made.link = links.add(made.frame->name + "_frame");
     made.joint = joints.add(made.link + "_fixed");
