@@ -1,0 +1,77 @@
+// Other libraries as judges of what this project computes for a robot.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "peers/peer.h"
+#include "robcogen/reference/samples.h"
+#include "robcogen/reference/subject.h"
+
+namespace robcogen::oracles {
+
+// What is judged.
+struct Judged {
+  std::string urdf;  // path
+  reflection::Robot tables;
+  // In the conventions of peers::Peer::result; not of Jacobians. `tau` belongs to forward dynamics.
+  std::function<Eigen::MatrixXd(
+      peers::Quantity,
+      const reference::Motion<double>&,
+      const reference::Vector<double>& tau,
+      const reference::Vector<double>& gravity)>
+      dynamics;
+  // By index into the tables.
+  std::function<reference::Matrix<double>(int index, const reference::Vector<double>& q)> jacobian;
+  // What joints and links are called in the URDF, where that is no identifier; by the names in the tables.
+  std::map<std::string, std::string> urdf_names = {};
+};
+
+// What a library cannot represent, by decision: an unexpected refusal fails, an unexpected success too.
+struct Refusal {
+  std::string library;
+  std::string robot;
+  std::string reason;  // a part of what it says; why that is right stands beside the table
+};
+
+// Where a library is less exact than others; why stands beside the table.
+struct Tolerance {
+  std::string library;
+  std::string robot;
+  double relative;
+};
+
+struct Decisions {
+  std::vector<Refusal> refusals;
+  std::vector<Tolerance> tolerances;
+};
+
+// A test <robot>.<library> for each library: every quantity that it has, over random states, with standard gravity and
+// with another. `make` is called when the test runs; the decisions outlive the tests.
+void register_tests(const std::string& robot, const std::function<Judged()>& make, const Decisions& decisions);
+
+inline Eigen::MatrixXd to_eigen(const reference::Matrix<double>& m) {
+  return Eigen::Map<const Eigen::MatrixXd>(m.data(), m.rows(), m.cols());
+}
+
+// `robot` has the members of reference::CompiledRobot.
+template <class Robot>
+Judged judged(const std::string& urdf, const reflection::Robot& tables, std::shared_ptr<const Robot> robot) {
+  Judged result{urdf, tables, {}, {}};
+  result.dynamics = [robot](
+                        peers::Quantity quantity, const reference::Motion<double>& motion,
+                        const reference::Vector<double>& tau, const reference::Vector<double>& gravity) {
+    const reference::Arguments arguments{&gravity, nullptr};
+    if (quantity == peers::Quantity::inverse_dynamics)
+      return to_eigen(robot->inverse_dynamics_fully_actuated(motion, arguments));
+    if (quantity == peers::Quantity::forward_dynamics) return to_eigen(robot->forward_dynamics(motion, tau, arguments));
+    return to_eigen(robot->joint_space_inertia(motion.q));
+  };
+  result.jacobian = [robot](int index, const reference::Vector<double>& q) { return robot->jacobian(index, q); };
+  return result;
+}
+
+}  // namespace robcogen::oracles
