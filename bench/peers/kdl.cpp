@@ -221,7 +221,7 @@ class Chain : public Peer {
         jacobian_(chain_),
         no_forces_(chain_.getNrOfSegments(), KDL::Wrench::Zero()),
         result_(chain_.getNrOfJoints()),
-        H_(chain_.getNrOfJoints()),
+        H_(static_cast<int>(chain_.getNrOfJoints())),
         J_(chain_.getNrOfJoints()) {}
 
   std::string name() const override { return "KDL chain"; }
