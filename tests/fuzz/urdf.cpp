@@ -32,6 +32,7 @@ void check_urdf(const std::string& text) {
 }  // namespace
 }  // namespace robcogen::fuzz
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   robcogen::fuzz::check_urdf(std::string(reinterpret_cast<const char*>(data), size));
   return 0;

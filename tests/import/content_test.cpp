@@ -204,7 +204,7 @@ TEST(Urdf, FixedAxisAnglesAreRollThenPitchThenYaw) {
       arm(kUnitInertial, "",
           R"(<origin rpy="1.5707963 1.5707963 0"/><axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)"),
       {.snap_angles = true});
-  // Ry(PI/2) Rx(PI/2): x goes to -z, y to x... in the order of the model: Ry first, and then about the turned x.
+  // Ry(PI/2) Rx(PI/2): x goes to -z, y to x, z to -y.
   const auto R = model::rotation_matrix(tree.joints[0].placement);
   const double wanted[3][3] = {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}};
   for (std::size_t i = 0; i < 3; ++i)
@@ -327,10 +327,11 @@ TEST(Urdf, AnglesOfLinksWithoutMassAreNotCounted) {
 
 // --- sizes -------------------------------------------------------------------------------------------------------
 
-// A chain in which every other joint is fixed.
+// A chain in which every other joint is fixed, with names in alphabetical order.
 std::string chain(int links) {
-  std::string body = link("l0", "");
-  for (int i = 1; i < links; ++i) {
+  constexpr int kFirst = 1000000;
+  std::string body = link("l" + std::to_string(kFirst), "");
+  for (int i = kFirst + 1; i < kFirst + links; ++i) {
     const std::string n = std::to_string(i), before = std::to_string(i - 1);
     body += link("l" + n) +
             joint(

@@ -68,7 +68,7 @@ class Oracle {
   // J: velocity of the link, angular and linear at the origin of the base, in base axes.
   void visit(const urdf::Link& link, const Isometry3d& X, const MatrixXd& J) {
     result_.poses[link.name] = X;
-    if (link.inertial) add(*link.inertial, X, J);
+    if (link.inertial && J.cols() > 0) add(*link.inertial, X, J);
     for (const auto& joint : link.child_joints) {
       Isometry3d child = X * pose(joint->parent_to_joint_origin_transform);
       MatrixXd child_J = J;
@@ -161,7 +161,7 @@ class Interpreted {
     }
   }
 
-  MatrixXd H(const VectorXd& q) const {
+  MatrixXd inertia_matrix(const VectorXd& q) const {
     const std::vector<double> h =
         symbolic::interpret(programs_.at("joint_space_inertia"), inputs({{"q", values(q)}}, "joint_space_inertia"))
             .at("H");
@@ -169,7 +169,7 @@ class Interpreted {
     return Eigen::Map<const MatrixXd>(h.data(), n, n);
   }
 
-  VectorXd G(const VectorXd& q, const Vector3d& gravity) const {
+  VectorXd gravity_forces(const VectorXd& q, const Vector3d& gravity) const {
     const std::string name = tree_.floating_base ? "gravity_forces" : "gravity_forces_gravity";
     const symbolic::Arrays<double> found =
         symbolic::interpret(programs_.at(name), inputs({{"q", values(q)}, {"gravity", values(gravity)}}, name));
@@ -236,8 +236,11 @@ void expect_agreement(const std::string& text, const model::KinematicTree& tree,
       EXPECT_LT((found->second.matrix() - X.matrix()).cwiseAbs().maxCoeff(), tolerance * size) << "frame " << name;
     }
     if (wanted.H.size() == 0) continue;
-    EXPECT_LT((interpreted.H(q) - wanted.H).cwiseAbs().maxCoeff(), tolerance * wanted.H.cwiseAbs().maxCoeff());
-    EXPECT_LT((interpreted.G(q, gravity) - wanted.G).cwiseAbs().maxCoeff(), tolerance * wanted.weight_times_reach);
+    EXPECT_LT(
+        (interpreted.inertia_matrix(q) - wanted.H).cwiseAbs().maxCoeff(), tolerance * wanted.H.cwiseAbs().maxCoeff());
+    EXPECT_LT(
+        (interpreted.gravity_forces(q, gravity) - wanted.G).cwiseAbs().maxCoeff(),
+        tolerance * wanted.weight_times_reach);
   }
 }
 

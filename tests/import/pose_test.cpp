@@ -69,7 +69,7 @@ TEST(Pose, DoesNotMakeAnAngleAMultipleOfPi) {
 
 TEST(Pose, InGimbalLockKeepsGivenAngles) {
   expect_exactly(of_rpy(kZero, pi(1, 2), kZero), {kZero, pi(1, 2), kZero});
-  // Rz(0.2) Ry(PI/2) = Rx... : the turns about the common axis are one.
+  // Of Rx(0.2) Ry(PI/2) Rz(c) only the sum of the outer angles matters, or their difference.
   const Angles first = intrinsic_angles(rotation_about(0, decimal("0.2")) * rotation_about(1, pi(1, 2)));
   expect_exactly(first, {decimal("0.2"), pi(1, 2), kZero});
   const Angles last = intrinsic_angles(rotation_about(1, pi(-1, 2)) * rotation_about(2, decimal("0.7")));

@@ -74,7 +74,7 @@ struct Document {
 };
 
 // Reports what is missing, malformed or given twice. The document is of use only when nothing was.
-Document read_document(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
+Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 // The type's name in a URDF.
 const char* name_of(JointType type);

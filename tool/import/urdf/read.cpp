@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "import/urdf/document.h"
 
@@ -37,8 +38,8 @@ struct Word {
 
 class DocumentReader {
  public:
-  DocumentReader(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics)
-      : source_(source), diagnostics_(diagnostics) {}
+  DocumentReader(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
+      : source_(std::move(source)), diagnostics_(diagnostics) {}
 
   Document read(const Element& root) {
     Document document;
@@ -309,7 +310,7 @@ class DocumentReader {
     return result;
   }
 
-  const std::shared_ptr<const Source>& source_;
+  std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
   std::map<std::string, int> ignored_;
 };
@@ -320,10 +321,11 @@ const char* name_of(JointType type) {
   return std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& known) { return known.second == type; })->first;
 }
 
-Document read_document(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
-  if (root.name == "robot") return DocumentReader(source, diagnostics).read(root);
+Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
+  if (root.name == "robot") return DocumentReader(std::move(source), diagnostics).read(root);
   diagnostics.error(
-      "no-robot", {source, root.span}, fmt::format("this is no URDF: its element is '{}', not 'robot'", root.name));
+      "no-robot", {std::move(source), root.span},
+      fmt::format("this is no URDF: its element is '{}', not 'robot'", root.name));
   return {};
 }
 

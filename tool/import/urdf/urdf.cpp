@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "import/urdf/describe.h"
 #include "import/urdf/mass.h"
 
@@ -46,7 +48,7 @@ std::optional<model::KinematicTree> urdf(
 
   const std::optional<Element> root = read_xml(source, diagnostics);
   if (!root) return std::nullopt;
-  Document document = read_document(*root, source, diagnostics);
+  Document document = read_document(*root, std::move(source), diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
   check_inertials(document, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
