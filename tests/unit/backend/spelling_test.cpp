@@ -1,4 +1,4 @@
-#include "backend/cpp/spelling.h"
+#include "backend/cpp/lower.h"
 
 #include <gtest/gtest.h>
 

@@ -1,38 +1,27 @@
-// Identifiers of generated C++: legal, free of reserved words and well-known macros, each once in its scope.
+// Identifiers of generated C++: free of its reserved words and of well-known macros.
 #pragma once
 
 #include <string>
-#include <unordered_map>
 #include <vector>
+
+#include "backend/common/names.h"
 
 namespace robcogen::backend::cpp {
 
 // Keywords, and macros of standard and system headers that would eat the name (`I`, `major`, `linux`, `M_PI`, …).
 bool is_reserved(const std::string& name);
 
-// The nearest legal identifier: illegal characters become '_', leading and double underscores vanish, a reserved word
-// gets a final '_'. A name that is legal already comes back unchanged.
-std::string identifier(const std::string& wanted);
+inline std::string identifier(const std::string& wanted) {
+  return backend::identifier(wanted, is_reserved);
+}
 
-// At most `limit` characters: the middle gives way, for the ends say what the name means.
-std::string shortened(const std::string& name, std::size_t limit);
+inline std::string shortened(const std::string& name, std::size_t limit) {
+  return backend::shortened(name, limit, is_reserved);
+}
 
-// Identifiers taken in one scope. Never iterated: the map decides no order.
-class NameScope {
+class NameScope : public backend::NameScope {
  public:
-  NameScope() = default;
-  explicit NameScope(const std::vector<std::string>& taken);
-
-  // Marks the name as taken; true when it was free.
-  bool take(const std::string& name);
-  // The identifier for `wanted`, numbered (`foot_2`) when it is taken.
-  std::string claim(const std::string& wanted);
-
- private:
-  std::unordered_map<std::string, int> uses_;
+  explicit NameScope(const std::vector<std::string>& taken = {}) : backend::NameScope(cpp::is_reserved, taken) {}
 };
-
-// One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
-std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted);
 
 }  // namespace robcogen::backend::cpp

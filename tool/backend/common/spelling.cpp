@@ -1,16 +1,11 @@
-#include "backend/cpp/spelling.h"
+#include "backend/common/spelling.h"
 
-#include <string_view>
 #include <utility>
 
-#include "support/number.h"
-
-namespace robcogen::backend::cpp {
+namespace robcogen::backend {
 namespace {
 
 using symbolic::Op;
-
-constexpr std::string_view kLiteral = "Scalar(";
 
 std::string enclosed(const std::string& text, bool parentheses) {
   return parentheses ? "(" + text + ")" : text;
@@ -42,17 +37,20 @@ Spelling product(Op op, Spelling a, Spelling b) {
   Spelling result;
   result.precedence = Precedence::product;
   result.negative = a.negative != b.negative;
-  result.text =
-      left_of(Precedence::product, a) + (op == Op::multiply ? " * " : " / ") + right_of(Precedence::product, b);
+  const std::string rest = (op == Op::multiply ? " * " : " / ") + right_of(Precedence::product, b);
+  result.text = left_of(Precedence::product, a) + rest;
+  result.literal_first = a.literal_first;
+  if (a.literal_first) result.opposite = a.opposite + rest;
   return result;
 }
 
 }  // namespace
 
-Spelling literal(double value) {
+Spelling literal(const std::string& text, const std::string& opposite) {
   Spelling result;
-  result.text = std::string(kLiteral) + print_double(value) + ")";
-  result.literal = true;
+  result.text = text;
+  result.opposite = opposite;
+  result.literal = result.literal_first = true;
   return result;
 }
 
@@ -71,9 +69,7 @@ Spelling call(const std::string& function, const Spelling& argument) {
 std::string text(const Spelling& value) {
   if (!value.negative) return value.text;
   if (!value.opposite.empty()) return value.opposite;
-  if (value.precedence != Precedence::sum && value.text.starts_with(kLiteral))
-    return std::string(kLiteral) + "-" + value.text.substr(kLiteral.size());
   return "-" + enclosed(value.text, value.precedence == Precedence::sum);
 }
 
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend

@@ -5,7 +5,7 @@
 
 #include "symbolic/program.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend {
 
 enum class Precedence { sum, product, atom };
 
@@ -16,11 +16,12 @@ struct Spelling {
   Precedence precedence = Precedence::atom;
   bool negative = false;
   bool literal = false;
-  std::string opposite;  // `b - a` where the text is `a - b`: the negative without a minus sign; else empty
+  std::string opposite;        // `b - a` where the text is `a - b`: the negative without a minus sign; else empty
+  bool literal_first = false;  // the text begins with a literal that can take the sign, and `opposite` does so
 };
 
-// `Scalar(0.35)`; the value is not negative.
-Spelling literal(double value);
+// A number as a literal and its negative: `Scalar(0.35)`, `Scalar(-0.35)`.
+Spelling literal(const std::string& text, const std::string& opposite);
 
 // The operation in the evaluation order of the program: the operands of one addition or multiplication may change
 // sides, nothing else.
@@ -32,4 +33,4 @@ Spelling call(const std::string& function, const Spelling& argument);
 // The value with its sign, as a whole expression.
 std::string text(const Spelling& value);
 
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend

@@ -1,0 +1,374 @@
+#include "backend/common/lower.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace robcogen::backend {
+namespace {
+
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+bool is_statement(const Operand& o) {
+  return o.kind == Operand::Kind::statement;
+}
+bool is_sum(Op op) {
+  return op == Op::add || op == Op::subtract;
+}
+bool is_angle_function(Op op) {
+  return op == Op::sine || op == Op::cosine;
+}
+
+// An element of an output that a statement supplies.
+struct Store {
+  std::string target;
+  bool negative = false;
+};
+
+// What becomes of a statement.
+enum class Place {
+  nowhere,  // no output needs it
+  angle,    // a sine or cosine, defined with its pair
+  inside,   // part of its only user's expression
+  own,      // a definition
+  output,   // stored without a name
+};
+
+// Sine and cosine of one argument.
+struct Angle {
+  int first = -1;  // statement that asks for it first
+  bool sine = false, cosine = false;
+  std::string sine_name, cosine_name;
+};
+
+class Lowering {
+ public:
+  Lowering(const Program& program, const Dialect& dialect, Kernel& kernel)
+      : program_(program),
+        dialect_(dialect),
+        kernel_(kernel),
+        scope_(dialect.is_reserved, dialect.used_names),
+        places_(program.statements.size(), Place::nowhere),
+        spellings_(program.statements.size()),
+        stores_(program.statements.size()) {}
+
+  void run() {
+    declare_parameters();
+    find_uses();
+    name_values();
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (places_[i] != Place::nowhere && places_[i] != Place::angle) fit(i);
+    emit_input_angles();
+    for (std::size_t i = 0; i < places_.size(); ++i) emit(i);
+    if (dialect_.stores) {
+      emit_plain_outputs();
+    } else {
+      list_results();
+    }
+  }
+
+ private:
+  using AngleKey = std::pair<Operand::Kind, int>;
+
+  const Program& program_;
+  const Dialect& dialect_;
+  Kernel& kernel_;
+  NameScope scope_;
+  std::vector<std::string> input_names_;   // by flat index: `q[1]`
+  std::vector<std::string> input_labels_;  // by flat index
+  std::vector<Place> places_;
+  std::vector<Spelling> spellings_;         // how a user reads the statement, unless it stands inside
+  std::vector<std::vector<Store>> stores_;  // by statement
+  std::map<AngleKey, Angle> angles_;
+  std::string section_;  // title of the section that the last line belongs to
+
+  const Statement& statement(std::size_t i) const { return program_.statements[i]; }
+
+  void declare_parameters() {
+    kernel_.parameters = parameters(program_, dialect_);
+    for (const Parameter& p : kernel_.parameters) scope_.take(p.name);
+    for (std::size_t p = 0; p < program_.inputs.size(); ++p) {
+      kernel_.parameters[p].used = false;
+      const std::vector<std::string>& labels = program_.inputs[p].elements;
+      for (std::size_t k = 0; k < labels.size(); ++k) {
+        input_names_.push_back(element(kernel_.parameters[p], k));
+        input_labels_.push_back(labels[k]);
+      }
+    }
+    for (std::size_t p = 0; p < program_.outputs.size(); ++p)
+      output_parameter(p).used = !program_.outputs[p].values.empty();
+  }
+
+  std::string element(const Parameter& array, std::size_t k) const { return dialect_.element(array.name, k); }
+  std::string shortened(const std::string& name) const {
+    return backend::shortened(name, dialect_.name_limit, dialect_.is_reserved);
+  }
+  std::string text(const Line& line) const { return dialect_.text(line); }
+  std::string text(const Spelling& value) const { return backend::text(value); }
+
+  Parameter& output_parameter(std::size_t output) { return kernel_.parameters[program_.inputs.size() + output]; }
+
+  void find_uses() {
+    std::vector<int> uses(places_.size(), 0);  // by statements that are needed
+    std::vector<int> last_user(places_.size(), -1);
+    std::vector<bool> inputs_used(input_names_.size(), false);
+    const auto use = [&](const Operand& o, int user) {
+      if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
+      if (!is_statement(o)) return;
+      ++uses[at(o.index)];
+      last_user[at(o.index)] = user;
+    };
+    for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
+      const std::vector<Operand>& values = program_.outputs[p].values;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const Operand& o = values[k];
+        if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
+        if (is_statement(o)) stores_[at(o.index)].push_back({element(output_parameter(p), k), o.negative});
+      }
+    }
+    for (std::size_t i = places_.size(); i-- > 0;) {
+      if (uses[i] == 0 && stores_[i].empty()) continue;
+      const Statement& s = statement(i);
+      use(s.a, static_cast<int>(i));
+      if (is_binary(s.op)) use(s.b, static_cast<int>(i));
+      places_[i] = place(i, uses[i], last_user[i]);
+      if (places_[i] == Place::angle) note_angle(i);
+    }
+    std::size_t element = 0;
+    for (std::size_t p = 0; p < program_.inputs.size(); ++p)
+      for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k)
+        if (inputs_used[element++]) kernel_.parameters[p].used = true;
+  }
+
+  Place place(std::size_t i, int uses, int user) const {
+    const Statement& s = statement(i);
+    if (is_angle_function(s.op)) return Place::angle;
+    const std::vector<Store>& stores = stores_[i];
+    const bool one_sign = std::all_of(
+        stores.begin(), stores.end(), [&](const Store& store) { return store.negative == stores.front().negative; });
+    if (dialect_.stores && uses == 0 && one_sign && stores.size() <= 2) return Place::output;
+    if (uses != 1 || !stores.empty() || s.named) return Place::own;
+    // The argument of a sine is the argument of its cosine too, and of one definite type.
+    const Statement& u = statement(at(user));
+    if (is_angle_function(u.op)) return Place::own;
+    // What belongs to one link stays with it, but a product always goes where it can be fused.
+    const bool fusable = s.op == Op::multiply && is_sum(u.op);
+    return fusable || s.section == u.section ? Place::inside : Place::own;
+  }
+
+  void note_angle(std::size_t i) {
+    const Statement& s = statement(i);
+    Angle& angle = angles_[{s.a.kind, s.a.index}];
+    angle.first = static_cast<int>(i);  // statements come last to first
+    (s.op == Op::sine ? angle.sine : angle.cosine) = true;
+  }
+
+  void name_values() {
+    for (auto& [key, angle] : angles_) {
+      const auto& [kind, index] = key;
+      const std::string subject = kind == Operand::Kind::input       ? input_labels_[at(index)]
+                                  : kind == Operand::Kind::statement ? statement(at(index)).name
+                                                                     : statement(at(angle.first)).name;
+      if (angle.sine) angle.sine_name = scope_.claim(shortened("s_" + subject));
+      if (angle.cosine) angle.cosine_name = scope_.claim(shortened("c_" + subject));
+    }
+    std::vector<std::string> wanted;
+    for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
+    const std::vector<std::string> names = claim_all(scope_, wanted);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Statement& s = statement(i);
+      if (places_[i] != Place::angle) {
+        spellings_[i].text = names[i];
+        continue;
+      }
+      const Angle& angle = angles_.at({s.a.kind, s.a.index});
+      spellings_[i].text = s.op == Op::sine ? angle.sine_name : angle.cosine_name;
+      spellings_[i].negative = s.op == Op::sine && s.a.negative;
+    }
+  }
+
+  Spelling spell(const Operand& o) const {
+    Spelling result;
+    if (o.kind == Operand::Kind::constant) {
+      result = dialect_.literal(program_.constants[at(o.index)]);
+      if (program_.constants[at(o.index)].is_zero()) return result;
+    } else if (o.kind == Operand::Kind::input) {
+      result.text = input_names_[at(o.index)];
+    } else {
+      result = places_[at(o.index)] == Place::inside ? expression(at(o.index)) : spellings_[at(o.index)];
+    }
+    result.negative = result.negative != o.negative;
+    return result;
+  }
+
+  Spelling expression(std::size_t i) const {
+    const Statement& s = statement(i);
+    if (s.op == Op::square_root) return call("sqrt", spell(s.a));
+    return binary(s.op, spell(s.a), spell(s.b));
+  }
+
+  // The line of a statement that is not inside another; of one that is, the line that it would have by itself.
+  Line line(std::size_t i) const {
+    Spelling value = expression(i);
+    if (places_[i] != Place::output) return {Line::Kind::definition, {spellings_[i].text}, text(value)};
+    value.negative = value.negative != stores_[i].front().negative;
+    Line result{Line::Kind::store, {}, text(value)};
+    for (const Store& store : stores_[i]) result.targets.push_back(store.target);
+    return result;
+  }
+
+  struct Part {
+    int statement = -1;
+    bool fused = false;  // a product inside a sum
+    std::size_t width = 0;
+  };
+
+  // The part of i's expression to take out first: the widest, products inside sums last.
+  void consider_parts(std::size_t i, Part& best) const {
+    const Statement& s = statement(i);
+    for (const Operand& o : {s.a, is_binary(s.op) ? s.b : Operand{}}) {
+      if (!is_statement(o) || places_[at(o.index)] != Place::inside) continue;
+      const Part part{
+          o.index, statement(at(o.index)).op == Op::multiply && is_sum(s.op), expression(at(o.index)).text.size()};
+      if (best.statement < 0 || std::pair(!part.fused, part.width) > std::pair(!best.fused, best.width)) best = part;
+      consider_parts(at(o.index), best);
+    }
+  }
+
+  void fit(std::size_t i) {
+    while (text(line(i)).size() > dialect_.line_limit) {
+      Part part;
+      consider_parts(i, part);
+      if (part.statement < 0) return;
+      places_[at(part.statement)] = Place::own;
+    }
+  }
+
+  void add(Line line) { kernel_.lines.push_back(std::move(line)); }
+
+  void enter_section(std::size_t i) {
+    const std::string& title = program_.sections[at(statement(i).section)].title;
+    if (title == section_) return;
+    section_ = title;
+    if (!title.empty()) add({Line::Kind::section, {}, title});
+  }
+
+  void need(const std::string& function) {
+    std::vector<std::string>& list = kernel_.functions;
+    const auto place = std::lower_bound(list.begin(), list.end(), function);
+    if (place == list.end() || *place != function) list.insert(place, function);
+  }
+
+  void emit_angle(const AngleKey& key, const Angle& angle) {
+    const std::string argument = text(spell({key.first, key.second, false}));
+    if (angle.sine && angle.cosine && dialect_.pairs_angles) {
+      add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument});
+      return;
+    }
+    if (angle.sine) define("sin", argument, angle.sine_name);
+    if (angle.cosine) define("cos", argument, angle.cosine_name);
+  }
+
+  void define(const std::string& function, const std::string& argument, const std::string& name) {
+    need(function);
+    add({Line::Kind::definition, {name}, function + "(" + argument + ")"});
+  }
+
+  void emit_input_angles() {
+    for (const auto& [key, angle] : angles_)
+      if (key.first == Operand::Kind::input) emit_angle(key, angle);
+  }
+
+  void emit(std::size_t i) {
+    const Statement& s = statement(i);
+    if (places_[i] == Place::nowhere) return;
+    if (s.op == Op::square_root) need("sqrt");
+    if (places_[i] == Place::inside) return;
+    if (places_[i] == Place::angle) {
+      const AngleKey key{s.a.kind, s.a.index};
+      const Angle& angle = angles_.at(key);
+      const bool computed = key.first != Operand::Kind::input && angle.first == static_cast<int>(i);
+      if (computed || (dialect_.stores && !stores_[i].empty())) enter_section(i);
+      if (computed) emit_angle(key, angle);
+    } else {
+      enter_section(i);
+      add(line(i));
+      if (places_[i] == Place::output) return;
+    }
+    if (!dialect_.stores) return;
+    for (bool negative : {false, true}) {
+      std::vector<std::string> targets;
+      for (const Store& store : stores_[i])
+        if (store.negative == negative) targets.push_back(store.target);
+      Spelling value = spellings_[i];
+      value.negative = value.negative != negative;
+      store(targets, text(value));
+    }
+  }
+
+  // Equal elements at once, as many as a line holds.
+  void store(const std::vector<std::string>& targets, const std::string& value) {
+    Line line{Line::Kind::store, {}, value};
+    for (const std::string& target : targets) {
+      line.targets.push_back(target);
+      if (text(line).size() <= dialect_.line_limit) continue;
+      line.targets.pop_back();
+      add(line);
+      line.targets = {target};
+    }
+    if (!line.targets.empty()) add(std::move(line));
+  }
+
+  void list_results() {
+    for (const symbolic::OutputArray& output : program_.outputs) {
+      std::vector<std::string>& elements = kernel_.results.emplace_back();
+      for (const Operand& o : output.values) elements.push_back(text(spell(o)));
+    }
+  }
+
+  // Elements that are inputs or constants: each value once, in the order of the elements.
+  void emit_plain_outputs() {
+    for (const Operand::Kind kind : {Operand::Kind::input, Operand::Kind::constant}) {
+      std::vector<std::string> values;
+      std::map<std::string, std::vector<std::string>> targets;
+      for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
+        for (std::size_t k = 0; k < program_.outputs[p].values.size(); ++k) {
+          const Operand& o = program_.outputs[p].values[k];
+          if (o.kind != kind) continue;
+          const std::string value = text(spell(o));
+          if (targets[value].empty()) values.push_back(value);
+          targets[value].push_back(element(output_parameter(p), k));
+        }
+      }
+      if (values.empty()) continue;
+      if (!kernel_.lines.empty())
+        add({Line::Kind::section, {}, kind == Operand::Kind::input ? "elements that are inputs" : "constant elements"});
+      for (const std::string& value : values) store(targets[value], value);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Parameter> parameters(const Program& program, const Dialect& dialect) {
+  NameScope scope(dialect.is_reserved, dialect.used_names);
+  std::vector<Parameter> result;
+  for (const symbolic::InputArray& array : program.inputs) result.push_back({scope.claim(array.name), false});
+  for (const symbolic::OutputArray& array : program.outputs) result.push_back({scope.claim(array.name), true});
+  return result;
+}
+
+Kernel lower(const Program& program, const std::string& name, const Dialect& dialect) {
+  Kernel kernel;
+  kernel.name = name;
+  Lowering(program, dialect, kernel).run();
+  return kernel;
+}
+
+}  // namespace robcogen::backend

@@ -1,0 +1,74 @@
+// From a program to the lines of a function in some language: what is a statement of its own, what stands inside its
+// user, every name.
+//
+// What is left to a printer is layout. Lines are short enough never to wrap.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/common/names.h"
+#include "backend/common/spelling.h"
+#include "symbolic/program.h"
+
+namespace robcogen::backend {
+
+// An argument or a result, as an array.
+struct Parameter {
+  std::string name;
+  bool output = false;
+  bool used = true;  // an unused parameter needs no name
+};
+
+struct Line {
+  enum class Kind {
+    section,     // a comment: `expression` is its text
+    sincos,      // targets: sine and cosine of `expression`
+    definition,  // targets: the one name that is defined
+    store,       // targets: elements of outputs that get the same value
+  };
+  Kind kind = Kind::definition;
+  std::vector<std::string> targets;
+  std::string expression;
+};
+
+struct Kernel {
+  std::string name;
+  std::vector<Parameter> parameters;
+  std::vector<std::string> functions;  // that the lines call, but for Dialect::pairs_angles: cos, sin, sqrt
+  std::vector<Line> lines;
+  std::vector<std::vector<std::string>> results;  // by output: its elements, where Dialect::stores is off
+};
+
+// How a language spells what lowering decides.
+struct Dialect {
+  IsReserved is_reserved = nullptr;
+  std::vector<std::string> used_names;  // that the text itself refers to
+  std::size_t line_limit = 118;         // of a line without indentation
+  std::size_t name_limit = 30;
+  // One line defines the sine and the cosine of an argument. Otherwise these are two definitions.
+  bool pairs_angles = true;
+  // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each is a name, an
+  // element of an input or a number, and the printer puts the outputs together at the end.
+  bool stores = true;
+  // A number that is not negative.
+  Spelling (*literal)(const Number& value) = nullptr;
+  // Element k, from 0, of an array.
+  std::string (*element)(const std::string& array, std::size_t k) = nullptr;
+  // The line, ready to be printed.
+  std::string (*text)(const Line& line) = nullptr;
+};
+
+// Inputs, then outputs, under the names that they have in the function; all marked as used.
+std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
+
+// The rules:
+// - Sines and cosines of plain inputs come first, one pair an argument; a lone sine or cosine is a definition.
+// - A statement that is used once and that the algorithm did not name stands inside its user, as far as the line has
+//   room: products inside sums first of all, for a compiler fuses them only within one expression. Evaluation order is
+//   that of the program.
+// - A value that only outputs use is stored without a name, equal elements at once.
+// - Statements that no output needs are left out.
+Kernel lower(const symbolic::Program& program, const std::string& name, const Dialect& dialect);
+
+}  // namespace robcogen::backend

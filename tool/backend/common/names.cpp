@@ -1,0 +1,60 @@
+#include "backend/common/names.h"
+
+namespace robcogen::backend {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+}  // namespace
+
+std::string identifier(const std::string& wanted, IsReserved is_reserved) {
+  std::string name;
+  for (char c : wanted) {
+    const char legal = is_letter(c) || is_digit(c) ? c : '_';
+    if (legal == '_' && (name.empty() || name.back() == '_')) continue;
+    name += legal;
+  }
+  if (name.empty() || is_digit(name.front())) name.insert(0, "n");
+  if (is_reserved(name)) name += '_';
+  return name;
+}
+
+std::string shortened(const std::string& name, std::size_t limit, IsReserved is_reserved) {
+  if (name.size() <= limit) return name;
+  const std::size_t head = (limit - 1) / 2;
+  return identifier(name.substr(0, head) + "_" + name.substr(name.size() - (limit - 1 - head)), is_reserved);
+}
+
+NameScope::NameScope(IsReserved is_reserved, const std::vector<std::string>& taken) : is_reserved_(is_reserved) {
+  for (const std::string& name : taken) take(name);
+}
+
+bool NameScope::take(const std::string& name) {
+  return uses_.emplace(name, 1).second;
+}
+
+std::string NameScope::claim(const std::string& wanted) {
+  const std::string name = identifier(wanted, is_reserved_);
+  if (take(name)) return name;
+  int& uses = uses_[name];
+  while (true) {
+    const std::string numbered = (name.back() == '_' ? name : name + "_") + std::to_string(++uses);
+    if (take(numbered)) return numbered;
+  }
+}
+
+std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted) {
+  std::vector<std::string> names(wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (identifier(wanted[i], scope.is_reserved()) == wanted[i] && scope.take(wanted[i])) names[i] = wanted[i];
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (names[i].empty()) names[i] = scope.claim(wanted[i]);
+  return names;
+}
+
+}  // namespace robcogen::backend

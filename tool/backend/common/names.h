@@ -1,0 +1,39 @@
+// Identifiers of generated text: legal, free of a language's reserved words, each once in its scope.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace robcogen::backend {
+
+// Whether a language keeps the name to itself.
+using IsReserved = bool (*)(const std::string& name);
+
+// The nearest legal identifier: illegal characters become '_', leading and double underscores vanish, a reserved word
+// gets a final '_'. A name that is legal already comes back unchanged.
+std::string identifier(const std::string& wanted, IsReserved is_reserved);
+
+// At most `limit` characters: the middle gives way, for the ends say what the name means.
+std::string shortened(const std::string& name, std::size_t limit, IsReserved is_reserved);
+
+// Identifiers taken in one scope. Never iterated: the map decides no order.
+class NameScope {
+ public:
+  explicit NameScope(IsReserved is_reserved, const std::vector<std::string>& taken = {});
+
+  // Marks the name as taken; true when it was free.
+  bool take(const std::string& name);
+  // The identifier for `wanted`, numbered (`foot_2`) when it is taken.
+  std::string claim(const std::string& wanted);
+  IsReserved is_reserved() const { return is_reserved_; }
+
+ private:
+  IsReserved is_reserved_;
+  std::unordered_map<std::string, int> uses_;
+};
+
+// One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
+std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted);
+
+}  // namespace robcogen::backend
