@@ -318,6 +318,14 @@ TEST(Urdf, AnglesAreSnappedOnlyOnRequest) {
   EXPECT_NE(message.find("yaw of the origin of joint 'hinge': 0.261799 becomes PI/12.0"), std::string::npos) << message;
 }
 
+TEST(Urdf, NearIsAMillionthOfARadian) {
+  const auto result = test::imported(
+      arm(kUnitInertial, "",
+          R"(<origin rpy="1.5707954 1.5707952 -1.5707952"/><axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)"));
+  ASSERT_EQ(result.of_code("angles-near-multiples").size(), 1u);
+  EXPECT_EQ(result.of_code("angles-near-multiples")[0]->message.find("an angle of this robot"), 0u);
+}
+
 TEST(Urdf, AnglesOfLinksWithoutMassAreNotCounted) {
   const std::string none =
       inertial(R"(<origin rpy="1.5707963 0 0"/>)", "0", R"(ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0")");

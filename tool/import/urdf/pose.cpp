@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace robcogen::import::from_urdf {
 
@@ -138,20 +139,18 @@ Angles angles_for(
   return {{x, y, rz_meaning.first}, x_is_candidate && y_is_candidate && rz_meaning.second};
 }
 
-// The nearer Ry is to a quarter turn, the less it matters what part of the turn about the common axis is Rz's: any
-// candidate will do that moves the matrix by no more than the tolerance.
+// The nearer Ry is to a quarter turn, the less it matters what part of the turn about the common axis is Rz's: the
+// first candidate will do that moves the matrix by no more than the tolerance.
 Angles angles_of(const Matrix& R, const std::vector<Candidate>& candidates, Real tolerance) {
+  constexpr Real kAnyAngle = 2 * kPi;
   const Real cosine = std::hypot(R[0][0], R[0][1]);
-  const Real rz = cosine > 0 ? std::atan2(-R[0][1], R[0][0]) : 0;
-  std::optional<Angles> first;
-  for (const Candidate& c : candidates) {
-    const bool is_free = cosine <= tolerance;
-    if (!is_free && !is_same_angle(rz, c.value, std::min(tolerance / cosine, Real(0.1)))) continue;
-    const Angles found = angles_for(R, c.value, {c.meaning, true}, candidates, tolerance);
-    if (found.all_are_candidates) return found;
-    if (!first) first = found;
-  }
-  return first ? *first : angles_for(R, rz, {Number(static_cast<double>(rz)), false}, candidates, tolerance);
+  const Real rz = std::atan2(-R[0][1], R[0][0]);
+  const auto is_rz = [&](const Candidate& c) {
+    return is_same_angle(rz, c.value, cosine > tolerance ? tolerance / cosine : kAnyAngle);
+  };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), is_rz);
+  if (found != candidates.end()) return angles_for(R, found->value, {found->meaning, true}, candidates, tolerance);
+  return angles_for(R, rz, {Number(static_cast<double>(rz)), false}, candidates, tolerance);
 }
 
 // With other angles in the place of its own, equalities are none by accident: what is found holds for any angles.

@@ -30,9 +30,9 @@ Rotation rotation_to_axis(const std::array<Number, 3>& axis);
 Rotation operator*(const Rotation& a, const Rotation& b);
 Rotation inverse(const Rotation& rotation);
 
-// The angles of R = Rx Ry Rz. An angle that is one of the rotation's turns, or that and quarter turns, is exactly that;
-// a multiple of PI comes of multiples of PI only, but that what differs from zero by rounding is zero. Where Rx and Rz
-// turn about one axis, they are chosen such that they are given angles, if they can be, and Rz is zero else.
+// The angles of R = Rx Ry Rz. An angle that is one of the rotation's turns, or that and quarter turns, is exactly that.
+// A multiple of PI comes of multiples of PI only, but that what differs from zero by rounding is zero. Where Rx and Rz
+// turn about one axis, Rz is zero.
 std::array<Number, 3> intrinsic_angles(const Rotation& rotation);
 
 struct Pose {
