@@ -189,6 +189,9 @@ Angles angles_by_value(const Rotation& rotation) {
     candidates.push_back({-angles.back(), -turn.angle});
     all_are_multiples = all_are_multiples && turn.angle.is_pi_multiple();
   }
+  // What may be either is not made exact.
+  std::stable_partition(
+      candidates.begin() + 1, candidates.end(), [](const Candidate& c) { return !c.meaning.is_pi_multiple(); });
   for (int k = -11; k <= 12 && all_are_multiples; ++k) candidates.push_back({k * kPi / 12, Number::pi_multiple(k, 12)});
   return angles_of(matrix_of(rotation, angles), candidates, kTolerance);
 }
