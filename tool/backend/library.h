@@ -49,6 +49,12 @@ struct FrameData {
   std::array<double, 3> rotation{};
 };
 
+// In the order of the elements of inputs of role `parameters`.
+struct ParameterData {
+  std::string name;
+  double default_value = std::numeric_limits<double>::quiet_NaN();  // not a number: none
+};
+
 // One callable. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
 struct Function {
   std::string group;   // file stem: inverse_dynamics, forward_dynamics, joint_space_inertia, transforms, jacobians
@@ -72,6 +78,7 @@ struct Library {
   std::vector<LinkData> links;  // [0] is the base
   std::vector<JointData> joints;
   std::vector<FrameData> frames;
+  std::vector<ParameterData> parameters;  // constants above that depend on one without default are not a number
   std::vector<std::string> groups;  // which groups were asked for, in canonical order
   std::vector<Function> functions;
 };

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "backend/cpp/cpp.h"
+#include "backend/languages.h"
 #include "command/command.h"
 #include "support/files.h"
 
@@ -17,7 +18,7 @@ struct Options {
   ModelOptions model;
   std::string output;
   LibraryNames names;
-  std::vector<std::string> groups = algorithm::groups();
+  std::vector<std::string> groups;  // empty: all that a language offers
   std::vector<std::string> languages = {"cpp"};
   std::vector<std::string> import_dirs;
   std::string depfile, depfile_target, stamp;
@@ -42,24 +43,72 @@ void check_names(const LibraryNames& names) {
   }
 }
 
-std::vector<std::string> in_canonical_order(const std::vector<std::string>& chosen) {
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+// What was asked for of what the language offers, in canonical order. A Failure when it was asked for what it does not
+// offer.
+std::vector<std::string> groups_of(const backend::Language& language, const std::vector<std::string>& asked) {
   std::vector<std::string> ordered;
-  for (const std::string& group : algorithm::groups())
-    if (std::find(chosen.begin(), chosen.end(), group) != chosen.end()) ordered.push_back(group);
+  for (const std::string& group : algorithm::groups()) {
+    const bool is_offered = language.groups.empty() || contains(language.groups, group);
+    if (!asked.empty() && !contains(asked, group)) continue;
+    if (is_offered) {
+      ordered.push_back(group);
+    } else if (!asked.empty()) {
+      throw Failure{
+          wrong_usage, fmt::format(
+                           "robcogen: error: --algorithms {} cannot be had in {}, which offers {}", group,
+                           language.name, fmt::join(language.groups, ", "))};
+    }
+  }
   return ordered;
 }
 
-// Parametric robots have programs and can be evaluated, but the generated interface takes no parameters.
-void refuse_parameters(const Robot& robot) {
-  if (robot.tree.parameters.empty()) return;
-  std::string names;
-  for (const model::Parameter& p : robot.tree.parameters) names += (names.empty() ? "" : ", ") + p.name;
+std::vector<const backend::Language*> languages_of(const Options& options) {
+  std::vector<const backend::Language*> chosen;
+  for (const backend::Language& language : backend::languages())
+    if (contains(options.languages, language.name)) chosen.push_back(&language);
+  return chosen;
+}
+
+// Parametric robots have programs and can be evaluated, but the C++ interface takes no parameters.
+void refuse_parameters(const Robot& robot, const backend::Language& language) {
+  if (robot.tree.parameters.empty() || language.takes_parameters) return;
+  std::vector<std::string> names;
+  for (const model::Parameter& p : robot.tree.parameters) names.push_back(p.name);
   throw Failure{
       wrong_input,
       fmt::format(
           "{}: error: robot '{}' has parameters ({}), and C++ code with parameters cannot be generated "
           "[parametric-cpp]\nhint: give them values in the document, or evaluate the robot with 'robcogen eval'",
-          robot.model.string(), robot.tree.name, names)};
+          robot.model.string(), robot.tree.name, fmt::join(names, ", "))};
+}
+
+// Files of languages whose names follow from the model: those of an earlier run that are made no more must not stay.
+// They are known from a list that every run leaves beside them.
+struct Listed {
+  fs::path list;                   // relative to the output folder
+  std::vector<std::string> files;  // made now
+  std::vector<std::string> made_before;
+};
+
+Listed list_files(const Options& options, const std::string& folder, const std::vector<OutputFile>& files) {
+  Listed listed = {fs::path(folder) / (options.names.name + ".files"), {}, {}};
+  for (const OutputFile& file : files) listed.files.push_back((fs::path(folder) / file.path).generic_string());
+  std::ifstream earlier(fs::path(options.output) / listed.list);
+  for (std::string line; std::getline(earlier, line);) listed.made_before.push_back(line);
+  return listed;
+}
+
+void remove_stale(const Options& options, const Listed& listed) {
+  for (const std::string& file : listed.made_before) {
+    const fs::path path(file);
+    const bool is_below = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+    std::error_code ignored;
+    if (is_below && !contains(listed.files, file)) fs::remove(fs::path(options.output) / path, ignored);
+  }
 }
 
 // Unlike generated sources, a stamp and a dependency file must get a new time even when their text stays.
@@ -74,25 +123,51 @@ Status generate(const Options& options) {
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs -o DIR"};
   const std::optional<Robot> robot = options.model.load();
   if (!robot) return wrong_input;
-  refuse_parameters(*robot);
-  const backend::Library lib = library(*robot, options.names, in_canonical_order(options.groups), options.model.passes);
+  std::vector<OutputFile> files;
+  std::vector<Listed> lists;
+  std::string hash;
+  for (const backend::Language* language : languages_of(options)) {
+    refuse_parameters(*robot, *language);
+    const backend::Library lib =
+        library(*robot, options.names, groups_of(*language, options.groups), options.model.passes);
+    hash = lib.model_hash;
+    std::vector<OutputFile> printed = language->print(lib);
+    if (language->name == "cpp") {
+      files = std::move(printed);
+      continue;
+    }
+    const Listed& listed = lists.emplace_back(list_files(options, language->name, printed));
+    for (OutputFile& file : printed) files.push_back({fs::path(language->name) / file.path, std::move(file.text)});
+    files.push_back({listed.list, fmt::format("{}\n", fmt::join(listed.files, "\n"))});
+  }
   std::string error;
-  if (!write_files_if_changed(options.output, backend::cpp::print(lib), error))
+  if (!write_files_if_changed(options.output, files, error))
     throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
+  for (const Listed& listed : lists) remove_stale(options, listed);
   if (!options.depfile.empty()) {
     const std::string target = options.depfile_target.empty() ? options.stamp : options.depfile_target;
     std::vector<fs::path> inputs;
     for (const fs::path& file : robot->read) inputs.push_back(fs::absolute(file));
     write(options.depfile, dependency_file(target, inputs));
   }
-  if (!options.stamp.empty()) write(options.stamp, lib.model_hash + "\n");
+  if (!options.stamp.empty()) write(options.stamp, hash + "\n");
   return ok;
 }
 
+// The files whose names follow from the options alone: those of C++.
 Status list_outputs(const Options& options) {
-  for (const std::string& file : backend::cpp::outputs(options.names.name, in_canonical_order(options.groups)))
-    fmt::print("{}\n", file);
+  for (const backend::Language* language : languages_of(options)) {
+    if (language->name != "cpp") continue;
+    for (const std::string& file : backend::cpp::outputs(options.names.name, groups_of(*language, options.groups)))
+      fmt::print("{}\n", file);
+  }
   return ok;
+}
+
+std::vector<std::string> language_names() {
+  std::vector<std::string> names;
+  for (const backend::Language& language : backend::languages()) names.push_back(language.name);
+  return names;
 }
 
 }  // namespace
@@ -105,10 +180,10 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
   subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b");
-  subcommand->add_option("--algorithms", options->groups, "What to generate; default all")
+  subcommand->add_option("--algorithms", options->groups, "What to generate; default all that a language offers")
       ->check(CLI::IsMember(algorithm::groups()));
-  subcommand->add_option("--language", options->languages, "Target languages; default cpp")
-      ->check(CLI::IsMember({"cpp"}));
+  subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
+      ->check(CLI::IsMember(language_names()));
   subcommand->add_option("-I", options->import_dirs, "Folders of imported documents")->allow_extra_args(false);
   subcommand->add_option("--depfile", options->depfile, "Write what was read as a dependency file");
   subcommand->add_option("--depfile-target", options->depfile_target, "Its target; default the stamp");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "export/kinematics.h"
 #include "import/kinematics.h"
@@ -12,47 +13,64 @@
 namespace robcogen::command {
 namespace {
 
-std::array<double, 3> values(const std::array<model::Quantity, 3>& q) {
-  return {model::evaluate(q[0]), model::evaluate(q[1]), model::evaluate(q[2])};
-}
+// Constants of the model, as far as the parameters' defaults determine them.
+class Constants {
+ public:
+  explicit Constants(const model::KinematicTree& tree) : tree_(tree) {
+    for (const model::Parameter& p : tree.parameters)
+      defaults_.push_back(p.default_value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
 
-backend::LinkData link_data(const model::Link& link) {
-  backend::LinkData data;
-  data.name = link.name;
-  data.parent_joint = link.parent_joint;
-  if (!link.inertia) return data;
-  const model::RigidBodyInertia body = model::in_link_frame(*link.inertia);
-  data.mass = model::evaluate(body.mass);
-  const std::array<double, 3> moment = values(body.first_moment);
-  for (std::size_t i = 0; i < 3; ++i) data.com[i] = data.mass != 0.0 ? moment[i] / data.mass : 0.0;
-  data.inertia = {model::evaluate(body.ixx), model::evaluate(body.iyy), model::evaluate(body.izz),
-                  model::evaluate(body.ixy), model::evaluate(body.ixz), model::evaluate(body.iyz)};
-  return data;
-}
+  backend::LinkData of(const model::Link& link) const {
+    backend::LinkData data;
+    data.name = link.name;
+    data.parent_joint = link.parent_joint;
+    if (!link.inertia) return data;
+    const model::RigidBodyInertia body = model::in_link_frame(*link.inertia);
+    data.mass = value(body.mass);
+    data.com = values(link.inertia->com);
+    if (link.inertia->reference) {
+      const std::array<double, 3> moment = values(body.first_moment);
+      for (std::size_t i = 0; i < 3; ++i) data.com[i] = data.mass != 0.0 ? moment[i] / data.mass : 0.0;
+    }
+    data.inertia = {value(body.ixx), value(body.iyy), value(body.izz),
+                    value(body.ixy), value(body.ixz), value(body.iyz)};
+    return data;
+  }
 
-backend::JointData joint_data(const model::Joint& joint) {
-  return {
-      joint.name,
-      joint.type == model::JointType::revolute,
-      joint.parent,
-      joint.child,
-      values(joint.placement.translation),
-      values(joint.placement.rotation),
-      {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort}};
-}
+  backend::JointData of(const model::Joint& joint) const {
+    return {
+        joint.name,
+        joint.type == model::JointType::revolute,
+        joint.parent,
+        joint.child,
+        values(joint.placement.translation),
+        values(joint.placement.rotation),
+        {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort}};
+  }
 
-backend::FrameData frame_data(const model::KinematicTree& tree, const model::Frame& frame) {
-  backend::FrameData data;
-  data.name = frame.name;
-  data.link = tree.link_of(frame);
-  const auto index = static_cast<std::size_t>(frame.index);
-  if (frame.kind == model::Frame::Kind::link) return data;
-  const model::Placement& placement =
-      frame.kind == model::Frame::Kind::joint ? tree.joints[index].placement : tree.user_frames[index].placement;
-  data.translation = values(placement.translation);
-  data.rotation = values(placement.rotation);
-  return data;
-}
+  backend::FrameData of(const model::Frame& frame) const {
+    backend::FrameData data;
+    data.name = frame.name;
+    data.link = tree_.link_of(frame);
+    const auto index = static_cast<std::size_t>(frame.index);
+    if (frame.kind == model::Frame::Kind::link) return data;
+    const model::Placement& placement =
+        frame.kind == model::Frame::Kind::joint ? tree_.joints[index].placement : tree_.user_frames[index].placement;
+    data.translation = values(placement.translation);
+    data.rotation = values(placement.rotation);
+    return data;
+  }
+
+ private:
+  double value(const model::Quantity& q) const { return model::evaluate(q, defaults_); }
+  std::array<double, 3> values(const std::array<model::Quantity, 3>& q) const {
+    return {value(q[0]), value(q[1]), value(q[2])};
+  }
+
+  const model::KinematicTree& tree_;
+  std::vector<double> defaults_;
+};
 
 int frame_index(const std::vector<model::Frame>& frames, const model::Frame& wanted) {
   const auto place =
@@ -168,10 +186,15 @@ backend::Library library(
   result.generator_version = kVersion;
   result.floating_base = robot.tree.floating_base;
   result.groups = groups;
-  for (const model::Link& link : robot.tree.links) result.links.push_back(link_data(link));
-  for (const model::Joint& joint : robot.tree.joints) result.joints.push_back(joint_data(joint));
+  const Constants constants(robot.tree);
+  for (const model::Link& link : robot.tree.links) result.links.push_back(constants.of(link));
+  for (const model::Joint& joint : robot.tree.joints) result.joints.push_back(constants.of(joint));
   const std::vector<model::Frame> frames = robot.tree.frames();
-  for (const model::Frame& frame : frames) result.frames.push_back(frame_data(robot.tree, frame));
+  for (const model::Frame& frame : frames) result.frames.push_back(constants.of(frame));
+  for (const model::Parameter& p : robot.tree.parameters) {
+    result.parameters.push_back({p.name});
+    if (p.default_value) result.parameters.back().default_value = *p.default_value;
+  }
   for (algorithm::RobotFunction& f : trace(robot, groups, passes)) {
     backend::Function function;
     function.group = std::move(f.group);

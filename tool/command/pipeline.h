@@ -70,7 +70,7 @@ struct LibraryNames {
   std::string enclosing;  // namespace around it, or empty
 };
 
-// What the back ends print. The robot must have no parameters.
+// What the back ends print.
 backend::Library library(
     const Robot& robot,
     const LibraryNames& names,

@@ -1,0 +1,16 @@
+#include "backend/languages.h"
+
+#include "backend/cpp/cpp.h"
+#include "backend/matlab/matlab.h"
+
+namespace robcogen::backend {
+
+const std::vector<Language>& languages() {
+  static const std::vector<Language> all = {
+      {"cpp", {}, false, cpp::print},
+      {"matlab", {}, true, matlab::print},
+  };
+  return all;
+}
+
+}  // namespace robcogen::backend
