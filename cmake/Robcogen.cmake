@@ -10,7 +10,8 @@
 #       [NAMESPACE a::b]            # enclosing namespace
 #       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia transforms
 #                                   # jacobians; without it, all of them
-#       [LANGUAGES cpp]
+#       [LANGUAGES cpp matlab maxima]
+#                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [IMPORT_DIRS dir…]          # where the documents' imports are looked for, before ROBCOGEN_IMPORT_DIRS
 #       [DEPENDS file|target…]      # when a rule of the build makes MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only
@@ -20,7 +21,7 @@
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
 #
-# Makes, for TARGET hyl:
+# Makes, for TARGET hyl in C++ (in other languages alone, a target hyl that generates them):
 #     hyl            the static library; #include <hyl/hyl.h>
 #     hyl_codegen    the generated files only
 #     hyl_selfcheck  compares the compiled code with an independent recursion; ctest hyl.selfcheck, label `robot`
@@ -49,11 +50,23 @@ function(robcogen_add_robot)
   _robcogen_check_keywords(${values} ${lists} ${flags})
   _robcogen_complete_arguments()
   _robcogen_check_elements(ALGORITHMS ${groups})
-  _robcogen_check_elements(LANGUAGES cpp)
+  _robcogen_check_elements(LANGUAGES cpp matlab maxima)
   _robcogen_check_documents()
   _robcogen_check_names()
   _robcogen_require_tool()
 
+  if(NOT "cpp" IN_LIST robot_LANGUAGES)
+    # Names of files in the other languages follow from the model, which no configuration reads.
+    _robcogen_add_codegen(${robot_TARGET}_codegen)
+    _robcogen_exclusion(exclusion)
+    if(exclusion)
+      add_custom_target(${robot_TARGET})
+    else()
+      add_custom_target(${robot_TARGET} ALL)
+    endif()
+    add_dependencies(${robot_TARGET} ${robot_TARGET}_codegen)
+    return()
+  endif()
   _robcogen_generated_files(${robot_NAME} "${robot_ALGORITHMS}" headers sources)
   list(TRANSFORM headers PREPEND ${robot_OUTPUT_DIR}/)
   list(TRANSFORM sources PREPEND ${robot_OUTPUT_DIR}/)
