@@ -259,6 +259,9 @@ TEST(Urdf, LimitsAreThoseOfTheDocument) {
       (limits_of("continuous", R"(<limit lower="-1" upper="1" effort="3" velocity="4"/>)") ==
        model::JointLimits{-kNone, kNone, 4, 3}));
   EXPECT_TRUE((limits_of("continuous", "") == model::JointLimits{}));
+  EXPECT_TRUE(
+      (limits_of("prismatic", R"(<limit lower="-1e9" upper="1e+12" effort="1e9" velocity="999999999"/>)") ==
+       model::JointLimits{-kNone, kNone, 999999999, kNone}));
 }
 
 TEST(Urdf, RootFloatsWhenAskedTo) {

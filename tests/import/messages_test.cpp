@@ -32,6 +32,7 @@ TEST_P(Messages, AreAsExpected) {
   options.snap_angles = asks_for("-snap");
   options.free_mimic_joints = asks_for("-free-mimic");
   options.floating_base = asks_for("-floating-base");
+  options.allow_implausible = asks_for("-allow-implausible");
 
   Diagnostics diagnostics;
   testing::internal::CaptureStderr();

@@ -22,17 +22,20 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
       "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
       "--free-mimic-joints", options.free_mimic_joints, "URDF: a joint that mimics another is a joint of its own");
+  subcommand.add_flag(
+      "--allow-implausible", options.allow_implausible, "URDF: masses and inertias that no body has are warnings");
 }
 
 void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
-  const bool given = options.floating_base || options.snap_angles || options.free_mimic_joints;
+  const bool given =
+      options.floating_base || options.snap_angles || options.free_mimic_joints || options.allow_implausible;
   if (!given || is_urdf(model)) return;
   throw Failure{
-      wrong_usage,
-      fmt::format(
-          "robcogen: error: --floating-base, --snap-angles and --free-mimic-joints are for URDF; '{}' says "
-          "such things itself",
-          model.string())};
+      wrong_usage, fmt::format(
+                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints and --allow-implausible "
+                       "are for URDF; '{}' "
+                       "says such things itself",
+                       model.string())};
 }
 
 void ModelOptions::declare(CLI::App& subcommand) {

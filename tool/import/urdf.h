@@ -16,6 +16,8 @@ struct UrdfOptions {
   bool snap_angles = false;
   // A joint that mimics another is a joint of its own; otherwise it is an error.
   bool free_mimic_joints = false;
+  // Masses and inertias that no body has are warnings; otherwise those that are negative are errors.
+  bool allow_implausible = false;
 };
 
 // What of a URDF a kinematic tree can say, exactly:
@@ -25,6 +27,7 @@ struct UrdfOptions {
 //   Every URDF link, the root and lumped ones too, is a user frame of its name at its URDF pose.
 // - Mass properties are those of all lumped bodies, about the origin and in the axes of the model's link frame.
 // - Links and joints keep the order of the file; joint positions keep their zero and their sign.
+// - Limits of 1e9 and beyond are none: that is how a URDF says so where it must give a number.
 // - Names that are no identifiers get `_` for what does not fit; two names that become one are an error. A joint that
 // has
 //   a link's name becomes `<name>_joint`, as the model has frames of both.

@@ -15,6 +15,7 @@ namespace {
 // A principal moment may be negative by this part of the largest one: documents round their numbers, and rods and point
 // masses lie exactly on the limit.
 constexpr double kMomentTolerance = 1e-6;
+const char* const kHint = "--allow-implausible makes a warning of it";
 
 // Eigenvalues of the tensor in ascending order, as the roots of its characteristic polynomial (Smith 1961).
 std::array<double, 3> principal_moments(const Inertial& i) {
@@ -35,17 +36,21 @@ std::array<double, 3> principal_moments(const Inertial& i) {
 void check(const Link& link, Diagnostics& diagnostics) {
   const Inertial& inertial = *link.inertial;
   if (inertial.mass.value() < 0.0) {
-    diagnostics.error(
-        "negative-mass", inertial.place,
-        fmt::format("mass of link '{}' is negative: {} kg", link.name.text, print_double(inertial.mass.value())));
+    diagnostics
+        .error(
+            "negative-mass", inertial.place,
+            fmt::format("mass of link '{}' is negative: {} kg", link.name.text, print_double(inertial.mass.value())))
+        .hint = kHint;
   }
   const auto [low, middle, high] = principal_moments(inertial);
   if (low >= -kMomentTolerance * std::max(std::abs(low), std::abs(high))) return;
-  diagnostics.error(
-      "inertia-not-positive", inertial.place,
-      fmt::format(
-          "inertia of link '{}' is not positive semi-definite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2",
-          link.name.text, low, middle, high));
+  diagnostics
+      .error(
+          "inertia-not-positive", inertial.place,
+          fmt::format(
+              "inertia of link '{}' is not positive semi-definite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2",
+              link.name.text, low, middle, high))
+      .hint = kHint;
 }
 
 model::Inertia part_of_body(const PlacedInertial& part) {

@@ -6,6 +6,8 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "import/urdf/document.h"
 
@@ -101,12 +103,18 @@ Place place_of(const std::string& message, const Document& document) {
   return document.name.place;
 }
 
+// What a URDF that must give a number means for none.
+double bounded(double limit) {
+  constexpr double kNone = 1e9;
+  return std::abs(limit) < kNone ? limit : std::copysign(std::numeric_limits<double>::infinity(), limit);
+}
+
 model::JointLimits limits_of(const Joint& joint, const urdf::JointLimits& read) {
   model::JointLimits limits;
   if (!joint.limit) return limits;
-  if (joint.type != JointType::continuous) limits.lower = read.lower, limits.upper = read.upper;
-  if (joint.limit->effort) limits.effort = read.effort;
-  if (joint.limit->velocity) limits.velocity = read.velocity;
+  if (joint.type != JointType::continuous) limits.lower = bounded(read.lower), limits.upper = bounded(read.upper);
+  if (joint.limit->effort) limits.effort = bounded(read.effort);
+  if (joint.limit->velocity) limits.velocity = bounded(read.velocity);
   return limits;
 }
 

@@ -23,7 +23,8 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
       fmt::format("elements that say nothing of kinematics and dynamics are ignored: {}", list));
 }
 
-// A hint of the model's is for documents that give moments about the origin of a frame, which a URDF does not.
+// A hint of the model's on inertias is for documents that give moments about the origin of a frame, which a URDF does
+// not.
 std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
   Diagnostics of_model;
   auto tree = model::build(description, of_model);
@@ -32,7 +33,7 @@ std::optional<model::KinematicTree> build_tree(const model::Description& descrip
                        : d.severity == Severity::warning ? diagnostics.warning(d.code, d.place, d.message)
                                                          : diagnostics.note(d.code, d.place, d.message);
     copy.notes = d.notes;
-    if (d.code != "triangle-inequality") copy.hint = d.hint;
+    if (d.code != "triangle-inequality" && d.code != "inertia-not-positive") copy.hint = d.hint;
   }
   return tree;
 }
@@ -50,7 +51,7 @@ std::optional<model::KinematicTree> urdf(
   if (!root) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
-  check_inertials(document, diagnostics);
+  if (!options.allow_implausible) check_inertials(document, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (topology) check_joints(document, *topology, options.free_mimic_joints, diagnostics);
   if (failed()) return std::nullopt;
