@@ -131,6 +131,30 @@ Matrix<double> InterpretedRobot::joint_space_inertia(const Vector<double>& q) co
   return matrix(run("joint_space_inertia", {}, {{"q", q.values()}}).at("H"), floating_ ? 6 + dof_ : dof_);
 }
 
+Matrix<double> InterpretedRobot::coriolis_matrix(const State& m) const {
+  return matrix(run("coriolis_matrix", {}, inputs_of(m)).at("C"), floating_ ? 6 + dof_ : dof_);
+}
+
+Vector<double> InterpretedRobot::center_of_mass(const Vector<double>& q) const {
+  return vector(run("center_of_mass", {}, {{"q", q.values()}}).at("com"));
+}
+
+Matrix<double> InterpretedRobot::center_of_mass_jacobian(const Vector<double>& q) const {
+  return matrix(run("center_of_mass_jacobian", {}, {{"q", q.values()}}).at("J"), 3);
+}
+
+Matrix<double> InterpretedRobot::centroidal_momentum_matrix(const Vector<double>& q) const {
+  return matrix(run("centroidal_momentum_matrix", {}, {{"q", q.values()}}).at("A"), 6);
+}
+
+double InterpretedRobot::kinetic_energy(const State& m) const {
+  return run("kinetic_energy", {}, inputs_of(m)).at("T").front();
+}
+
+double InterpretedRobot::potential_energy(const Vector<double>& q, const Arguments& arguments) const {
+  return run("potential_energy", {arguments.gravity, nullptr}, {{"q", q.values()}}).at("V").front();
+}
+
 reference::TransformForms InterpretedRobot::transform(int index, const Vector<double>& q) const {
   const std::string name = tables_.robot().transforms[index].name;
   const auto form = [&](const std::string& prefix, int rows) {
@@ -160,6 +184,11 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inertia_columns(robot, c, checks);
     check_energy(robot, c, checks);
     check_power(robot, c, checks);
+    check_coriolis_matrix(robot, c, checks);
+    check_center_of_mass(robot, c, checks);
+    check_centroidal_momentum(robot, c, checks);
+    check_free_fall(robot, c, checks);
+    check_energies(robot, c, checks);
     check_transforms(robot, c, checks);
     check_jacobians(robot, c, checks);
   }

@@ -8,6 +8,7 @@
 #include "algorithm/robot_programs.h"
 #include "pass/passes.h"
 #include "reference_tables.h"
+#include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "symbolic/interpret.h"
@@ -40,6 +41,12 @@ class InterpretedRobot {
   Vector<double> gravity_forces(const Vector<double>& q, const reference::Arguments& arguments) const;
   Vector<double> coriolis_forces(const State& m) const;
   reference::Matrix<double> joint_space_inertia(const Vector<double>& q) const;
+  reference::Matrix<double> coriolis_matrix(const State& m) const;
+  Vector<double> center_of_mass(const Vector<double>& q) const;
+  reference::Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const;
+  reference::Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const;
+  double kinetic_energy(const State& m) const;
+  double potential_energy(const Vector<double>& q, const reference::Arguments& arguments) const;
   reference::TransformForms transform(int index, const Vector<double>& q) const;
   reference::Matrix<double> jacobian(int index, const Vector<double>& q) const;
 

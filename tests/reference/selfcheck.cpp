@@ -13,6 +13,7 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
+#include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/compiled_robot.h"
@@ -24,6 +25,9 @@ constexpr bool kHasInverseDynamics = ROBCOGEN_HAS_INVERSE_DYNAMICS;
 constexpr bool kHasBiasForces = ROBCOGEN_HAS_BIAS_FORCES;
 constexpr bool kHasForwardDynamics = ROBCOGEN_HAS_FORWARD_DYNAMICS;
 constexpr bool kHasInertia = ROBCOGEN_HAS_JOINT_SPACE_INERTIA;
+constexpr bool kHasCoriolisMatrix = ROBCOGEN_HAS_CORIOLIS_MATRIX;
+constexpr bool kHasCentroidal = ROBCOGEN_HAS_CENTROIDAL;
+constexpr bool kHasEnergy = ROBCOGEN_HAS_ENERGY;
 
 template <class R>
 Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
@@ -43,6 +47,11 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
     if constexpr (kHasInertia) check_energy(subject, c, checks);
     if constexpr (kHasInertia && kHasInverseDynamics) check_inertia_columns(subject, c, checks);
     if constexpr (kHasInertia && kHasBiasForces) check_power(subject, c, checks);
+    if constexpr (kHasCoriolisMatrix) check_coriolis_matrix(subject, c, checks);
+    if constexpr (kHasCentroidal) check_center_of_mass(subject, c, checks);
+    if constexpr (kHasCentroidal) check_centroidal_momentum(subject, c, checks);
+    if constexpr (kHasCentroidal && kHasForwardDynamics) check_free_fall(subject, c, checks);
+    if constexpr (kHasEnergy) check_energies(subject, c, checks);
     // The tables are empty where the library has no transforms or no Jacobians.
     check_transforms(subject, c, checks);
     check_jacobians(subject, c, checks);

@@ -2,6 +2,7 @@
 // fails the checks that are there to find it.
 #include <gtest/gtest.h>
 
+#include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "sample_robots.h"
@@ -39,6 +40,44 @@ class Right {
     const Matrix<double> H = reference::joint_space_inertia(robot_, q);
     return 0.5 * (H + transpose(H));  // generated code writes each element of a pair from one value
   }
+  // Column by column, from unit velocities.
+  Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
+    Matrix<double> A(6, coordinates(robot_.floating_base, Vector<double>(6), q).rows());
+    for (int k = 0; k < A.cols(); ++k) {
+      const Vector<double> p = momentum(robot_, unit_motion(q, k)), linear = p.tail(3);
+      A.set_block(0, k, stacked(p.head(3) - cross(center_of_mass(q), linear), linear));
+    }
+    return A;
+  }
+  Vector<double> center_of_mass(const Vector<double>& q) const {
+    return 1 / moving_mass(robot_) * first_moment(robot_, q);
+  }
+  Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
+    const Matrix<double> A = centroidal_momentum_matrix(q);
+    return 1 / moving_mass(robot_) * A.block(3, 0, 3, A.cols());
+  }
+  double kinetic_energy(const Motion<double>& m) const { return reference::kinetic_energy(robot_, m); }
+  double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
+    return reference::potential_energy(robot_, q, loads(arguments).gravity);
+  }
+  // Of all matrices that will do, the one that is made easily: half of dH/dt, and the skew matrix that adds the rest of
+  // the forces.
+  Matrix<double> coriolis_matrix(const Motion<double>& m) const {
+    constexpr Real kStep = 1e-5L;
+    const Motion<Real> motion = cast<Real>(m);
+    const auto inertia = [&](Real step) -> Matrix<Real> {
+      const Vector<Real> q = motion.q + step * motion.qd;
+      return reference::joint_space_inertia(robot_, q);
+    };
+    const Matrix<Real> half =
+        Real(1) / (24 * kStep) *
+        (Real(8) * (inertia(kStep) - inertia(-kStep)) - (inertia(2 * kStep) - inertia(-2 * kStep)));
+    const Vector<Real> v = coordinates(robot_.floating_base, motion.base_velocity, motion.qd);
+    const Forces<Real> forces = reference::coriolis_forces(robot_, motion);
+    const Vector<Real> rest = coordinates(robot_.floating_base, forces.base_wrench, forces.tau) - half * v;
+    const Matrix<Real> skew = 1 / dot(v, v) * (rest * transpose(v) - v * transpose(rest));
+    return (half + skew).cast<double>();
+  }
   TransformForms transform(int index, const Vector<double>& q) const {
     const reflection::Transform& t = robot_.transforms[index];
     const Matrix<double> X = reference::transform(robot_, q, t.left, t.right);
@@ -57,6 +96,14 @@ class Right {
   }
   Vector<double> joined(const Forces<double>& forces) const {
     return coordinates(robot_.floating_base, forces.base_wrench, forces.tau);
+  }
+
+  Motion<double> unit_motion(const Vector<double>& q, int coordinate) const {
+    const int first = robot_.floating_base ? 6 : 0;
+    Motion<double> m = at_rest(q);
+    if (coordinate < first) m.base_velocity(coordinate) = 1;
+    if (coordinate >= first) m.qd(coordinate - first) = 1;
+    return m;
   }
 
   Robot robot_;
@@ -94,6 +141,11 @@ std::string failures(bool floating) {
     check_inertia_columns(subject, c, checks);
     check_energy(subject, c, checks);
     check_power(subject, c, checks);
+    check_coriolis_matrix(subject, c, checks);
+    check_center_of_mass(subject, c, checks);
+    check_centroidal_momentum(subject, c, checks);
+    check_free_fall(subject, c, checks);
+    check_energies(subject, c, checks);
     check_transforms(subject, c, checks);
     check_jacobians(subject, c, checks);
   }
@@ -267,6 +319,72 @@ TEST(Checks, FindAJacobianOfTheWrongSign) {
     }
   };
   expect_found<Wrong>({"jacobians", "P4: J qd = velocity"});
+}
+
+// Right forces, but not the skew part that passivity needs.
+TEST(Checks, FindACoriolisMatrixThatIsNotPassive) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> coriolis_matrix(const Motion<double>& m) const {
+      const Vector<double> v = coordinates(robot_.floating_base, m.base_velocity, m.qd);
+      return 1 / dot(v, v) *
+             (coordinates(
+                  robot_.floating_base, reference::coriolis_forces(robot_, m).base_wrench,
+                  reference::coriolis_forces(robot_, m).tau) *
+              transpose(v));
+    }
+  };
+  expect_found<Wrong>({"dH/dt - 2 C is skew symmetric"});
+}
+
+TEST(Checks, FindACoriolisMatrixTransposed) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> coriolis_matrix(const Motion<double>& m) const { return transpose(Right::coriolis_matrix(m)); }
+  };
+  expect_found<Wrong>({"coriolis_matrix times velocity"});
+}
+
+// A fixed base has a part in nothing that moves.
+TEST(Checks, FindAFixedBaseInTheCenterOfMass) {
+  struct Wrong : Right {
+    using Right::Right;
+    Vector<double> center_of_mass(const Vector<double>& q) const {
+      const double base = robot_.links[0].mass, moving = moving_mass(robot_);
+      return moving / (moving + base) * Right::center_of_mass(q);
+    }
+    double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
+      return Right::potential_energy(q, arguments) + 1e-9;
+    }
+  };
+  expect_found<Wrong>({"center_of_mass", "potential_energy ", "potential_energy (gravity)"});
+}
+
+// About the base origin instead of the centre of mass.
+TEST(Checks, FindMomentumAboutTheWrongPoint) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
+      Matrix<double> A = Right::centroidal_momentum_matrix(q);
+      for (int k = 0; k < A.cols(); ++k) A.set_block(0, k, momentum(robot_, unit_motion(q, k)));
+      return A;
+    }
+  };
+  expect_found<Wrong>({"centroidal_momentum_matrix (angular)"});
+  expect_found<Wrong>({"P3: free fall"}, {true});
+}
+
+TEST(Checks, FindACenterOfMassThatRidesOnAJoint) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
+      Matrix<double> J = Right::center_of_mass_jacobian(q);
+      J.set_block(0, J.cols() - 1, Vector<double>(3));
+      return J;
+    }
+    double kinetic_energy(const Motion<double>& m) const { return 2 * Right::kinetic_energy(m); }
+  };
+  expect_found<Wrong>({"center_of_mass_jacobian", "kinetic_energy"});
 }
 
 // A result that is no number is no pass.

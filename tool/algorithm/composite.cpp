@@ -33,6 +33,14 @@ std::vector<MassProperties> composite_bodies(const Setup& setup) {
   return composite;
 }
 
+MassProperties moving_body(const Setup& setup, const std::vector<MassProperties>& composite) {
+  if (setup.floating()) return composite[0];
+  MassProperties total;
+  for (const JointView& joint : setup.children(0))
+    total = total + to_parent(setup.pose(joint.index), composite[static_cast<std::size_t>(joint.child)]);
+  return total;
+}
+
 Spatial unit_wrench(const MassProperties& m, bool revolute) {
   const Vector3& h = m.first_moment;
   const Matrix3& s = m.pseudo_inertia;
@@ -73,14 +81,7 @@ void add_composite_forces(
     for (const JointView& joint : setup.children(link)) {
       const std::string& name = setup.link_name(joint.child);
       setup.trace.section(name, "link " + name + ": share of the base acceleration");
-      const Pose& pose = setup.pose(joint.index);
-      Spatial a;
-      a.angular = to_child(pose.rotation, parent.angular);
-      a.linear = to_child(pose.rotation, parent.linear + cross(parent.angular, pose.offset));
-      if (!pose.slide.is_zero()) {
-        a.linear[0] += pose.slide * a.angular[1];
-        a.linear[1] -= pose.slide * a.angular[0];
-      }
+      const Spatial a = to_child(setup.pose(joint.index), parent);
       const Spatial unit = unit_wrench(composite[static_cast<std::size_t>(joint.child)], joint.revolute);
       tau[static_cast<std::size_t>(joint.index)] += dot(unit, a);
       descend(joint.child, a);

@@ -10,7 +10,11 @@ namespace robcogen::algorithm {
 // By link, about the link's origin in link axes. The base's only when it floats.
 std::vector<MassProperties> composite_bodies(const Setup& setup);
 
-// The wrench that accelerates the composite body by one unit of the joint that supports it (zero velocity).
+// All that moves, frozen: every link but a fixed base; about the base origin in base axes.
+MassProperties moving_body(const Setup& setup, const std::vector<MassProperties>& composite);
+
+// The wrench that accelerates the composite body by one unit of the joint that supports it (zero velocity), and its
+// momentum at unit rate.
 Spatial unit_wrench(const MassProperties& composite, bool revolute);
 
 // -I^-1 wrench: how a free rigid body accelerates when `missing` is not supplied.

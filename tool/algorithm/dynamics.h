@@ -48,4 +48,23 @@ symbolic::Program forward_dynamics(const model::KinematicTree& tree, const std::
 // zeros that branches induce are literal.
 symbolic::Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name);
 
+// A factorisation of the Coriolis forces that makes dH/dt - 2 C skew symmetric (Niemeyer and Slotine 1991; recursive
+// with composite bodies: Echeandia and Wensing 2021): q, qd [, base_velocity] -> C, of the size of H. C v plus the
+// gravity forces are the bias forces.
+symbolic::Program coriolis_matrix(const model::KinematicTree& tree, const std::string& name);
+
+// What moves: every link but a fixed base. Its centre of mass: q -> com, base coordinates; zero where nothing that
+// moves has mass.
+symbolic::Program center_of_mass(const model::KinematicTree& tree, const std::string& name);
+// Velocity of that point, in base axes: q -> J, 3 x n, or 3 x (6 + n) base twist first.
+symbolic::Program center_of_mass_jacobian(const model::KinematicTree& tree, const std::string& name);
+// Spatial momentum about that point, in base axes (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base twist
+// first; angular rows first.
+symbolic::Program centroidal_momentum_matrix(const model::KinematicTree& tree, const std::string& name);
+
+// q, qd [, base_velocity] -> T, summed over the links.
+symbolic::Program kinetic_energy(const model::KinematicTree& tree, const std::string& name);
+// q -> V of what moves, zero where its centre of mass is at the base origin.
+symbolic::Program potential_energy(const model::KinematicTree& tree, const std::string& name, Loads loads);
+
 }  // namespace robcogen::algorithm

@@ -185,4 +185,21 @@ Spatial to_parent(const Pose& pose, const Spatial& wrench) {
   return {moment + cross(pose.offset, force), force};
 }
 
+Spatial to_child(const Pose& pose, const Spatial& motion) {
+  Spatial result;
+  result.angular = to_child(pose.rotation, motion.angular);
+  result.linear = to_child(pose.rotation, motion.linear + cross(motion.angular, pose.offset));
+  if (!pose.slide.is_zero()) {
+    result.linear[0] += pose.slide * result.angular[1];
+    result.linear[1] -= pose.slide * result.angular[0];
+  }
+  return result;
+}
+
+Spatial child_twist(const Pose& pose, bool revolute, const Spatial& parent, const Expression& qd) {
+  Spatial twist = to_child(pose, parent);
+  (revolute ? twist.angular : twist.linear)[2] += qd;
+  return twist;
+}
+
 }  // namespace robcogen::algorithm

@@ -61,4 +61,9 @@ Spatial link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& mot
 // A wrench on the child, about the parent's origin in parent axes.
 Spatial to_parent(const Pose& pose, const Spatial& wrench);
 
+// The motion (twist, or change of it) of a body, about the child's origin in child axes; given about the parent's.
+Spatial to_child(const Pose& pose, const Spatial& motion);
+// Twist of the child link, from its parent's and the joint's rate.
+Spatial child_twist(const Pose& pose, bool revolute, const Spatial& parent, const Expression& qd);
+
 }  // namespace robcogen::algorithm

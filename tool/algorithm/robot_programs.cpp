@@ -118,6 +118,62 @@ std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree) 
        joint_space_inertia(tree, "joint_space_inertia")}};
 }
 
+std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree) {
+  return {
+      {"coriolis_matrix",
+       "",
+       "coriolis_matrix",
+       {"Coriolis matrix C: C times the velocity is what velocities cause of the generalised forces, and dH/dt - 2 C "
+        "is "
+        "skew symmetric (Niemeyer and Slotine 1991; Echeandia and Wensing 2021).",
+        tree.floating_base
+            ? "(6 + n) x (6 + n), as the joint-space inertia matrix H: for the velocity (base twist, qd), "
+              "in base coordinates, angular first."
+            : "n x n, joints in the order of the model."},
+       {},
+       {},
+       coriolis_matrix(tree, "coriolis_matrix")}};
+}
+
+std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
+  const std::string moves = tree.floating_base ? "the robot" : "the moving links";
+  const std::string columns =
+      tree.floating_base ? "(6 + n) columns: for the velocity (base twist in base coordinates, angular first; qd)."
+                         : "n columns, joints in the order of the model.";
+  const auto function = [](const std::string& name, std::vector<std::string> summary, symbolic::Program program) {
+    return RobotFunction{"centroidal", "", name, std::move(summary), {}, {}, std::move(program)};
+  };
+  return {
+      function(
+          "center_of_mass", {"Centre of mass of " + moves + " (m), in base coordinates."},
+          center_of_mass(tree, "center_of_mass")),
+      function(
+          "center_of_mass_jacobian",
+          {"Velocity (m/s) of the centre of mass of " + moves + ", in base axes: 3 rows.", columns},
+          center_of_mass_jacobian(tree, "center_of_mass_jacobian")),
+      function(
+          "centroidal_momentum_matrix",
+          {"Spatial momentum of " + moves +
+               " about their centre of mass, in base axes: 3 rows of angular momentum (N m s), 3 of linear momentum (N "
+               "s) "
+               "(Orin, Goswami, Lee 2013).",
+           columns},
+          centroidal_momentum_matrix(tree, "centroidal_momentum_matrix"))};
+}
+
+std::vector<RobotFunction> energy_group(const KinematicTree& tree) {
+  std::vector<RobotFunction> list;
+  std::vector<std::string> summary{"Kinetic energy (J), summed over the links."};
+  if (tree.floating_base) summary.push_back("`base_velocity` is in base coordinates, angular first.");
+  list.push_back({"energy", "", "kinetic_energy", summary, {}, {}, kinetic_energy(tree, "kinetic_energy")});
+  add_overloads(
+      list, tree, "energy", "potential_energy",
+      {std::string("Potential energy (J) of ") + (tree.floating_base ? "the robot" : "the moving links") +
+       ", zero where their centre of mass is at the base origin."},
+      [&](const std::string& kernel, Loads loads) { return potential_energy(tree, kernel, loads); }, false);
+  return list;
+}
+
 std::vector<RobotFunction> transforms_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
   struct Form {
     TransformForm form;
@@ -165,8 +221,9 @@ std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const mode
 }  // namespace
 
 const std::vector<std::string>& groups() {
-  static const std::vector<std::string> names = {"inverse_dynamics",    "bias_forces", "forward_dynamics",
-                                                 "joint_space_inertia", "transforms",  "jacobians"};
+  static const std::vector<std::string> names = {
+      "inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "coriolis_matrix", "centroidal",
+      "energy",           "transforms",  "jacobians"};
   return names;
 }
 
@@ -178,6 +235,9 @@ std::vector<RobotFunction> functions(
   if (group == "bias_forces") return bias_forces_group(tree);
   if (group == "forward_dynamics") return forward_dynamics_group(tree);
   if (group == "joint_space_inertia") return joint_space_inertia_group(tree);
+  if (group == "coriolis_matrix") return coriolis_matrix_group(tree);
+  if (group == "centroidal") return centroidal_group(tree);
+  if (group == "energy") return energy_group(tree);
   if (group == "transforms") return transforms_group(tree, desired);
   if (group == "jacobians") return jacobians_group(tree, desired);
   return {};

@@ -164,8 +164,8 @@ std::string number_text(double value) {
 // A column as a flat array, a matrix as nested rows.
 std::string array_text(const symbolic::OutputArray& array, const std::vector<double>& values) {
   const bool matrix = array.role == Role::inertia_matrix || array.role == Role::jacobian ||
-                      array.role == Role::homogeneous || array.role == Role::spatial_motion ||
-                      array.role == Role::spatial_force;
+                      array.role == Role::matrix || array.role == Role::homogeneous ||
+                      array.role == Role::spatial_motion || array.role == Role::spatial_force;
   const auto row_text = [&](int row) {
     std::vector<std::string> cells;
     for (int column = 0; column < array.columns; ++column)

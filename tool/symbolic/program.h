@@ -51,6 +51,9 @@ enum class Role {
   spatial_motion,      // 6 x 6, angular first
   spatial_force,       // 6 x 6, angular first
   jacobian,            // 6 x k, angular rows first
+  matrix,              // any other matrix, also one of a single row or column
+  position,            // 3: m
+  energy,              // 1: J
   parameters,          // kinematics, then dynamics parameters
   value,               // anything else
 };

@@ -40,6 +40,9 @@ constexpr std::array kRoles = {
     RoleName{Role::spatial_motion, "spatial_motion"},
     RoleName{Role::spatial_force, "spatial_force"},
     RoleName{Role::jacobian, "jacobian"},
+    RoleName{Role::matrix, "matrix"},
+    RoleName{Role::position, "position"},
+    RoleName{Role::energy, "energy"},
     RoleName{Role::parameters, "parameters"},
     RoleName{Role::value, "value"}};
 

@@ -66,6 +66,15 @@ TEST(RobotPrograms, OfAFixedBase) {
           "forward_dynamics: q qd tau -> qdd 2x1", "forward_dynamics_gravity: q qd tau gravity -> qdd 2x1",
           "forward_dynamics_external: q qd tau gravity external -> qdd 2x1"}));
   EXPECT_EQ(signatures(tree, "joint_space_inertia"), (List{"joint_space_inertia: q -> H 2x2"}));
+  EXPECT_EQ(signatures(tree, "coriolis_matrix"), (List{"coriolis_matrix: q qd -> C 2x2"}));
+  EXPECT_EQ(
+      signatures(tree, "centroidal"), (List{
+                                          "center_of_mass: q -> com 3x1", "center_of_mass_jacobian: q -> J 3x2",
+                                          "centroidal_momentum_matrix: q -> A 6x2"}));
+  EXPECT_EQ(
+      signatures(tree, "energy"), (List{
+                                      "kinetic_energy: q qd -> T 1x1", "potential_energy: q -> V 1x1",
+                                      "potential_energy_gravity: q gravity -> V 1x1"}));
 }
 
 TEST(RobotPrograms, OfAFloatingBase) {
@@ -86,6 +95,14 @@ TEST(RobotPrograms, OfAFloatingBase) {
           "forward_dynamics: q qd tau base_velocity gravity -> qdd 2x1 base_acceleration 6x1",
           "forward_dynamics_external: q qd tau base_velocity gravity external -> qdd 2x1 base_acceleration 6x1"}));
   EXPECT_EQ(signatures(tree, "joint_space_inertia"), (List{"joint_space_inertia: q -> H 8x8"}));
+  EXPECT_EQ(signatures(tree, "coriolis_matrix"), (List{"coriolis_matrix: q qd base_velocity -> C 8x8"}));
+  EXPECT_EQ(
+      signatures(tree, "centroidal"), (List{
+                                          "center_of_mass: q -> com 3x1", "center_of_mass_jacobian: q -> J 3x8",
+                                          "centroidal_momentum_matrix: q -> A 6x8"}));
+  EXPECT_EQ(
+      signatures(tree, "energy"),
+      (List{"kinetic_energy: q qd base_velocity -> T 1x1", "potential_energy: q gravity -> V 1x1"}));
 }
 
 class EveryProgram : public testing::TestWithParam<bool> {};

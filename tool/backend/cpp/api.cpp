@@ -61,6 +61,10 @@ std::string alias(Role role) {
       return "LinkWrenches";
     case Role::inertia_matrix:
       return "InertiaMatrix";
+    case Role::position:
+      return "Vector3";
+    case Role::energy:
+      return "Scalar";
     default:
       return "";
   }

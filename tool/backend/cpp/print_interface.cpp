@@ -16,6 +16,11 @@ std::vector<std::string> parameter_list(const Overload& overload) {
   return list;
 }
 
+// Returned as a plain number, where all else is an Eigen matrix or has its `data()`.
+bool is_scalar(const symbolic::OutputArray& output) {
+  return output.role == symbolic::Role::energy;
+}
+
 std::string call_of_kernel(const Callable& callable) {
   const symbolic::Program& program = callable.function->program;
   const std::vector<Parameter> names = parameters(program);
@@ -25,7 +30,7 @@ std::string call_of_kernel(const Callable& callable) {
   if (program.outputs.size() > 1) result = "result";
   for (const symbolic::OutputArray& output : program.outputs) {
     const std::string member = result_member(program, output);
-    arguments.push_back(result + (member.empty() ? "" : "." + member) + ".data()");
+    arguments.push_back(is_scalar(output) ? "&" + result : result + (member.empty() ? "" : "." + member) + ".data()");
   }
   return "  " + result_type(program) + " " + result + ";\n" + call("kernel::" + callable.kernel, arguments, 2) +
          "  return " + result + ";\n";
@@ -106,7 +111,7 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
   };
   std::string types = "  using Scalar = " + scalar + ";\n";
   std::vector<std::string> names = {"Gravity", "InertiaMatrix", "JointState", "LinkWrenches", "SpatialAcceleration",
-                                    "Twist",   "Wrench"};
+                                    "Twist",   "Vector3",       "Wrench"};
   if (library.floating_base)
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
   for (const std::string& name : names) types += "  using " + name + " = " + space + "::" + name + ";\n";

@@ -48,11 +48,20 @@ std::string names(const std::string& size, const std::string& name, const std::v
   return array("const char*", size, name, list, numbers);
 }
 
+// Of what moves: the base only where it floats.
+double total_mass(const Library& library) {
+  double mass = 0;
+  for (const LinkData& link : library.links)
+    if (link.parent_joint >= 0 || library.floating_base) mass += link.mass;
+  return mass;
+}
+
 std::string sizes(const Library& library) {
   const auto count = [](std::size_t n) { return std::to_string(n); };
   return constant("int kDof", count(library.joints.size())) + constant("int kLinkCount", count(library.links.size())) +
          constant("int kFrameCount", count(library.frames.size())) +
-         constant("bool kFloatingBase", library.floating_base ? "true" : "false");
+         constant("bool kFloatingBase", library.floating_base ? "true" : "false") +
+         constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links but a fixed base");
 }
 
 std::string limit(double value) {
@@ -104,7 +113,8 @@ std::string frame_tables(const Api& api) {
 // One set of aliases; the text is the same for both scalars.
 std::string aliases(const Library& library, const std::string& scalar) {
   const std::string size = library.floating_base ? "6 + kDof" : "kDof";
-  std::string result = "using JointState = JointVector<" + scalar + ">;\n" + "using InertiaMatrix = Eigen::Matrix<" +
+  std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
+                       "using JointState = JointVector<" + scalar + ">;\n" + "using InertiaMatrix = Eigen::Matrix<" +
                        scalar + ", " + size + ", " + size + ">;\n" + "using LinkWrenches = robcogen::LinkWrenches<" +
                        scalar + ", Link, kLinkCount>;\n";
   for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})

@@ -80,10 +80,37 @@ class CompiledRobot {
   }
 
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
-    const typename R::InertiaMatrix H = R::joint_space_inertia(joints(q));
-    Matrix<double> result(static_cast<int>(H.rows()), static_cast<int>(H.cols()));
-    std::copy(H.data(), H.data() + H.size(), result.data());
-    return result;
+    return matrix(R::joint_space_inertia(joints(q)));
+  }
+
+  // For (base twist, qd), as H.
+  Matrix<double> coriolis_matrix(const State& m) const {
+    if constexpr (R::kFloatingBase) {
+      return matrix(R::coriolis_matrix(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
+    } else {
+      return matrix(R::coriolis_matrix(joints(m.q), joints(m.qd)));
+    }
+  }
+
+  Vector<double> center_of_mass(const Vector<double>& q) const { return vector(R::center_of_mass(joints(q))); }
+  Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
+    return matrix(R::center_of_mass_jacobian(joints(q)));
+  }
+  Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
+    return matrix(R::centroidal_momentum_matrix(joints(q)));
+  }
+
+  double kinetic_energy(const State& m) const {
+    if constexpr (R::kFloatingBase) {
+      return R::kinetic_energy(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity));
+    } else {
+      return R::kinetic_energy(joints(m.q), joints(m.qd));
+    }
+  }
+  // `external` does not enter.
+  double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
+    if (arguments.gravity == nullptr) return R::potential_energy(joints(q));
+    return R::potential_energy(joints(q), gravity(*arguments.gravity));
   }
 
   // By index into the tables.
@@ -131,6 +158,13 @@ class CompiledRobot {
   static Vector<double> vector(const EigenVector& v) {
     Vector<double> result(static_cast<int>(v.size()));
     std::copy(v.data(), v.data() + v.size(), result.data());
+    return result;
+  }
+
+  template <class EigenMatrix>
+  static Matrix<double> matrix(const EigenMatrix& m) {
+    Matrix<double> result(static_cast<int>(m.rows()), static_cast<int>(m.cols()));
+    std::copy(m.data(), m.data() + m.size(), result.data());
     return result;
   }
 

@@ -20,17 +20,35 @@ Scalar kinetic_energy(const Robot& robot, const Motion<Scalar>& motion) {
   return energy;
 }
 
-// J, zero with all mass at the base origin. The base counts; gravity (m/s^2) is in base coordinates.
+// What moves: all links from this one on. A fixed base does not.
+inline int first_moving_link(const Robot& robot) {
+  return robot.floating_base ? 0 : 1;
+}
+
+// kg, of what moves.
+inline double moving_mass(const Robot& robot) {
+  double mass = 0;
+  for (int i = first_moving_link(robot); i < robot.links.size; ++i) mass += robot.links[i].mass;
+  return mass;
+}
+
+// Mass times position of the centre of what moves: kg m, base coordinates.
 template <class Scalar>
-Scalar potential_energy(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
+Vector<Scalar> first_moment(const Robot& robot, const Vector<Scalar>& q) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
-  Scalar energy(0);
-  for (int i = 0; i < robot.links.size; ++i) {
+  Vector<Scalar> sum(3);
+  for (int i = first_moving_link(robot); i < robot.links.size; ++i) {
     const Matrix<Scalar>& pose = poses[static_cast<std::size_t>(i)];
     const Vector<Scalar> com = rotation_of(pose) * center_of_mass<Scalar>(robot.links[i]) + origin_of(pose);
-    energy -= Scalar(robot.links[i].mass) * dot(gravity, com);
+    sum += Scalar(robot.links[i].mass) * com;
   }
-  return energy;
+  return sum;
+}
+
+// J, zero where the centre of mass of what moves is at the base origin; gravity (m/s^2) is in base coordinates.
+template <class Scalar>
+Scalar potential_energy(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
+  return -dot(gravity, first_moment(robot, q));
 }
 
 // Angular momentum about the base origin (N m s), then linear momentum (N s), base coordinates.
