@@ -55,6 +55,14 @@ struct ParameterData {
   double default_value = std::numeric_limits<double>::quiet_NaN();  // not a number: none
 };
 
+// What a user's Rx(a) maps coordinates to: right: from the frame rotated by +a to the original frame; left: the inverse.
+enum class PrimitiveConvention { none, left, right };
+
+struct PrimitiveData {
+  bool rotation = false;
+  int axis = 0;  // 0 x, 1 y, 2 z
+};
+
 // One callable. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
 struct Function {
   std::string group;   // file stem: inverse_dynamics, forward_dynamics, joint_space_inertia, transforms, jacobians
@@ -65,6 +73,10 @@ struct Function {
   std::vector<int> columns;               // jacobians: joint index of each column
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
+  // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the program
+  // of their amounts, a row each.
+  std::vector<PrimitiveData> primitives = {};
+  symbolic::Program amounts = {};
 };
 
 struct Library {
@@ -81,6 +93,7 @@ struct Library {
   std::vector<ParameterData> parameters;  // constants above that depend on one without default are not a number
   std::vector<std::string> groups;  // which groups were asked for, in canonical order
   std::vector<Function> functions;
+  PrimitiveConvention primitives = PrimitiveConvention::none;
 };
 
 }  // namespace robcogen::backend

@@ -20,6 +20,7 @@ struct Options {
   LibraryNames names;
   std::vector<std::string> groups;  // empty: all that a language offers
   std::vector<std::string> languages = {"cpp"};
+  std::string primitives;  // convention; empty: no products
   std::vector<std::string> import_dirs;
   std::string depfile, depfile_target, stamp;
   bool list_outputs = false;
@@ -71,6 +72,11 @@ std::vector<const backend::Language*> languages_of(const Options& options) {
   for (const backend::Language& language : backend::languages())
     if (contains(options.languages, language.name)) chosen.push_back(&language);
   return chosen;
+}
+
+Primitives primitives_of(const Options& options) {
+  if (options.primitives.empty()) return std::nullopt;
+  return options.primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
 }
 
 // Parametric robots have programs and can be evaluated, but the C++ interface takes no parameters.
@@ -128,8 +134,8 @@ Status generate(const Options& options) {
   std::string hash;
   for (const backend::Language* language : languages_of(options)) {
     refuse_parameters(*robot, *language);
-    const backend::Library lib =
-        library(*robot, options.names, groups_of(*language, options.groups), options.model.passes);
+    const backend::Library lib = library(
+        *robot, options.names, groups_of(*language, options.groups), options.model.passes, primitives_of(options));
     hash = lib.model_hash;
     std::vector<OutputFile> printed = language->print(lib);
     if (language->name == "cpp") {
@@ -184,6 +190,11 @@ Action declare_generate(CLI::App& application) {
       ->check(CLI::IsMember(algorithm::groups()));
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(CLI::IsMember(language_names()));
+  subcommand
+      ->add_option(
+          "--primitives", options->primitives,
+          "matlab, maxima: transforms also as products of your own Rx, Tx, …; left or right: where the moved frame is")
+      ->check(CLI::IsMember({"left", "right"}));
   subcommand->add_option("-I", options->import_dirs, "Folders of imported documents")->allow_extra_args(false);
   subcommand->add_option("--depfile", options->depfile, "Write what was read as a dependency file");
   subcommand->add_option("--depfile-target", options->depfile_target, "Its target; default the stamp");

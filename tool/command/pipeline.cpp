@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "algorithm/primitive_product.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
 #include "pass/passes.h"
@@ -71,6 +72,17 @@ class Constants {
   const model::KinematicTree& tree_;
   std::vector<double> defaults_;
 };
+
+void add_product(
+    const Robot& robot,
+    const model::FramePair& frames,
+    model::MovedFramePosition position,
+    backend::Function& function) {
+  algorithm::PrimitiveProduct product = algorithm::primitive_product(robot.tree, frames, position);
+  for (const model::PrimitiveTransform& p : product.primitives)
+    function.primitives.push_back({p.rotation, static_cast<int>(p.axis)});
+  function.amounts = std::move(product.amounts);
+}
 
 int frame_index(const std::vector<model::Frame>& frames, const model::Frame& wanted) {
   const auto place =
@@ -176,7 +188,8 @@ backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes) {
+    const std::vector<std::string>& passes,
+    Primitives primitives) {
   backend::Library result;
   result.name = names.name;
   result.enclosing = names.enclosing;
@@ -186,6 +199,9 @@ backend::Library library(
   result.generator_version = kVersion;
   result.floating_base = robot.tree.floating_base;
   result.groups = groups;
+  if (primitives)
+    result.primitives = *primitives == model::MovedFramePosition::left ? backend::PrimitiveConvention::left
+                                                                       : backend::PrimitiveConvention::right;
   const Constants constants(robot.tree);
   for (const model::Link& link : robot.tree.links) result.links.push_back(constants.of(link));
   for (const model::Joint& joint : robot.tree.joints) result.joints.push_back(constants.of(joint));
@@ -206,6 +222,7 @@ backend::Library library(
     function.left_frame = frame_index(frames, f.frames.left);
     function.right_frame = frame_index(frames, f.frames.right);
     function.program = std::move(f.program);
+    if (primitives && function.scope == "transforms::homogeneous") add_product(robot, f.frames, *primitives, function);
     result.functions.push_back(std::move(function));
   }
   return result;

@@ -9,6 +9,7 @@
 #include "algorithm/robot_programs.h"
 #include "backend/library.h"
 #include "import/urdf.h"
+#include "model/coordinate_transforms.h"
 #include "model/kinematic_tree.h"
 #include "support/diagnostics.h"
 
@@ -65,6 +66,9 @@ std::vector<algorithm::RobotFunction> trace(
     const std::vector<std::string>& groups,
     const std::vector<std::string>& passes);
 
+// Whether transforms come as products of primitives too, and of which convention.
+using Primitives = std::optional<model::MovedFramePosition>;
+
 struct LibraryNames {
   std::string name;       // folder and namespace
   std::string enclosing;  // namespace around it, or empty
@@ -75,6 +79,7 @@ backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes);
+    const std::vector<std::string>& passes,
+    Primitives primitives = std::nullopt);
 
 }  // namespace robcogen::command

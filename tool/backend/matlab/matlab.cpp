@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "backend/common/product.h"
 #include "backend/matlab/dialect.h"
 #include "support/number.h"
 #include "symbolic/count.h"
@@ -276,6 +277,33 @@ std::string print_model(const Library& library) {
   return text + "end\n";
 }
 
+// +transforms/+product/<name>.m: the transform as the user's own primitives make it.
+OutputFile print_product(const Library& library, const Callable& callable, const std::vector<std::string>& fields) {
+  const Function& function = *callable.overloads.front();
+  const Product product = product_of_primitives(function, " * ", dialect());
+  const std::vector<std::string> inputs = names(product.kernel.parameters, false);
+  std::string text = "function X = " + callable.name + "(" + joined(inputs) + ")\n";
+  text += comment(upper_case(callable.name) + "  " + convention_of_primitives(library)) + "%\n";
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    text += comment("  " + describe(function.amounts.inputs[i], inputs[i]));
+  text += unpack(function.amounts, product.kernel, fields);
+  for (const Line& line : product.kernel.lines)
+    if (line.kind != Line::Kind::section) text += "  " + dialect().text(line) + "\n";
+  std::string line = "  X =";
+  std::size_t begin = 0;
+  while (begin < product.text.size()) {
+    const std::size_t end = std::min(product.text.find(" * ", begin), product.text.size());
+    const std::string factor = product.text.substr(begin, end - begin) + (end < product.text.size() ? " *" : ";");
+    if (line.size() + factor.size() + 5 > kColumns) {
+      text += line + " ...\n";
+      line = "     ";
+    }
+    line += " " + factor;
+    begin = end + 3;
+  }
+  return {package(library, "transforms::product") + callable.name + ".m", text + line + "\nend\n"};
+}
+
 // The fields of the struct of parameters, in the order of the programs' inputs.
 std::vector<std::string> fields_of(const Library& library) {
   NameScope scope(is_reserved);
@@ -302,6 +330,9 @@ std::vector<OutputFile> print(const Library& library) {
   for (const Callable& callable : callables(library))
     files.push_back(
         {package(library, callable.scope) + callable.name + ".m", print_function(library, callable, fields)});
+  if (library.primitives == PrimitiveConvention::none) return files;
+  for (const Callable& callable : callables(library))
+    if (callable.scope == "transforms::homogeneous") files.push_back(print_product(library, callable, fields));
   return files;
 }
 

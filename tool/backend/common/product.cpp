@@ -1,0 +1,24 @@
+#include "backend/common/product.h"
+
+namespace robcogen::backend {
+
+Product product_of_primitives(const Function& function, const std::string& sign, const Dialect& dialect) {
+  Product product{lower(function.amounts, function.kernel, dialect), ""};
+  for (std::size_t i = 0; i < function.primitives.size(); ++i) {
+    const PrimitiveData& primitive = function.primitives[i];
+    product.text += (i > 0 ? sign : "") + (primitive.rotation ? "R" : "T") + "xyz"[primitive.axis] + "(" +
+                    product.kernel.results.front()[i] + ")";
+  }
+  if (product.text.empty()) product.text = "Tx(0)";
+  return product;
+}
+
+std::string convention_of_primitives(const Library& library) {
+  const std::string frame = library.primitives == PrimitiveConvention::left
+                                ? "from the original frame to the frame rotated by +a (moved frame on the left)"
+                                : "from the frame rotated by +a to the original frame (moved frame on the right)";
+  return "Product of your own Rx, Ry, Rz, Tx, Ty, Tz, whatever matrices they make: Rx(a) must map coordinates " +
+         frame + ".";
+}
+
+}  // namespace robcogen::backend

@@ -1,0 +1,22 @@
+// A coordinate transform as a product of primitives that the user has: Rx(a) * Tz(b).
+#pragma once
+
+#include <string>
+
+#include "backend/common/lower.h"
+#include "backend/library.h"
+
+namespace robcogen::backend {
+
+// The lines that the amounts need, and the product with this sign between its factors. An empty product is Tx(0).
+struct Product {
+  Kernel kernel;
+  std::string text;
+};
+
+Product product_of_primitives(const Function& function, const std::string& sign, const Dialect& dialect);
+
+// What the primitives must mean, for the documentation: which convention.
+std::string convention_of_primitives(const Library& library);
+
+}  // namespace robcogen::backend
