@@ -30,7 +30,7 @@ std::string shortened(const std::string& name, std::size_t limit, IsReserved is_
   return identifier(name.substr(0, head) + "_" + name.substr(name.size() - (limit - 1 - head)), is_reserved);
 }
 
-NameScope::NameScope(IsReserved is_reserved, const std::vector<std::string>& taken) : is_reserved_(is_reserved) {
+NameScope::NameScope(IsReserved reserved, const std::vector<std::string>& taken) : is_reserved_(reserved) {
   for (const std::string& name : taken) take(name);
 }
 

@@ -20,7 +20,7 @@ std::string shortened(const std::string& name, std::size_t limit, IsReserved is_
 // Identifiers taken in one scope. Never iterated: the map decides no order.
 class NameScope {
  public:
-  explicit NameScope(IsReserved is_reserved, const std::vector<std::string>& taken = {});
+  explicit NameScope(IsReserved reserved, const std::vector<std::string>& taken = {});
 
   // Marks the name as taken; true when it was free.
   bool take(const std::string& name);
