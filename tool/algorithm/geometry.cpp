@@ -17,7 +17,7 @@ struct Angle {
 
 // The constant part of a sum, and the rest.
 std::pair<Number, Expression> split_constant(
-    Trace& trace,
+    ProgramTrace& trace,
     const Quantity& q,
     const std::vector<Expression>& positions) {
   switch (q.op()) {
@@ -39,7 +39,7 @@ std::pair<Number, Expression> split_constant(
   }
 }
 
-Angle angle_of(Trace& trace, const Quantity& q, const std::vector<Expression>& positions) {
+Angle angle_of(ProgramTrace& trace, const Quantity& q, const std::vector<Expression>& positions) {
   const auto [constant, rest] = split_constant(trace, q, positions);
   if (constant.is_zero()) return {0, rest};
   if (constant.is_pi_multiple() && 2 % constant.ratio()->den == 0)
@@ -105,7 +105,7 @@ class RotationBuilder {
 }  // namespace
 
 Pose pose_of(
-    Trace& trace,
+    ProgramTrace& trace,
     const std::vector<PrimitiveTransform>& primitives,
     const std::vector<Expression>& positions) {
   RotationBuilder rotation;

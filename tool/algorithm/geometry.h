@@ -22,7 +22,7 @@ struct Pose {
 
 // The product of primitive transforms (moved frame on the right) as a pose. `positions` are the values of variables.
 Pose pose_of(
-    Trace& trace,
+    ProgramTrace& trace,
     const std::vector<model::PrimitiveTransform>& primitives,
     const std::vector<Expression>& positions);
 

@@ -23,13 +23,17 @@ std::vector<std::string> spatial_elements(Role role, const std::string& prefix =
 }  // namespace
 
 Trace::Trace(const model::KinematicTree& robot) : tree(robot) {
-  if (tree.parameters.empty()) return;
+  parameter_input(tree.parameters);
+}
+
+void ProgramTrace::parameter_input(const std::vector<model::Parameter>& parameters) {
+  if (parameters.empty()) return;
   std::vector<std::string> names;
-  for (const model::Parameter& p : tree.parameters) names.push_back(p.name);
+  for (const model::Parameter& p : parameters) names.push_back(p.name);
   parameters_ = input("parameters", Role::parameters, std::move(names));
 }
 
-std::vector<Expression> Trace::input(const std::string& name, Role role, std::vector<std::string> elements) {
+std::vector<Expression> ProgramTrace::input(const std::string& name, Role role, std::vector<std::string> elements) {
   std::vector<Expression> values;
   for (std::size_t i = 0; i < elements.size(); ++i) values.push_back(graph.input(input_elements_++));
   inputs_.push_back({name, role, std::move(elements)});
@@ -64,25 +68,30 @@ std::vector<Spatial> Trace::link_wrench_input() {
   return wrenches;
 }
 
-void Trace::output(const std::string& name, Role role, const std::vector<Expression>& values) {
+void ProgramTrace::output(const std::string& name, Role role, const std::vector<Expression>& values) {
   output(name, role, static_cast<int>(values.size()), 1, values);
 }
 
-void Trace::output(const std::string& name, Role role, const Spatial& value) {
+void ProgramTrace::output(const std::string& name, Role role, const Spatial& value) {
   const Vector3 &n = value.angular, &f = value.linear;
   output(name, role, std::vector<Expression>{n[0], n[1], n[2], f[0], f[1], f[2]});
 }
 
-void Trace::output(const std::string& name, Role role, int rows, int columns, const std::vector<Expression>& values) {
+void ProgramTrace::output(
+    const std::string& name,
+    Role role,
+    int rows,
+    int columns,
+    const std::vector<Expression>& values) {
   shapes_.push_back({name, role, rows, columns, {}});
   outputs_.push_back(values);
 }
 
-void Trace::section(const std::string& subject, const std::string& title) {
+void ProgramTrace::section(const std::string& subject, const std::string& title) {
   graph.begin_section(title, subject);
 }
 
-Expression Trace::lift(const Quantity& q, const std::vector<Expression>& variables) {
+Expression ProgramTrace::lift(const Quantity& q, const std::vector<Expression>& variables) {
   switch (q.op()) {
     case Quantity::Op::constant:
       return graph.constant(q.number());
@@ -122,11 +131,11 @@ Expression Trace::lift(const Quantity& q, const std::vector<Expression>& variabl
   throw std::logic_error("unknown quantity");
 }
 
-Vector3 Trace::lift(const std::array<Quantity, 3>& q, const std::vector<Expression>& variables) {
+Vector3 ProgramTrace::lift(const std::array<Quantity, 3>& q, const std::vector<Expression>& variables) {
   return {lift(q[0], variables), lift(q[1], variables), lift(q[2], variables)};
 }
 
-symbolic::Program Trace::program(const std::string& name) const {
+symbolic::Program ProgramTrace::program(const std::string& name) const {
   return graph.program(name, inputs_, shapes_, outputs_);
 }
 
