@@ -52,9 +52,12 @@ enum class Role {
   spatial_force,       // 6 x 6, angular first
   jacobian,            // 6 x k, angular rows first
   matrix,              // any other matrix, also one of a single row or column
+  frame_velocity,      // 6: twist, angular first
+  frame_acceleration,  // 6: spatial acceleration, angular first
   position,            // 3: m
   energy,              // 1: J
   parameters,          // kinematics, then dynamics parameters
+  variables,           // of a document of transforms: m or rad
   value,               // anything else
 };
 

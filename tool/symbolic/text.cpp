@@ -41,9 +41,12 @@ constexpr std::array kRoles = {
     RoleName{Role::spatial_force, "spatial_force"},
     RoleName{Role::jacobian, "jacobian"},
     RoleName{Role::matrix, "matrix"},
+    RoleName{Role::frame_velocity, "frame_velocity"},
+    RoleName{Role::frame_acceleration, "frame_acceleration"},
     RoleName{Role::position, "position"},
     RoleName{Role::energy, "energy"},
     RoleName{Role::parameters, "parameters"},
+    RoleName{Role::variables, "variables"},
     RoleName{Role::value, "value"}};
 
 struct OpName {

@@ -1,0 +1,144 @@
+#include "algorithm/transform_programs.h"
+
+#include <algorithm>
+
+#include "algorithm/merged_primitives.h"
+#include "algorithm/reached.h"
+#include "algorithm/transform_kinds.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using model::CoordinateTransform;
+using model::CoordinateTransforms;
+using model::PrimitiveTransform;
+using model::Quantity;
+using symbolic::Program;
+using symbolic::Role;
+
+// Calls seen(leaf) for every parameter and variable of a quantity.
+template <class Seen>
+void for_each_name(const Quantity& q, const Seen& seen) {
+  switch (q.op()) {
+    case Quantity::Op::constant:
+      return;
+    case Quantity::Op::parameter:
+    case Quantity::Op::variable:
+      return seen(q);
+    case Quantity::Op::add:
+    case Quantity::Op::subtract:
+    case Quantity::Op::multiply:
+    case Quantity::Op::divide:
+      for_each_name(q.left(), seen);
+      return for_each_name(q.right(), seen);
+    default:
+      return for_each_name(q.left(), seen);
+  }
+}
+
+// The primitives in the convention of poses: moved frame on the right.
+std::vector<PrimitiveTransform> rightwards(const CoordinateTransforms& document, const CoordinateTransform& transform) {
+  std::vector<PrimitiveTransform> primitives = transform.primitives;
+  if (document.position == model::MovedFramePosition::left)
+    for (PrimitiveTransform& p : primitives) p.amount = -p.amount;
+  return primitives;
+}
+
+// `Rx(a - b)`
+std::string text(const CoordinateTransforms& document, const PrimitiveTransform& primitive) {
+  return std::string(primitive.rotation ? "R" : "T") + "xyz"[static_cast<int>(primitive.axis)] + "(" +
+         model::print(primitive.amount, document.parameters, document.variables) + ")";
+}
+
+// The first variable or parameter of an amount: what the values behind it are called after.
+std::string subject_of(const CoordinateTransforms& document, const Quantity& amount) {
+  std::string subject;
+  for_each_name(amount, [&](const Quantity& q) {
+    const auto index = static_cast<std::size_t>(q.index());
+    if (subject.empty())
+      subject = q.op() == Quantity::Op::variable ? document.variables[index] : document.parameters[index].name;
+  });
+  return subject;
+}
+
+// Constant primitives merge with the next one that is not, which costs one sine and cosine.
+Reached walk(
+    ProgramTrace& trace,
+    const CoordinateTransforms& document,
+    const std::vector<PrimitiveTransform>& primitives,
+    const std::vector<Expression>& variables) {
+  Reached here = start(trace.graph);
+  std::vector<PrimitiveTransform> stretch;
+  for (const PrimitiveTransform& primitive : primitives) {
+    stretch.push_back(primitive);
+    const std::string subject = subject_of(document, primitive.amount);
+    if (subject.empty()) continue;
+    trace.section(subject, "past " + text(document, primitive));
+    advance(here, pose_of(trace, stretch, variables));
+    name_reached(trace.graph, here, subject);
+    stretch.clear();
+  }
+  trace.section("end", "to the last frame");
+  advance(here, pose_of(trace, stretch, variables));
+  return here;
+}
+
+std::string name_of(const CoordinateTransform& transform) {
+  return transform.name.empty() ? transform.left + "_X_" + transform.right : transform.name;
+}
+
+}  // namespace
+
+Arguments arguments_of(const CoordinateTransforms& document, const CoordinateTransform& transform) {
+  std::vector<bool> used(document.variables.size(), false);
+  Arguments arguments;
+  for (const PrimitiveTransform& primitive : transform.primitives)
+    for_each_name(primitive.amount, [&](const Quantity& q) {
+      if (q.op() == Quantity::Op::variable)
+        used[static_cast<std::size_t>(q.index())] = true;
+      else
+        arguments.parameters = true;
+    });
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) arguments.variables.push_back(static_cast<int>(i));
+  return arguments;
+}
+
+Program transform_program(
+    const CoordinateTransforms& document,
+    const CoordinateTransform& transform,
+    TransformForm form,
+    const std::string& name) {
+  ProgramTrace trace;
+  const Arguments arguments = arguments_of(document, transform);
+  std::vector<Expression> variables(document.variables.size());
+  if (!arguments.variables.empty()) {
+    std::vector<std::string> labels;
+    for (int i : arguments.variables) labels.push_back(document.variables[static_cast<std::size_t>(i)]);
+    const std::vector<Expression> inputs = trace.input("variables", Role::variables, labels);
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+      variables[static_cast<std::size_t>(arguments.variables[k])] = inputs[k];
+  }
+  if (arguments.parameters) trace.parameter_input(document.parameters);
+  output_transform(trace, walk(trace, document, merged(rightwards(document, transform)), variables), form);
+  return trace.program(name);
+}
+
+std::vector<TransformFunction> transform_functions(const CoordinateTransforms& document) {
+  std::vector<TransformFunction> list;
+  for (const TransformKind& kind : transform_kinds()) {
+    for (std::size_t i = 0; i < document.transforms.size(); ++i) {
+      const CoordinateTransform& transform = document.transforms[i];
+      const std::string name = name_of(transform);
+      list.push_back(
+          {i,
+           "transforms::" + kind.scope,
+           name,
+           {kind.summary(transform.left, transform.right)},
+           transform_program(document, transform, kind.form, kind.scope + "_" + name)});
+    }
+  }
+  return list;
+}
+
+}  // namespace robcogen::algorithm
