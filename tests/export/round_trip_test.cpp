@@ -138,7 +138,9 @@ TEST(RoundTrip, FromDocumentToUrdfAndBack) {
       SCOPED_TRACE(robot.document + (floating ? ", floating" : ", fixed"));
       const KinematicTree tree = with_base(robot.tree, floating);
       const bool is_no_body = kNoBody.contains(robot.document);
-      if (is_no_body) EXPECT_TRUE(reports(through_urdf(tree), "inertia-not-positive"));
+      if (is_no_body) {
+        EXPECT_TRUE(reports(through_urdf(tree), "inertia-not-positive"));
+      }
       if (floating && kCannotFloat.contains(robot.document)) {
         expect_singular(tree, is_no_body);
       } else {
