@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"program p extra\n", "line 1: 'extra' is too much"},
         Refused{"program p\nprogramme q\n", "line 2: 'programme' is no statement"},
         Refused{"program p\ninput q\n", "line 2: an input needs a name and a role"},
-        Refused{"program p\ninput q position\n", "line 2: an input needs a name and a role"},
+        Refused{"program p\ninput q altitude\n", "line 2: an input needs a name and a role"},
         Refused{"program p\noutput tau value 2\n", "line 2: an output needs a name, a role, rows and columns"},
         Refused{"program p\noutput tau value 2 1 1\n", "line 2: '1' is too much"},
         Refused{"program p\nsection\n", "line 2: a section needs a prefix"},
