@@ -27,10 +27,19 @@ std::string pair_name(const std::string& left, const std::string& letter, const 
 
 }  // namespace
 
+const std::vector<std::string>& all_steps() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> list = algorithm::choices();
+    list.insert(list.end(), pass::names().begin(), pass::names().end());
+    return list;
+  }();
+  return all;
+}
+
 InterpretedRobot::InterpretedRobot(
     const model::KinematicTree& robot,
     const model::DesiredTransforms& desired,
-    const std::vector<std::string>& passes,
+    const std::vector<std::string>& steps,
     std::vector<double> parameters)
     : floating_(robot.floating_base),
       dof_(robot.dof()),
@@ -39,8 +48,10 @@ InterpretedRobot::InterpretedRobot(
   for (const model::FramePair& pair : desired.transforms)
     tables_.add_transform(
         pair_name(pair.left.name, "X", pair.right.name), frame_index(robot, pair.left), frame_index(robot, pair.right));
+  std::vector<std::string> passes = steps;
+  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
   for (const std::string& group : algorithm::groups()) {
-    for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group)) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
       if (group == "jacobians")
         tables_.add_jacobian(f.name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
       const std::string name = f.program.name;

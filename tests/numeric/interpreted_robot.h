@@ -15,17 +15,20 @@
 
 namespace robcogen::numeric {
 
+// The choices of a formulation, then the passes.
+const std::vector<std::string>& all_steps();
+
 class InterpretedRobot {
  public:
   using State = reference::Motion<double>;
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces all functions and runs them through `passes`.
+  // Traces all functions and optimises them by `steps`.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
-      const std::vector<std::string>& passes = pass::names(),
+      const std::vector<std::string>& steps = all_steps(),
       std::vector<double> parameters = {});
 
   // The robot and its desired transforms and Jacobians; valid as long as this object.

@@ -1,4 +1,4 @@
-// P8: whichever passes the programs of a robot run through, their results are the same.
+// P8: whichever choices and passes make the programs of a robot, their results are the same.
 //
 // All are held against the reference with the tolerances of the checks, which are a few hundred roundings.
 #include <gtest/gtest.h>
@@ -15,10 +15,10 @@ using model::KinematicTree;
 
 // None, all, each one alone, all but one.
 std::vector<std::vector<std::string>> choices() {
-  std::vector<std::vector<std::string>> result{{}, pass::names()};
-  for (const std::string& name : pass::names()) {
+  std::vector<std::vector<std::string>> result{{}, all_steps()};
+  for (const std::string& name : all_steps()) {
     result.push_back({name});
-    std::vector<std::string> others = pass::names();
+    std::vector<std::string> others = all_steps();
     std::erase(others, name);
     result.push_back(others);
   }
@@ -26,7 +26,7 @@ std::vector<std::vector<std::string>> choices() {
 }
 
 std::string text_of(const std::vector<std::string>& passes) {
-  std::string text = "passes:";
+  std::string text = "steps:";
   for (const std::string& name : passes) text += " " + name;
   return text + "\n";
 }
@@ -52,7 +52,7 @@ TEST(Passes, AddNoOperation) {
   long before = 0, after = 0;
   for (std::uint64_t seed = 40000; seed < 40040; ++seed) {
     const KinematicTree robot = random_robot(seed, {.max_joints = 10});
-    const InterpretedRobot raw(robot, {}, {}), passed(robot, {});
+    const InterpretedRobot raw(robot, {}, algorithm::choices()), passed(robot, {});
     for (const auto& [name, program] : raw.programs()) {
       const std::size_t left = passed.programs().at(name).statements.size();
       EXPECT_LE(left, program.statements.size()) << "seed " << seed << " " << name;

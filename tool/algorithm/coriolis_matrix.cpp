@@ -226,13 +226,13 @@ void fill_base(const Setup& setup, const Bodies& bodies, Matrix& c) {
 
 }  // namespace
 
-Program coriolis_matrix(const model::KinematicTree& tree, const std::string& name) {
+Program coriolis_matrix(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   Spatial velocity;
   if (tree.floating_base) velocity = trace.spatial_input("base_velocity", Role::base_velocity);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   const Bodies bodies(setup, qd, velocity.angular);
   const int size = tree.dof() + (tree.floating_base ? 6 : 0);
   Matrix c(size);

@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "algorithm/formulation.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -23,35 +24,61 @@ inline constexpr double kStandardGravity = 9.81;  // m/s^2, along -z of the base
 
 // Recursive Newton-Euler (Featherstone 2008, table 5.1). Fixed base: q, qd, qdd -> tau. Floating base, fully actuated:
 // q, qd, qdd, base_velocity, base_acceleration -> tau, base_wrench.
-symbolic::Program newton_euler(const model::KinematicTree& tree, const std::string& name, Loads loads);
+symbolic::Program newton_euler(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
 
 // Floating base that nothing holds (Featherstone 2008, table 9.6): q, qd, qdd, base_velocity -> tau, base_acceleration.
 symbolic::Program unactuated_base_inverse_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,
-    Loads loads);
+    Loads loads,
+    const Formulation& formulation = {});
 
 // Forces at zero acceleration: q, qd [, base_velocity] -> tau [, base_wrench].
-symbolic::Program bias_forces(const model::KinematicTree& tree, const std::string& name, Loads loads);
+symbolic::Program bias_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
 
 // The part of the bias forces that velocities cause.
-symbolic::Program coriolis_forces(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program coriolis_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
 
 // The part that gravity causes, from the first moments of composite bodies: q -> tau [, base_wrench].
-symbolic::Program gravity_forces(const model::KinematicTree& tree, const std::string& name, Loads loads);
+symbolic::Program gravity_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
 
 // Articulated-body algorithm (Featherstone 2008, table 7.1), split into bias forces and a homogeneous part: q, qd, tau
 // [, base_velocity] -> qdd [, base_acceleration].
-symbolic::Program forward_dynamics(const model::KinematicTree& tree, const std::string& name, Loads loads);
+symbolic::Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
 
 // Composite-rigid-body algorithm (Featherstone 2008, table 6.2): q -> H, n x n, or (6 + n) x (6 + n) base first. The
 // zeros that branches induce are literal.
-symbolic::Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program joint_space_inertia(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
 
 // A factorisation of the Coriolis forces that makes dH/dt - 2 C skew symmetric (Niemeyer and Slotine 1991; recursive
 // with composite bodies: Echeandia and Wensing 2021): q, qd [, base_velocity] -> C, of the size of H. C v plus the
 // gravity forces are the bias forces.
-symbolic::Program coriolis_matrix(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program coriolis_matrix(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
 
 // What moves: every link but a fixed base. Its centre of mass: q -> com, base coordinates; zero where nothing that
 // moves has mass.
@@ -63,7 +90,10 @@ symbolic::Program center_of_mass_jacobian(const model::KinematicTree& tree, cons
 symbolic::Program centroidal_momentum_matrix(const model::KinematicTree& tree, const std::string& name);
 
 // q, qd [, base_velocity] -> T, summed over the links.
-symbolic::Program kinetic_energy(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program kinetic_energy(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
 // q -> V of what moves, zero where its centre of mass is at the base origin.
 symbolic::Program potential_energy(const model::KinematicTree& tree, const std::string& name, Loads loads);
 

@@ -20,13 +20,13 @@ Expression twice_energy(const MassProperties& m, const Spatial& twist) {
 
 }  // namespace
 
-Program kinetic_energy(const model::KinematicTree& tree, const std::string& name) {
+Program kinetic_energy(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   Spatial base;
   if (tree.floating_base) base = trace.spatial_input("base_velocity", Role::base_velocity);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
 
   Expression twice;
   const std::function<void(int, const Spatial&)> visit = [&](int link, const Spatial& twist) {

@@ -210,7 +210,11 @@ Spatial free_acceleration(Trace& trace, const ArticulatedInertia& x, const Spati
 
 }  // namespace
 
-Program forward_dynamics(const model::KinematicTree& tree, const std::string& name, Loads loads) {
+Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
@@ -218,7 +222,7 @@ Program forward_dynamics(const model::KinematicTree& tree, const std::string& na
   Spatial velocity;
   if (tree.floating_base) velocity = trace.spatial_input("base_velocity", Role::base_velocity);
   const LoadInputs load(trace, loads);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   ArticulatedBodies bodies(setup, qd, tau, load);
   ArticulatedInertia inertia;
   Spatial bias, acceleration;

@@ -18,11 +18,15 @@ struct PointMass {
 
 }  // namespace
 
-Program gravity_forces(const model::KinematicTree& tree, const std::string& name, Loads loads) {
+Program gravity_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const LoadInputs load(trace, loads);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   std::vector<Expression> tau(static_cast<std::size_t>(tree.dof()));
 
   // Down: what holds a unit mass against gravity, -g in link axes. Up: masses and first moments.

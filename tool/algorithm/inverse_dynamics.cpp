@@ -74,7 +74,11 @@ void write_forces(Trace& trace, const std::vector<Expression>& tau, const Spatia
 
 }  // namespace
 
-Program newton_euler(const model::KinematicTree& tree, const std::string& name, Loads loads) {
+Program newton_euler(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
@@ -85,48 +89,56 @@ Program newton_euler(const model::KinematicTree& tree, const std::string& name, 
     acceleration = trace.spatial_input("base_acceleration", Role::base_acceleration);
   }
   const LoadInputs load(trace, loads);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   Recursion recursion(setup, qd, qdd, &load);
   const Spatial base = recursion.wrench_of(0, base_motion(velocity, acceleration, load.gravity));
   write_forces(trace, recursion.tau, base);
   return trace.program(name);
 }
 
-Program bias_forces(const model::KinematicTree& tree, const std::string& name, Loads loads) {
+Program bias_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   Spatial velocity;
   if (tree.floating_base) velocity = trace.spatial_input("base_velocity", Role::base_velocity);
   const LoadInputs load(trace, loads);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   Recursion recursion(setup, qd, zeros(trace), &load);
   const Spatial base = recursion.wrench_of(0, base_motion(velocity, {}, load.gravity));
   write_forces(trace, recursion.tau, base);
   return trace.program(name);
 }
 
-Program coriolis_forces(const model::KinematicTree& tree, const std::string& name) {
+Program coriolis_forces(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   Spatial velocity;
   if (tree.floating_base) velocity = trace.spatial_input("base_velocity", Role::base_velocity);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   Recursion recursion(setup, qd, zeros(trace), nullptr);
   const Spatial base = recursion.wrench_of(0, base_motion(velocity, {}, {}));
   write_forces(trace, recursion.tau, base);
   return trace.program(name);
 }
 
-Program unactuated_base_inverse_dynamics(const model::KinematicTree& tree, const std::string& name, Loads loads) {
+Program unactuated_base_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   const auto qdd = trace.joint_input("qdd", Role::joint_acceleration);
   const Spatial velocity = trace.spatial_input("base_velocity", Role::base_velocity);
   const LoadInputs load(trace, loads);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   // The motion with the base not accelerating needs a base wrench that nobody supplies …
   Recursion recursion(setup, qd, qdd, &load);
   const Spatial missing = recursion.wrench_of(0, base_motion(velocity, {}, load.gravity));

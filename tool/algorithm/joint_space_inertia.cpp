@@ -26,10 +26,10 @@ class SymmetricMatrix {
 
 }  // namespace
 
-Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name) {
+Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, formulation);
   const std::vector<MassProperties> composite = composite_bodies(setup);
 
   const int base = tree.floating_base ? 6 : 0;

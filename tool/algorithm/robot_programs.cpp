@@ -36,14 +36,14 @@ void add_overloads(
         "link's origin.");
 }
 
-std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree) {
+std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, const Formulation& formulation) {
   std::vector<RobotFunction> list;
   const std::string group = "inverse_dynamics";
   if (!tree.floating_base) {
     add_overloads(
         list, tree, group, "inverse_dynamics",
         {"Joint forces tau (N m, N) for joint accelerations qdd: recursive Newton-Euler (Featherstone 2008, ch. 5)."},
-        [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads); });
+        [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
     return list;
   }
   add_overloads(
@@ -51,7 +51,9 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree) {
       {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the base that nothing "
        "holds (Featherstone 2008, sec. 9.4).",
        "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
-      [&](const std::string& kernel, Loads loads) { return unactuated_base_inverse_dynamics(tree, kernel, loads); });
+      [&](const std::string& kernel, Loads loads) {
+        return unactuated_base_inverse_dynamics(tree, kernel, loads, formulation);
+      });
   add_overloads(
       list, tree, group, "inverse_dynamics_fully_actuated",
       {"Joint forces tau (N m, N) and the wrench on the base for joint and base accelerations: recursive Newton-Euler "
@@ -59,11 +61,11 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree) {
        "`base_velocity`, `base_acceleration` (spatial, gravity not included) and `base_wrench` are in base "
        "coordinates, "
        "angular first."},
-      [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads); });
+      [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
   return list;
 }
 
-std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree) {
+std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, const Formulation& formulation) {
   std::vector<RobotFunction> list;
   const std::string group = "bias_forces";
   const std::string base =
@@ -76,10 +78,10 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree) {
   add_overloads(
       list, tree, group, "bias_forces",
       summary("Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, minus external ones."),
-      [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads); });
+      [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads, formulation); });
   add_overloads(
       list, tree, group, "gravity_forces", summary("Generalised forces that hold the robot at rest against gravity."),
-      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads); }, false);
+      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads, formulation); }, false);
   list.push_back(
       {group,
        "",
@@ -87,11 +89,11 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree) {
        summary("Generalised forces that velocities cause: bias forces without gravity."),
        {},
        {},
-       coriolis_forces(tree, "coriolis_forces")});
+       coriolis_forces(tree, "coriolis_forces", formulation)});
   return list;
 }
 
-std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree) {
+std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree, const Formulation& formulation) {
   std::vector<RobotFunction> list;
   std::vector<std::string> summary{
       "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: articulated-body algorithm (Featherstone 2008, "
@@ -100,11 +102,11 @@ std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree) {
     summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
   add_overloads(
       list, tree, "forward_dynamics", "forward_dynamics", summary,
-      [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads); });
+      [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads, formulation); });
   return list;
 }
 
-std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree) {
+std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree, const Formulation& formulation) {
   return {
       {"joint_space_inertia",
        "",
@@ -115,10 +117,10 @@ std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree) 
                            : "n x n, joints in the order of the model."},
        {},
        {},
-       joint_space_inertia(tree, "joint_space_inertia")}};
+       joint_space_inertia(tree, "joint_space_inertia", formulation)}};
 }
 
-std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree) {
+std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, const Formulation& formulation) {
   return {
       {"coriolis_matrix",
        "",
@@ -132,7 +134,7 @@ std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree) {
             : "n x n, joints in the order of the model."},
        {},
        {},
-       coriolis_matrix(tree, "coriolis_matrix")}};
+       coriolis_matrix(tree, "coriolis_matrix", formulation)}};
 }
 
 std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
@@ -161,11 +163,12 @@ std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
           centroidal_momentum_matrix(tree, "centroidal_momentum_matrix"))};
 }
 
-std::vector<RobotFunction> energy_group(const KinematicTree& tree) {
+std::vector<RobotFunction> energy_group(const KinematicTree& tree, const Formulation& formulation) {
   std::vector<RobotFunction> list;
   std::vector<std::string> summary{"Kinetic energy (J), summed over the links."};
   if (tree.floating_base) summary.push_back("`base_velocity` is in base coordinates, angular first.");
-  list.push_back({"energy", "", "kinetic_energy", summary, {}, {}, kinetic_energy(tree, "kinetic_energy")});
+  list.push_back(
+      {"energy", "", "kinetic_energy", summary, {}, {}, kinetic_energy(tree, "kinetic_energy", formulation)});
   add_overloads(
       list, tree, "energy", "potential_energy",
       {std::string("Potential energy (J) of ") + (tree.floating_base ? "the robot" : "the moving links") +
@@ -230,14 +233,15 @@ const std::vector<std::string>& groups() {
 std::vector<RobotFunction> functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired,
-    const std::string& group) {
-  if (group == "inverse_dynamics") return inverse_dynamics_group(tree);
-  if (group == "bias_forces") return bias_forces_group(tree);
-  if (group == "forward_dynamics") return forward_dynamics_group(tree);
-  if (group == "joint_space_inertia") return joint_space_inertia_group(tree);
-  if (group == "coriolis_matrix") return coriolis_matrix_group(tree);
+    const std::string& group,
+    const Formulation& formulation) {
+  if (group == "inverse_dynamics") return inverse_dynamics_group(tree, formulation);
+  if (group == "bias_forces") return bias_forces_group(tree, formulation);
+  if (group == "forward_dynamics") return forward_dynamics_group(tree, formulation);
+  if (group == "joint_space_inertia") return joint_space_inertia_group(tree, formulation);
+  if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulation);
   if (group == "centroidal") return centroidal_group(tree);
-  if (group == "energy") return energy_group(tree);
+  if (group == "energy") return energy_group(tree, formulation);
   if (group == "transforms") return transforms_group(tree, desired);
   if (group == "jacobians") return jacobians_group(tree, desired);
   return {};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/formulation.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -28,6 +29,7 @@ const std::vector<std::string>& groups();
 std::vector<RobotFunction> functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired,
-    const std::string& group);
+    const std::string& group,
+    const Formulation& formulation = {});
 
 }  // namespace robcogen::algorithm

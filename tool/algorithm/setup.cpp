@@ -1,16 +1,32 @@
 #include "algorithm/setup.h"
 
+#include "algorithm/regroup.h"
+
 namespace robcogen::algorithm {
 
 using symbolic::Role;
+
+namespace {
+
+// What an algorithm does next.
+void begin_base(Trace& trace) {
+  const std::string& base = trace.tree.links[0].name;
+  trace.section(base, "base " + base + ": motion");
+}
+
+}  // namespace
 
 Setup::Setup(Trace& t, const std::vector<Expression>& q) : trace(t), poses(joint_poses(t, q)) {
   for (const model::Link& link : trace.tree.links) {
     trace.section(link.name, "link " + link.name + ": mass properties");
     masses.push_back(mass_properties(trace, link));
   }
-  const std::string& base = trace.tree.links[0].name;
-  trace.section(base, "base " + base + ": motion");  // what an algorithm does next
+  begin_base(trace);
+}
+
+Setup::Setup(Trace& t, const std::vector<Expression>& q, const Formulation& formulation) : Setup(t, q) {
+  if (formulation.regroup) masses = regrouped(trace, poses, masses);
+  begin_base(trace);
 }
 
 std::vector<JointView> Setup::children(int link) const {

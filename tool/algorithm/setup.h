@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithm/dynamics.h"
+#include "algorithm/formulation.h"
 #include "algorithm/newton_euler.h"
 
 namespace robcogen::algorithm {
@@ -17,7 +18,9 @@ struct JointView {
 };
 
 struct Setup {
+  // The mass properties of the model; with a formulation, those that make the same dynamics cheap.
   Setup(Trace& trace, const std::vector<Expression>& q);
+  Setup(Trace& trace, const std::vector<Expression>& q, const Formulation& formulation);
 
   Trace& trace;
   std::vector<Pose> poses;             // by joint: child link in parent link

@@ -72,13 +72,15 @@ symbolic::Program program_of(const Robot& robot, const Options& options) {
   if (auto program = kinematics_program(robot, options.function)) return *program;
   std::vector<std::string> names;
   std::optional<symbolic::Program> found;
+  std::vector<std::string> passes = options.model.passes;
+  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
   for (const std::string& group : algorithm::groups()) {
-    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, {}, group)) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, {}, group, formulation)) {
       if (f.name == options.function) found = std::move(f.program);
       names.push_back(f.name);
     }
   }
-  if (found) return pass::run(std::move(*found), options.model.passes);
+  if (found) return pass::run(std::move(*found), passes);
   throw Failure{
       wrong_usage,
       fmt::format(

@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "command/command.h"
-#include "pass/passes.h"
 
 namespace robcogen::command {
 
@@ -39,14 +38,14 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
 }
 
 void ModelOptions::declare(CLI::App& subcommand) {
-  passes = pass::names();
+  passes = steps();
   subcommand.add_option("model", model, "Robot (.kindsl or .urdf)")->required();
   subcommand.add_option("--desired", desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand.add_flag("--strict", strict, "Warnings of the desired-transforms document are errors");
-  subcommand.add_option("--passes", passes, "Which passes run: a comma-separated list, or none")
+  subcommand.add_option("--passes", passes, "Which steps of optimisation run: a comma-separated list, or none")
       ->delimiter(',')
       ->check(CLI::IsMember([] {
-        std::vector<std::string> names = pass::names();
+        std::vector<std::string> names = steps();
         names.push_back("none");
         return names;
       }()));

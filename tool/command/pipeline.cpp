@@ -169,14 +169,22 @@ void require_traceable(const Robot& robot) {
                        robot.model.string(), robot.tree.name, robot.tree.dof(), kMostJoints)};
 }
 
+std::vector<std::string> steps() {
+  std::vector<std::string> all = algorithm::choices();
+  all.insert(all.end(), pass::names().begin(), pass::names().end());
+  return all;
+}
+
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes) {
+    const std::vector<std::string>& steps) {
   require_traceable(robot);
+  std::vector<std::string> passes = steps;
+  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
   std::vector<algorithm::RobotFunction> all;
   for (const std::string& group : groups) {
-    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group)) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulation)) {
       f.program = pass::run(std::move(f.program), passes);
       all.push_back(std::move(f));
     }
@@ -188,7 +196,7 @@ backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes,
+    const std::vector<std::string>& steps,
     Primitives primitives) {
   backend::Library result;
   result.name = names.name;
@@ -211,7 +219,7 @@ backend::Library library(
     result.parameters.push_back({p.name});
     if (p.default_value) result.parameters.back().default_value = *p.default_value;
   }
-  for (algorithm::RobotFunction& f : trace(robot, groups, passes)) {
+  for (algorithm::RobotFunction& f : trace(robot, groups, steps)) {
     backend::Function function;
     function.group = std::move(f.group);
     function.scope = std::move(f.scope);

@@ -60,11 +60,15 @@ inline constexpr int kMostJoints = 1000;
 // A Failure when the robot has more than kMostJoints.
 void require_traceable(const Robot& robot);
 
-// All functions of these groups, run through these passes. The robot must be traceable.
+// What can be switched off one by one on the way from a model to its programs: the choices of a formulation, then the
+// passes.
+std::vector<std::string> steps();
+
+// All functions of these groups, by these steps. The robot must be traceable.
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes);
+    const std::vector<std::string>& steps);
 
 // Whether transforms come as products of primitives too, and of which convention.
 using Primitives = std::optional<model::MovedFramePosition>;
@@ -79,7 +83,7 @@ backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes,
+    const std::vector<std::string>& steps,
     Primitives primitives = std::nullopt);
 
 }  // namespace robcogen::command
