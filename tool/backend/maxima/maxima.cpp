@@ -1,0 +1,214 @@
+#include "backend/maxima/maxima.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "backend/common/product.h"
+#include "support/number.h"
+
+namespace robcogen::backend::maxima {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Role;
+
+constexpr std::size_t kColumns = 100;
+
+// Words of the syntax, and variables of the system that steer evaluation.
+constexpr auto kReserved = std::to_array<std::string_view>(
+    {"algebraic", "and",           "context", "demoivre", "display2d",  "do",    "domain",    "else",      "elseif",
+     "error",     "false",         "float",   "for",      "fpprec",     "from",  "functions", "gcd",       "if",
+     "in",        "ind",           "inf",     "infinity", "keepfloat",  "linel", "listarith", "logexpand", "minf",
+     "nounify",   "next",          "not",     "numer",    "or",         "pred",  "props",     "radexpand", "return",
+     "rules",     "scalarmatrixp", "simp",    "step",     "stringdisp", "then",  "thru",      "true",      "und",
+     "unless",    "values",        "while",   "zeroa",    "zerob"});
+
+bool is_reserved(const std::string& name) {
+  return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
+}
+
+Spelling literal(const Number& value) {
+  if (!value.ratio()) return backend::literal(print_double(value.value()), "-" + print_double(value.value()));
+  const auto [num, den] = *value.ratio();
+  std::string number = std::to_string(num);
+  if (value.is_pi_multiple()) number = num == 1 ? "%pi" : number + "*%pi";
+  if (den != 1) number += "/" + std::to_string(den);
+  Spelling result = backend::literal(number, "-" + number);
+  if (den != 1 || value.is_pi_multiple()) result.precedence = Precedence::product;
+  return result;
+}
+
+const Dialect& dialect() {
+  static const Dialect maxima = [] {
+    Dialect d;
+    d.is_reserved = is_reserved;
+    d.line_limit = kColumns - 2;
+    d.pairs_angles = false;
+    d.stores = false;
+    d.literal = literal;
+    d.element = [](const std::string& array, std::size_t k) { return array + "[" + std::to_string(k + 1) + "]"; };
+    d.text = [](const Line& line) { return line.targets.front() + ": " + line.expression + ","; };
+    return d;
+  }();
+  return maxima;
+}
+
+std::string joined(const std::vector<std::string>& items) {
+  std::string result;
+  for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
+  return result;
+}
+
+// Lines of at most kColumns where blanks allow it, each after the margin.
+std::string wrapped(std::string text, const std::string& margin) {
+  std::string result;
+  while (text.size() + margin.size() > kColumns) {
+    std::size_t cut = text.rfind(' ', kColumns - margin.size());
+    if (cut == std::string::npos || cut == 0) cut = text.find(' ', 1);
+    if (cut == std::string::npos) break;
+    result += margin + text.substr(0, cut) + "\n";
+    text.erase(0, cut + 1);
+  }
+  return result + margin + text + "\n";
+}
+
+// A comment that no text of the user's ends early: comments nest.
+std::string comment(const std::vector<std::string>& lines, const std::string& margin = "") {
+  std::string result;
+  for (std::string line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool delimits = i > 0 && (line.substr(i - 1, 2) == "/*" || line.substr(i - 1, 2) == "*/");
+      if (delimits || static_cast<unsigned char>(line[i]) < ' ') line[i] = ' ';
+    }
+    result += wrapped(line, margin + "   ");
+  }
+  result.replace(margin.size(), 2, "/*");
+  result.insert(result.size() - 1, " */");
+  return result;
+}
+
+std::string describe(const InputArray& array, const std::string& name) {
+  constexpr std::size_t kMostListed = 40;
+  if (array.role == Role::link_wrenches) return name + ": six elements a link, base first";
+  if (array.elements.size() > kMostListed) return name + ": " + std::to_string(array.elements.size()) + " elements";
+  return name + ": [" + joined(array.elements) + "]";
+}
+
+bool is_matrix(const OutputArray& output) {
+  switch (output.role) {
+    case Role::inertia_matrix:
+    case Role::homogeneous:
+    case Role::spatial_motion:
+    case Role::spatial_force:
+    case Role::jacobian:
+    case Role::matrix:
+      return true;
+    default:
+      return output.columns > 1;
+  }
+}
+
+std::string describe(const OutputArray& output) {
+  const std::string rows = std::to_string(output.rows);
+  return output.name +
+         (is_matrix(output) ? ", " + rows + " x " + std::to_string(output.columns) : ", a list of " + rows);
+}
+
+std::string result(const OutputArray& output, const std::vector<std::string>& elements) {
+  if (!is_matrix(output)) return wrapped("[" + joined(elements) + "]", "  ");
+  std::string text;
+  for (std::size_t r = 0; r < static_cast<std::size_t>(output.rows); ++r) {
+    std::vector<std::string> row;
+    for (std::size_t k = r; k < elements.size(); k += static_cast<std::size_t>(output.rows)) row.push_back(elements[k]);
+    text += (r == 0 ? "" : ",\n") + wrapped("[" + joined(row) + "]", "    ");
+    text.pop_back();
+  }
+  return "  matrix(\n" + text + ")\n";
+}
+
+// `name(arguments) := block([locals], lines, value)$`
+std::string definition(const std::string& name, const Kernel& kernel, const std::string& value) {
+  std::vector<std::string> arguments, locals;
+  for (const Parameter& p : kernel.parameters)
+    if (!p.output) arguments.push_back(p.name);
+  std::string lines;
+  for (const Line& line : kernel.lines) {
+    const bool is_section = line.kind == Line::Kind::section;
+    if (!is_section) locals.push_back(line.targets.front());
+    lines += is_section ? comment({line.expression}, "  ") : "  " + dialect().text(line) + "\n";
+  }
+  return name + "(" + joined(arguments) + ") := block(\n" + wrapped("[" + joined(locals) + "],", "  ") + lines + value +
+         ")$\n";
+}
+
+std::vector<std::string> documentation(const Library& library, const Function& f, const Kernel& kernel) {
+  std::vector<std::string> lines = f.summary;
+  for (std::size_t i = 0; i < f.program.inputs.size(); ++i)
+    lines.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
+  std::vector<std::string> outputs, columns;
+  for (const OutputArray& output : f.program.outputs) outputs.push_back(describe(output));
+  lines.push_back("returns " + joined(outputs));
+  for (const int j : f.columns) columns.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  if (!columns.empty()) lines.push_back("columns: " + joined(columns));
+  return lines;
+}
+
+std::string print_function(const Library& library, const Function& f, const std::string& prefix) {
+  const Kernel kernel = lower(f.program, f.kernel, dialect());
+  std::string value;
+  for (std::size_t p = 0; p < f.program.outputs.size(); ++p) {
+    if (p > 0) value += ",\n";
+    value += result(f.program.outputs[p], kernel.results[p]);
+    value.pop_back();
+  }
+  if (f.program.outputs.size() != 1) value = "  [\n" + value + "]";
+  return "\n" + comment(documentation(library, f, kernel)) + definition(prefix + f.kernel, kernel, value);
+}
+
+std::string print_product(const Library& library, const Function& f, const std::string& prefix) {
+  const Product product = product_of_primitives(f, " . ", dialect());
+  std::string value = wrapped(product.text, "  ");
+  value.pop_back();
+  return "\n" + comment({convention_of_primitives(library)}) +
+         definition(prefix + "product_" + f.name, product.kernel, value);
+}
+
+// Those that have no default stay symbols.
+std::string print_parameters(const Library& library, const std::string& prefix) {
+  std::vector<std::string> values;
+  for (const ParameterData& p : library.parameters)
+    values.push_back(
+        std::isnan(p.default_value) ? "'" + identifier(p.name, is_reserved) : print_double(p.default_value));
+  std::string list = wrapped("[" + joined(values) + "]", "  ");
+  list.pop_back();
+  return "\n" + comment({"The parameters as declared; those without default as symbols."}) + prefix +
+         "parameters() :=\n" + list + "$\n";
+}
+
+}  // namespace
+
+std::vector<OutputFile> print(const Library& library) {
+  const std::string enclosing = library.enclosing.empty() ? "" : library.enclosing + "_";
+  const std::string prefix = identifier(enclosing + library.name, is_reserved) + "_";
+  std::vector<OutputFile> files;
+  for (const std::string& group : library.groups) {
+    OutputFile file = {prefix + group + ".mac", ""};
+    file.text = comment(
+        {"Robot " + library.robot + ": generated by robcogen from " + library.model_file + " (model " +
+             library.model_hash + "). Edit the model, not this file.",
+         "Arguments are lists, of numbers or symbols: [q1, q2]. Fractions and multiples of %pi are exact."});
+    if (!library.parameters.empty()) file.text += print_parameters(library, prefix);
+    for (const Function& f : library.functions)
+      if (f.group == group) file.text += print_function(library, f, prefix);
+    for (const Function& f : library.functions)
+      if (f.group == group && f.scope == "transforms::homogeneous" && library.primitives != PrimitiveConvention::none)
+        file.text += print_product(library, f, prefix);
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+}  // namespace robcogen::backend::maxima
