@@ -10,6 +10,8 @@ install(
   FILES_MATCHING
   PATTERN "*.kindsl"
   PATTERN "*.dtdsl"
+  PATTERN "*.motdsl"
+  PATTERN "*.ctdsl"
   PATTERN demo EXCLUDE)
 
 install(TARGETS robcogen_runtime robcogen_reference EXPORT robcogenTargets)
@@ -28,4 +30,5 @@ install(
         cmake/Robcogen.cmake
         cmake/RobcogenArguments.cmake
         cmake/RobcogenTool.cmake
+        cmake/RobcogenTransforms.cmake
   DESTINATION ${package_dir})

@@ -44,43 +44,53 @@ function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
   set(lists ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
-  cmake_parse_arguments(PARSE_ARGV 0 robot "${flags}" "${values}" "${lists}")
+  cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
+  set(library_CALL robcogen_add_robot)
   _robcogen_check_keywords(${values} ${lists} ${flags})
+  if("${library_MODEL}" STREQUAL "")
+    _robcogen_refuse("MODEL is missing")
+  endif()
   _robcogen_complete_arguments()
   _robcogen_check_elements(ALGORITHMS ${groups})
   _robcogen_check_elements(LANGUAGES cpp matlab maxima)
-  _robcogen_check_documents()
+  _robcogen_check_documents(MODEL)
+  _robcogen_check_robot()
   _robcogen_check_names()
   _robcogen_require_tool()
 
-  if(NOT "cpp" IN_LIST robot_LANGUAGES)
-    # Names of files in the other languages follow from the model, which no configuration reads.
-    _robcogen_add_codegen(${robot_TARGET}_codegen)
-    _robcogen_exclusion(exclusion)
-    if(exclusion)
-      add_custom_target(${robot_TARGET})
-    else()
-      add_custom_target(${robot_TARGET} ALL)
-    endif()
-    add_dependencies(${robot_TARGET} ${robot_TARGET}_codegen)
+  if(NOT "cpp" IN_LIST library_LANGUAGES)
+    _robcogen_add_text()
     return()
   endif()
-  _robcogen_generated_files(${robot_NAME} "${robot_ALGORITHMS}" headers sources)
-  list(TRANSFORM headers PREPEND ${robot_OUTPUT_DIR}/)
-  list(TRANSFORM sources PREPEND ${robot_OUTPUT_DIR}/)
-  _robcogen_add_codegen(${robot_TARGET}_codegen)
-  _robcogen_add_library(${robot_TARGET})
-  if(BUILD_TESTING AND NOT robot_NO_TESTS)
-    _robcogen_add_selfcheck(${robot_TARGET}_selfcheck)
+  _robcogen_generated_files(${library_NAME} "${library_ALGORITHMS}" headers sources)
+  list(TRANSFORM headers PREPEND ${library_OUTPUT_DIR}/)
+  list(TRANSFORM sources PREPEND ${library_OUTPUT_DIR}/)
+  _robcogen_add_codegen(${library_TARGET}_codegen)
+  _robcogen_add_library(${library_TARGET})
+  if(BUILD_TESTING AND NOT library_NO_TESTS)
+    _robcogen_add_selfcheck(${library_TARGET}_selfcheck)
   endif()
-  if(NOT robot_NO_BENCH)
-    _robcogen_add_bench(${robot_TARGET}_bench)
+  if(NOT library_NO_BENCH)
+    _robcogen_add_bench(${library_TARGET}_bench)
   endif()
-  if(robot_EXPORT_FILES)
-    set(${robot_EXPORT_FILES} ${headers} ${sources} PARENT_SCOPE)
+  if(library_EXPORT_FILES)
+    set(${library_EXPORT_FILES} ${headers} ${sources} PARENT_SCOPE)
   endif()
+endfunction()
+
+# What a robot's document may be.
+function(_robcogen_check_robot)
+  cmake_path(GET library_MODEL EXTENSION LAST_ONLY extension)
+  if(NOT extension MATCHES "^\\.(kindsl|urdf)$")
+    _robcogen_refuse("MODEL must be a .kindsl document or a .urdf, not '${extension}': ${library_MODEL}")
+  endif()
+  foreach(keyword FLOATING_BASE SNAP_ANGLES)
+    if(library_${keyword} AND NOT extension STREQUAL ".urdf")
+      _robcogen_refuse("${keyword} is for URDF; a robot document says such things itself: ${library_MODEL}")
+    endif()
+  endforeach()
 endfunction()
 
 # Sets `result` to the path of a robot's header. A robot may be called like one of them: <name>/<name>.h is the umbrella
@@ -116,19 +126,19 @@ endfunction()
 # The rule's output is a stamp and the files are its by-products, because the tool leaves a file that would not change
 # untouched: as outputs they would look out of date to Make for ever.
 function(_robcogen_add_codegen target)
-  set(stamp ${robot_OUTPUT_DIR}/${robot_NAME}.stamp)
-  set(depfile ${robot_OUTPUT_DIR}/${robot_NAME}.d)
+  set(stamp ${library_OUTPUT_DIR}/${library_NAME}.stamp)
+  set(depfile ${library_OUTPUT_DIR}/${library_NAME}.d)
   _robcogen_generate_arguments(arguments)
-  cmake_path(GET robot_MODEL FILENAME document)
+  cmake_path(GET library_MODEL FILENAME document)
   # DEPENDS, not MAIN_DEPENDENCY: two robots may be made of one document.
   add_custom_command(
     OUTPUT ${stamp}
     BYPRODUCTS ${headers} ${sources}
-    COMMAND robcogen::robcogen generate ${robot_MODEL} -o ${robot_OUTPUT_DIR} ${arguments} --depfile ${depfile}
+    COMMAND robcogen::robcogen generate ${library_MODEL} -o ${library_OUTPUT_DIR} ${arguments} --depfile ${depfile}
             --depfile-target ${stamp} --stamp ${stamp}
-    DEPENDS robcogen::robcogen ${robot_MODEL} ${robot_DESIRED} ${robot_DEPENDS}
+    DEPENDS robcogen::robcogen ${library_MODEL} ${library_DESIRED} ${library_DEPENDS}
     DEPFILE ${depfile}
-    COMMENT "Generating robot ${robot_NAME} from ${document}"
+    COMMENT "Generating ${library_NAME} from ${document}"
     VERBATIM)
   add_custom_target(${target} DEPENDS ${stamp})
   set_target_properties(${target} PROPERTIES FOLDER robots)
@@ -137,32 +147,45 @@ endfunction()
 
 # Sets `result` to the keywords of the call in the words of `robcogen generate`.
 function(_robcogen_generate_arguments result)
-  set(arguments --name ${robot_NAME})
-  if(robot_NAMESPACE)
-    list(APPEND arguments --namespace ${robot_NAMESPACE})
+  set(arguments --name ${library_NAME})
+  if(library_NAMESPACE)
+    list(APPEND arguments --namespace ${library_NAMESPACE})
   endif()
-  if(robot_DESIRED)
-    list(APPEND arguments --desired ${robot_DESIRED})
+  if(library_DESIRED)
+    list(APPEND arguments --desired ${library_DESIRED})
   endif()
-  if(robot_ALGORITHMS)
-    list(APPEND arguments --algorithms ${robot_ALGORITHMS})
+  if(library_ALGORITHMS)
+    list(APPEND arguments --algorithms ${library_ALGORITHMS})
   endif()
-  if(robot_FLOATING_BASE)
+  if(library_FLOATING_BASE)
     list(APPEND arguments --floating-base)
   endif()
-  if(robot_SNAP_ANGLES)
+  if(library_SNAP_ANGLES)
     list(APPEND arguments --snap-angles)
   endif()
-  foreach(language IN LISTS robot_LANGUAGES)
+  foreach(language IN LISTS library_LANGUAGES)
     list(APPEND arguments --language ${language})
   endforeach()
-  foreach(directory IN LISTS robot_IMPORT_DIRS)
+  foreach(directory IN LISTS library_IMPORT_DIRS)
     list(APPEND arguments -I ${directory})
   endforeach()
   if(MSVC)
     list(APPEND arguments --error-format msvc)
   endif()
-  set(${result} ${arguments} ${robot_OPTIONS} PARENT_SCOPE)
+  set(${result} ${arguments} ${library_OPTIONS} PARENT_SCOPE)
+endfunction()
+
+# A target for languages other than C++ alone. The names of their files follow from the model, which no configuration
+# reads.
+function(_robcogen_add_text)
+  _robcogen_add_codegen(${library_TARGET}_codegen)
+  _robcogen_exclusion(exclusion)
+  if(exclusion)
+    add_custom_target(${library_TARGET})
+  else()
+    add_custom_target(${library_TARGET} ALL)
+  endif()
+  add_dependencies(${library_TARGET} ${library_TARGET}_codegen)
 endfunction()
 
 function(_robcogen_add_library target)
@@ -170,18 +193,18 @@ function(_robcogen_add_library target)
   add_library(${target} STATIC ${exclusion} ${sources})
   add_library(${PROJECT_NAME}::${target} ALIAS ${target})
   add_dependencies(${target} ${target}_codegen)
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${robot_OUTPUT_DIR} FILES ${headers})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${library_OUTPUT_DIR} FILES ${headers})
   target_link_libraries(${target} PUBLIC robcogen::runtime)
   target_compile_features(${target} PUBLIC cxx_std_17)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and spends more on shuffling them than
   # it wins; the generator packs where it pays.
   target_compile_options(
-    ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> ${robot_COMPILE_OPTIONS})
+    ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> ${library_COMPILE_OPTIONS})
   # One unit an algorithm is what keeps rebuilds small and parallel.
   set_target_properties(
     ${target}
-    PROPERTIES ROBCOGEN_MODEL ${robot_MODEL}
-               ROBCOGEN_NAME ${robot_NAME}
+    PROPERTIES ROBCOGEN_MODEL ${library_MODEL}
+               ROBCOGEN_NAME ${library_NAME}
                FOLDER robots
                POSITION_INDEPENDENT_CODE ON
                UNITY_BUILD OFF
@@ -192,19 +215,24 @@ function(_robcogen_add_selfcheck target)
   _robcogen_exclusion(exclusion)
   add_executable(${target} ${exclusion})
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
+  _robcogen_run_selfcheck(${target} robot)
+endfunction()
+
+# The ctest of a self-check, of this label.
+function(_robcogen_run_selfcheck target label)
   # A cross-built program needs an emulator; a robot outside of `all` is not built before ctest runs.
-  if(robot_EXCLUDE_FROM_ALL OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))
+  if(library_EXCLUDE_FROM_ALL OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))
     return()
   endif()
   set(arguments "")
-  if(NOT "${robot_TEST_SEED}" STREQUAL "")
-    list(APPEND arguments --seed ${robot_TEST_SEED})
+  if(NOT "${library_TEST_SEED}" STREQUAL "")
+    list(APPEND arguments --seed ${library_TEST_SEED})
   endif()
-  if(NOT "${robot_TEST_SAMPLES}" STREQUAL "")
-    list(APPEND arguments --samples ${robot_TEST_SAMPLES})
+  if(NOT "${library_TEST_SAMPLES}" STREQUAL "")
+    list(APPEND arguments --samples ${library_TEST_SAMPLES})
   endif()
-  add_test(NAME ${robot_TARGET}.selfcheck COMMAND ${target} ${arguments})
-  set_tests_properties(${robot_TARGET}.selfcheck PROPERTIES LABELS robot)
+  add_test(NAME ${library_TARGET}.selfcheck COMMAND ${target} ${arguments})
+  set_tests_properties(${library_TARGET}.selfcheck PROPERTIES LABELS ${label})
 endfunction()
 
 function(_robcogen_add_bench target)
@@ -222,17 +250,17 @@ endfunction()
 # Makes `target` of a harness that is written once for all robots: its sources come with the interface target
 # `harness`, and these definitions tell it which robot it is compiled for.
 function(_robcogen_link_harness target harness)
-  target_link_libraries(${target} PRIVATE ${robot_TARGET} ${harness})
-  string(JOIN "::" qualified ${robot_NAMESPACE} ${robot_NAME})
-  _robcogen_header(${robot_NAME} robot robot_header)
-  _robcogen_header(${robot_NAME} reflection reflection_header)
+  target_link_libraries(${target} PRIVATE ${library_TARGET} ${harness})
+  string(JOIN "::" qualified ${library_NAMESPACE} ${library_NAME})
+  _robcogen_header(${library_NAME} robot robot_header)
+  _robcogen_header(${library_NAME} reflection reflection_header)
   target_compile_definitions(
     ${target} PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_header}> ROBCOGEN_REFLECTION_HEADER=<${reflection_header}>
                       ROBCOGEN_ROBOT_NAMESPACE=${qualified})
   foreach(group IN LISTS groups)
     string(TOUPPER ${group} upper)
     set(has 0)
-    if(NOT robot_ALGORITHMS OR group IN_LIST robot_ALGORITHMS)
+    if(NOT library_ALGORITHMS OR group IN_LIST library_ALGORITHMS)
       set(has 1)
     endif()
     target_compile_definitions(${target} PRIVATE ROBCOGEN_HAS_${upper}=${has})
@@ -242,7 +270,7 @@ endfunction()
 
 function(_robcogen_exclusion result)
   set(${result} "" PARENT_SCOPE)
-  if(robot_EXCLUDE_FROM_ALL)
+  if(library_EXCLUDE_FROM_ALL)
     set(${result} EXCLUDE_FROM_ALL PARENT_SCOPE)
   endif()
 endfunction()
@@ -253,3 +281,5 @@ function(_robcogen_join_umbrella umbrella target)
   endif()
   add_dependencies(${umbrella} ${target})
 endfunction()
+
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTransforms.cmake)

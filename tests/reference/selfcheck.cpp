@@ -7,15 +7,13 @@
 //     hyl_selfcheck [--seed N] [--samples N]
 //
 // prints one line a check and exits with 1 when one failed, 2 when the command line is wrong.
-#include <cstdlib>
-#include <cstring>
-
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
+#include "robcogen/reference/command_line.h"
 #include "robcogen/reference/compiled_robot.h"
 
 namespace robcogen::reference {
@@ -64,22 +62,13 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
 
 int main(int argc, char** argv) {
   namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
-  std::uint64_t seed = 1;
-  int samples = 20;
-  for (int i = 1; i < argc; i += 2) {
-    char* end = nullptr;
-    const bool has_value = i + 1 < argc;
-    if (has_value && std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], &end, 10);
-    if (has_value && std::strcmp(argv[i], "--samples") == 0)
-      samples = static_cast<int>(std::strtol(argv[i + 1], &end, 10));
-    if (end == nullptr || end == argv[i + 1] || *end != '\0' || samples < 1) {
-      std::fprintf(stderr, "usage: %s [--seed N] [--samples N]\n", argv[0]);
-      return 2;
-    }
-  }
+  const std::optional<robcogen::reference::CommandLine> options = robcogen::reference::command_line(argc, argv);
+  if (!options) return 2;
   const robcogen::reflection::Robot& robot = generated::reflection::robot;
-  std::printf("%s: seed %llu, %d samples\n", robot.name, static_cast<unsigned long long>(seed), samples);
-  const robcogen::reference::Checks checks = robcogen::reference::selfcheck<generated::Robot>(robot, seed, samples);
+  std::printf(
+      "%s: seed %llu, %d samples\n", robot.name, static_cast<unsigned long long>(options->seed), options->samples);
+  const robcogen::reference::Checks checks =
+      robcogen::reference::selfcheck<generated::Robot>(robot, options->seed, options->samples);
   std::printf("%s%d checks, %d failed\n", checks.report().c_str(), checks.size(), checks.failures());
   return checks.failures() == 0 ? 0 : 1;
 }

@@ -83,11 +83,11 @@ Reached walk(
   return here;
 }
 
+}  // namespace
+
 std::string name_of(const CoordinateTransform& transform) {
   return transform.name.empty() ? transform.left + "_X_" + transform.right : transform.name;
 }
-
-}  // namespace
 
 Arguments arguments_of(const CoordinateTransforms& document, const CoordinateTransform& transform) {
   std::vector<bool> used(document.variables.size(), false);
@@ -111,6 +111,7 @@ Program transform_program(
     const std::string& name) {
   ProgramTrace trace;
   const Arguments arguments = arguments_of(document, transform);
+  if (arguments.parameters) trace.parameter_input(document.parameters);
   std::vector<Expression> variables(document.variables.size());
   if (!arguments.variables.empty()) {
     std::vector<std::string> labels;
@@ -119,7 +120,6 @@ Program transform_program(
     for (std::size_t k = 0; k < inputs.size(); ++k)
       variables[static_cast<std::size_t>(arguments.variables[k])] = inputs[k];
   }
-  if (arguments.parameters) trace.parameter_input(document.parameters);
   output_transform(trace, walk(trace, document, merged(rightwards(document, transform)), variables), form);
   return trace.program(name);
 }

@@ -17,18 +17,21 @@ struct Arguments {
 };
 Arguments arguments_of(const model::CoordinateTransforms& document, const model::CoordinateTransform& transform);
 
-// variables, parameters -> X. An array that would be empty is left out.
+// parameters, variables -> X. An array that would be empty is left out.
 symbolic::Program transform_program(
     const model::CoordinateTransforms& document,
     const model::CoordinateTransform& transform,
     TransformForm form,
     const std::string& name);
 
+// The user's name, or `A_X_B`.
+std::string name_of(const model::CoordinateTransform& transform);
+
 // One function of the API.
 struct TransformFunction {
   std::size_t transform = 0;         // into CoordinateTransforms::transforms
   std::string scope;                 // transforms::homogeneous, transforms::motion, transforms::force
-  std::string name;                  // the user's name, or `A_X_B`
+  std::string name;                  // see name_of
   std::vector<std::string> summary;  // what, frames
   symbolic::Program program;         // program.name is unique among the document's functions
 };

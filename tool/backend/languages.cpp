@@ -8,9 +8,9 @@ namespace robcogen::backend {
 
 const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
-      {"cpp", {}, false, cpp::print},
-      {"matlab", {}, true, matlab::print},
-      {"maxima", {}, true, maxima::print},
+      {.name = "cpp", .takes_transforms = true, .print = cpp::print},
+      {.name = "matlab", .takes_parameters = true, .print = matlab::print},
+      {.name = "maxima", .takes_parameters = true, .print = maxima::print},
   };
   return all;
 }

@@ -1,4 +1,5 @@
-// What a back end receives: a robot's constants and its programs. No algorithm, no syntax.
+// What a back end receives: the constants and the programs of a robot, or of a document of coordinate transforms. No
+// algorithm, no syntax.
 #pragma once
 
 #include <array>
@@ -44,7 +45,7 @@ struct LinkData {
 
 struct FrameData {
   std::string name;
-  int link = 0;                         // the link it moves with
+  int link = 0;                         // the link it moves with; -1 with no robot
   std::array<double, 3> translation{};  // in that link's frame
   std::array<double, 3> rotation{};
 };
@@ -55,12 +56,40 @@ struct ParameterData {
   double default_value = std::numeric_limits<double>::quiet_NaN();  // not a number: none
 };
 
-// What a user's Rx(a) maps coordinates to: right: from the frame rotated by +a to the original frame; left: the inverse.
+// What a user's Rx(a) maps coordinates to: right: from the frame rotated by +a to the original frame; left: the
+// inverse.
 enum class PrimitiveConvention { none, left, right };
 
 struct PrimitiveData {
   bool rotation = false;
   int axis = 0;  // 0 x, 1 y, 2 z
+};
+
+// A step of the computation of an amount, in postfix order: operands come before their operator.
+struct AmountStep {
+  enum class Kind {
+    constant,   // `value`
+    parameter,  // `index` into Library::parameters
+    variable,   // `index` into Library::variables
+    negate,
+    add,
+    subtract,
+    multiply,
+    divide,
+    sine,
+    cosine,
+    tangent,
+    square_root,
+  };
+  Kind kind = Kind::constant;
+  double value = 0;
+  int index = 0;
+};
+
+// A factor of a coordinate transform, as its document says it: m or rad, in the convention `right`.
+struct FactorData {
+  PrimitiveData primitive;
+  std::vector<AmountStep> amount;
 };
 
 // One callable. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
@@ -73,27 +102,32 @@ struct Function {
   std::vector<int> columns;               // jacobians: joint index of each column
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
-  // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the program
-  // of their amounts, a row each.
+  // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the
+  // program of their amounts, a row each.
   std::vector<PrimitiveData> primitives = {};
   symbolic::Program amounts = {};
+  // With no robot: the product that the transform is, first one leftmost, for checks.
+  std::vector<FactorData> factors = {};
 };
 
 struct Library {
-  std::string name;               // robot identifier: namespace and folder
+  std::string name;               // identifier: namespace and folder
   std::string enclosing;          // enclosing namespace `a::b`, or empty
-  std::string robot;              // the robot's name in the document
+  std::string robot;              // the name of the robot, or of the model, in the document
   std::string model_file;         // file name without folders
   std::string model_hash;         // of the canonical document
   std::string generator_version;  // of the tool: stands in one file only, so that a new version recompiles little
   bool floating_base = false;
-  std::vector<LinkData> links;  // [0] is the base
+  std::vector<LinkData> links;  // [0] is the base; none: there is no robot, but transforms of `variables`
   std::vector<JointData> joints;
   std::vector<FrameData> frames;
   std::vector<ParameterData> parameters;  // constants above that depend on one without default are not a number
-  std::vector<std::string> groups;  // which groups were asked for, in canonical order
+  std::vector<std::string> variables;     // with no robot: in the document's order of their first use
+  std::vector<std::string> groups;        // which groups were asked for, in canonical order
   std::vector<Function> functions;
   PrimitiveConvention primitives = PrimitiveConvention::none;
+
+  bool has_robot() const { return !links.empty(); }
 };
 
 }  // namespace robcogen::backend

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "command/pipeline.h"
+#include "command/transforms.h"
 
 namespace robcogen::command {
 
@@ -29,6 +29,11 @@ struct ModelOptions {
   void declare(CLI::App& subcommand);
   // Loads the robot and prints diagnostics to standard error; nullopt when there was an error.
   std::optional<Robot> load() const;
+  // The same for a document of motions or transforms.
+  std::optional<Transforms> load_transforms() const;
+
+ private:
+  Reading reading() const;
 };
 
 ErrorFormat format_of(const std::string& name);

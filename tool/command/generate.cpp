@@ -48,6 +48,16 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
+// What documents of motions and of transforms offer.
+void require_groups_of_transforms(const std::vector<std::string>& asked) {
+  for (const std::string& group : asked) {
+    if (group == kTransformsGroup) continue;
+    throw Failure{
+        wrong_usage,
+        fmt::format("robcogen: error: --algorithms {} is of robots: motions and transforms have none", group)};
+  }
+}
+
 // What was asked for of what the language offers, in canonical order. A Failure when it was asked for what it does not
 // offer.
 std::vector<std::string> groups_of(const backend::Language& language, const std::vector<std::string>& asked) {
@@ -125,17 +135,15 @@ void write(const fs::path& path, const std::string& text) {
   if (!file) throw Failure{wrong_usage, fmt::format("robcogen: error: cannot write '{}'", path.string())};
 }
 
-Status generate(const Options& options) {
-  if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs -o DIR"};
-  const std::optional<Robot> robot = options.model.load();
-  if (!robot) return wrong_input;
+// A library for one language, made of the model.
+using MakeLibrary = std::function<backend::Library(const backend::Language& language)>;
+
+Status write_libraries(const Options& options, const std::vector<fs::path>& read, const MakeLibrary& library_for) {
   std::vector<OutputFile> files;
   std::vector<Listed> lists;
   std::string hash;
   for (const backend::Language* language : languages_of(options)) {
-    refuse_parameters(*robot, *language);
-    const backend::Library lib = library(
-        *robot, options.names, groups_of(*language, options.groups), options.model.passes, primitives_of(options));
+    const backend::Library lib = library_for(*language);
     hash = lib.model_hash;
     std::vector<OutputFile> printed = language->print(lib);
     if (language->name == "cpp") {
@@ -153,18 +161,51 @@ Status generate(const Options& options) {
   if (!options.depfile.empty()) {
     const std::string target = options.depfile_target.empty() ? options.stamp : options.depfile_target;
     std::vector<fs::path> inputs;
-    for (const fs::path& file : robot->read) inputs.push_back(fs::absolute(file));
+    for (const fs::path& file : read) inputs.push_back(fs::absolute(file));
     write(options.depfile, dependency_file(target, inputs));
   }
   if (!options.stamp.empty()) write(options.stamp, hash + "\n");
   return ok;
 }
 
+Status generate_robot(const Options& options) {
+  const std::optional<Robot> robot = options.model.load();
+  if (!robot) return wrong_input;
+  return write_libraries(options, robot->read, [&](const backend::Language& language) {
+    refuse_parameters(*robot, language);
+    return library(
+        *robot, options.names, groups_of(language, options.groups), options.model.passes, primitives_of(options));
+  });
+}
+
+Status generate_transforms(const Options& options) {
+  require_groups_of_transforms(options.groups);
+  for (const backend::Language* language : languages_of(options))
+    if (!language->takes_transforms)
+      throw Failure{
+          wrong_usage, fmt::format(
+                           "robcogen: error: --language {} prints robots: transforms of a document cannot be had in it",
+                           language->name)};
+  const std::optional<Transforms> transforms = options.model.load_transforms();
+  if (!transforms) return wrong_input;
+  return write_libraries(options, transforms->read, [&](const backend::Language&) {
+    return library(*transforms, options.names, options.model.passes);
+  });
+}
+
+Status generate(const Options& options) {
+  if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs -o DIR"};
+  return is_transforms(options.model.model) ? generate_transforms(options) : generate_robot(options);
+}
+
 // The files whose names follow from the options alone: those of C++.
 Status list_outputs(const Options& options) {
+  const bool transforms = is_transforms(options.model.model);
   for (const backend::Language* language : languages_of(options)) {
     if (language->name != "cpp") continue;
-    for (const std::string& file : backend::cpp::outputs(options.names.name, groups_of(*language, options.groups)))
+    const std::vector<std::string> groups =
+        transforms ? std::vector<std::string>{kTransformsGroup} : groups_of(*language, options.groups);
+    for (const std::string& file : backend::cpp::outputs(options.names.name, groups, !transforms))
       fmt::print("{}\n", file);
   }
   return ok;
@@ -179,7 +220,8 @@ std::vector<std::string> language_names() {
 }  // namespace
 
 Action declare_generate(CLI::App& application) {
-  CLI::App* subcommand = application.add_subcommand("generate", "Generates a robot's library");
+  CLI::App* subcommand =
+      application.add_subcommand("generate", "Generates the library of a robot or of coordinate transforms");
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
   subcommand->get_option("model")->required(false);

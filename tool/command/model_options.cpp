@@ -39,7 +39,8 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
 
 void ModelOptions::declare(CLI::App& subcommand) {
   passes = steps();
-  subcommand.add_option("model", model, "Robot (.kindsl or .urdf)")->required();
+  subcommand.add_option("model", model, "Robot (.kindsl or .urdf), motions (.motdsl) or transforms (.ctdsl)")
+      ->required();
   subcommand.add_option("--desired", desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand.add_flag("--strict", strict, "Warnings of the desired-transforms document are errors");
   subcommand.add_option("--passes", passes, "Which steps of optimisation run: a comma-separated list, or none")
@@ -53,16 +54,27 @@ void ModelOptions::declare(CLI::App& subcommand) {
   declare_error_format(subcommand, error_format);
 }
 
-std::optional<Robot> ModelOptions::load() const {
+Reading ModelOptions::reading() const {
   require_urdf(model, urdf);
-  Reading reading;
-  if (!desired.empty()) reading.desired = desired;
-  reading.strict = strict;
-  reading.urdf = urdf;
+  Reading result;
+  if (!desired.empty()) result.desired = desired;
+  result.strict = strict;
+  result.urdf = urdf;
+  return result;
+}
+
+std::optional<Robot> ModelOptions::load() const {
   Diagnostics diagnostics;
-  std::optional<Robot> robot = load_robot(model, reading, diagnostics);
+  std::optional<Robot> robot = load_robot(model, reading(), diagnostics);
   fmt::print(stderr, "{}", diagnostics.render(format_of(error_format)));
   return robot;
+}
+
+std::optional<Transforms> ModelOptions::load_transforms() const {
+  Diagnostics diagnostics;
+  std::optional<Transforms> transforms = command::load_transforms(model, reading(), diagnostics);
+  fmt::print(stderr, "{}", diagnostics.render(format_of(error_format)));
+  return transforms;
 }
 
 }  // namespace robcogen::command

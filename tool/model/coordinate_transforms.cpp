@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -109,6 +110,34 @@ CoordinateTransforms transforms_of(
     std::optional<CoordinateTransform> transform = transform_between(motions, left, right, position);
     if (!transform) throw std::logic_error("transform between frames that no motions connect");
     result.transforms.push_back(std::move(*transform));
+  }
+  return result;
+}
+
+RigidMotions motions_of(const CoordinateTransforms& transforms) {
+  RigidMotions motions = {
+      transforms.name, MotionConvention::local, transforms.parameters, transforms.variables, {}, {}};
+  std::set<std::string> known;
+  for (const CoordinateTransform& transform : transforms.transforms) {
+    for (const std::string& frame : {transform.left, transform.right})
+      if (known.insert(frame).second) motions.frames.push_back(frame);
+    Motion motion = {transform.left, transform.right, {}, transform.name};
+    for (const PrimitiveTransform& p : transform.primitives)
+      motion.steps.push_back(
+          {p.rotation, p.axis, transforms.position == MovedFramePosition::left ? -p.amount : p.amount});
+    motions.motions.push_back(std::move(motion));
+  }
+  return motions;
+}
+
+CoordinateTransforms chosen(const CoordinateTransforms& transforms, const std::vector<FrameNames>& pairs) {
+  const RigidMotions motions = motions_of(transforms);
+  CoordinateTransforms result = transforms_of(motions, pairs, transforms.position);
+  for (CoordinateTransform& transform : result.transforms) {
+    const auto given = std::find_if(
+        transforms.transforms.begin(), transforms.transforms.end(),
+        [&](const CoordinateTransform& t) { return t.left == transform.left && t.right == transform.right; });
+    if (given != transforms.transforms.end()) transform = *given;
   }
   return result;
 }

@@ -56,4 +56,12 @@ CoordinateTransforms transforms_of(
     const std::vector<FrameNames>& pairs,
     MovedFramePosition position = MovedFramePosition::right);
 
+// The motions that transforms say: their frames, and one motion a transform. Unlike those of a document they may
+// connect two frames on several ways.
+RigidMotions motions_of(const CoordinateTransforms& transforms);
+
+// The transforms between these frames, in their order: those that stand among `transforms`, and of the others what
+// follows from them. All must be connected.
+CoordinateTransforms chosen(const CoordinateTransforms& transforms, const std::vector<FrameNames>& pairs);
+
 }  // namespace robcogen::model

@@ -15,6 +15,9 @@ using symbolic::OutputArray;
 using symbolic::Program;
 using symbolic::Role;
 
+// The array of what Parameters holds.
+const char* const kParameterValues = "parameter_values";
+
 // A namespace keeps its name as it was asked for, unless C++ refuses it or it would hide one that generated text needs.
 std::string namespace_name(const std::string& wanted) {
   const bool hides = wanted == "std" || wanted == "Eigen" || wanted == "robcogen";
@@ -82,14 +85,53 @@ std::vector<Role> signature(const Program& program, bool with_gravity) {
   return roles;
 }
 
-Overload overload(const Callable& callable, bool with_gravity) {
+// The names of an input's elements, which the function takes one by one.
+std::vector<std::string> variable_names(const Api& api, const InputArray& input) {
+  const std::vector<std::string>& all = api.library->variables;
+  std::vector<std::string> names;
+  for (const std::string& label : input.elements)
+    names.push_back(api.variables[static_cast<std::size_t>(std::find(all.begin(), all.end(), label) - all.begin())]);
+  return names;
+}
+
+std::vector<std::string> members_of(const std::string& object, const std::vector<std::string>& members) {
+  std::vector<std::string> result;
+  for (const std::string& member : members) result.push_back(object + "." + member);
+  return result;
+}
+
+Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
   const std::vector<Parameter> names = parameters(program);
-  Overload result{&callable, result_type(program), {}, !with_gravity};
-  for (std::size_t i = 0; i < program.inputs.size(); ++i)
-    if (with_gravity || program.inputs[i].role != Role::gravity)
-      result.arguments.push_back({type_of(program.inputs[i]), names[i].name, ""});
+  Overload result{&callable, result_type(program), {}, !with_gravity, {}, {}};
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    const InputArray& input = program.inputs[i];
+    if (!with_gravity && input.role == Role::gravity) continue;
+    if (input.role == Role::variables) {
+      const std::vector<std::string> variables = variable_names(api, input);
+      for (const std::string& variable : variables) result.arguments.push_back({"Scalar", variable, ""});
+      result.packed.push_back({names[i].name, variables});
+      result.inputs.push_back(names[i].name);
+    } else if (input.role == Role::parameters && !api.library->has_robot()) {
+      result.arguments.push_back({"Parameters", names[i].name, ""});
+      result.packed.push_back({kParameterValues, members_of(names[i].name, api.parameters)});
+      result.inputs.push_back(kParameterValues);
+    } else {
+      result.arguments.push_back({type_of(input), names[i].name, ""});
+      result.inputs.push_back(names[i].name + ".data()");
+    }
+  }
   return result;
+}
+
+// Members of a struct, and arguments beside those that functions of transforms have else.
+void name_values(const Library& library, Api& api) {
+  NameScope members({"Scalar"});
+  std::vector<std::string> wanted;
+  for (const ParameterData& p : library.parameters) wanted.push_back(p.name);
+  api.parameters = claim_all(members, wanted);
+  NameScope arguments({kParameterValues, "Matrix", "Parameters", "Scalar", "X", "kernel", "parameters", "variables"});
+  api.variables = claim_all(arguments, library.variables);
 }
 
 }  // namespace
@@ -101,6 +143,7 @@ Api api(const Library& library) {
   result.joints = enumerators(library.joints);
   result.links = enumerators(library.links);
   result.frames = enumerators(library.frames);
+  name_values(library, result);
 
   NameScope kernels;
   std::vector<std::string> wanted;
@@ -159,11 +202,11 @@ std::string result_member(const Program& program, const OutputArray& output) {
   }
 }
 
-std::vector<Overload> overloads(const std::vector<const Callable*>& callables) {
+std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables) {
   std::vector<Overload> result;
   for (const Callable* callable : callables) {
     const Program& program = callable->function->program;
-    result.push_back(overload(*callable, true));
+    result.push_back(overload(api, *callable, true));
     const std::vector<Role> without = signature(program, false);
     const bool optional = std::none_of(callables.begin(), callables.end(), [&](const Callable* other) {
       return signature(other->function->program, true) == without;
@@ -173,7 +216,7 @@ std::vector<Overload> overloads(const std::vector<const Callable*>& callables) {
     if (last.type == alias(Role::gravity))
       last.default_value = "Gravity::standard()";
     else
-      result.push_back(overload(*callable, false));
+      result.push_back(overload(api, *callable, false));
   }
   return result;
 }
@@ -189,7 +232,7 @@ std::vector<Overload> overloads(const Api& api, const std::string& group, const 
   }
   std::vector<Overload> result;
   for (const std::string& name : order)
-    for (Overload& o : overloads(by_name[name])) result.push_back(std::move(o));
+    for (Overload& o : overloads(api, by_name[name])) result.push_back(std::move(o));
   return result;
 }
 

@@ -20,6 +20,8 @@ struct Api {
   const Library* library = nullptr;
   std::string space;                               // the whole namespace: `a::hyl`
   std::vector<std::string> joints, links, frames;  // enumerators
+  std::vector<std::string> variables;              // arguments
+  std::vector<std::string> parameters;             // members of Parameters
   std::vector<Callable> callables;                 // in the order of Library::functions
 };
 
@@ -32,16 +34,24 @@ struct Argument {
   std::string default_value;  // empty: none
 };
 
+// An array of a kernel whose elements a function takes one by one.
+struct Packed {
+  std::string name;
+  std::vector<std::string> elements;
+};
+
 struct Overload {
   const Callable* callable = nullptr;
   std::string result;
   std::vector<Argument> arguments;
-  bool adds_standard_gravity = false;  // has no argument for it, and calls the overload that has one
+  bool adds_standard_gravity = false;    // has no argument for it, and calls the overload that has one
+  std::vector<Packed> packed = {};       // parameters and variables, where there is no robot
+  std::vector<std::string> inputs = {};  // what the kernel gets, unless adds_standard_gravity
 };
 
 // The overloads that these functions make, all of one scope and name. Gravity may be left out wherever no function of
 // its own does without it: then it is standard gravity.
-std::vector<Overload> overloads(const std::vector<const Callable*>& callables);
+std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables);
 
 // The overloads of a group in this scope, in order.
 std::vector<Overload> overloads(const Api& api, const std::string& group, const std::string& scope);

@@ -9,7 +9,10 @@
 namespace robcogen::backend::cpp {
 
 // The names of the files that `print` makes, relative to the output directory: a function of the keywords only.
-std::vector<std::string> outputs(const std::string& name, const std::vector<std::string>& groups);
+std::vector<std::string> outputs(
+    const std::string& name,
+    const std::vector<std::string>& groups,
+    bool has_robot = true);
 
 std::vector<OutputFile> print(const Library& library);
 

@@ -11,8 +11,10 @@ namespace {
 
 std::vector<std::string> parameter_list(const Overload& overload) {
   std::vector<std::string> list;
-  for (const Argument& a : overload.arguments)
-    list.push_back("const " + a.type + "& " + a.name + (a.default_value.empty() ? "" : " = " + a.default_value));
+  for (const Argument& a : overload.arguments) {
+    const std::string type = a.type == "Scalar" ? a.type + " " : "const " + a.type + "& ";
+    list.push_back(type + a.name + (a.default_value.empty() ? "" : " = " + a.default_value));
+  }
   return list;
 }
 
@@ -21,19 +23,19 @@ bool is_scalar(const symbolic::OutputArray& output) {
   return output.role == symbolic::Role::energy;
 }
 
-std::string call_of_kernel(const Callable& callable) {
-  const symbolic::Program& program = callable.function->program;
-  const std::vector<Parameter> names = parameters(program);
-  std::vector<std::string> arguments;
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) arguments.push_back(names[i].name + ".data()");
-  std::string result = names[program.inputs.size()].name;
+std::string call_of_kernel(const Overload& overload) {
+  const symbolic::Program& program = overload.callable->function->program;
+  std::string arrays;
+  for (const Packed& p : overload.packed) arrays += numbered_list("  const Scalar " + p.name + "[]", p.elements);
+  std::vector<std::string> arguments = overload.inputs;
+  std::string result = parameters(program)[program.inputs.size()].name;
   if (program.outputs.size() > 1) result = "result";
   for (const symbolic::OutputArray& output : program.outputs) {
     const std::string member = result_member(program, output);
     arguments.push_back(is_scalar(output) ? "&" + result : result + (member.empty() ? "" : "." + member) + ".data()");
   }
-  return "  " + result_type(program) + " " + result + ";\n" + call("kernel::" + callable.kernel, arguments, 2) +
-         "  return " + result + ";\n";
+  return arrays + "  " + result_type(program) + " " + result + ";\n" +
+         call("kernel::" + overload.callable->kernel, arguments, 2) + "  return " + result + ";\n";
 }
 
 // Arguments passed on to an overload that takes gravity too, if this one does not.
@@ -60,7 +62,7 @@ std::string function(const Overload& overload) {
   const std::string head = "inline " + overload.result + " " + overload.callable->name;
   const std::string body = overload.adds_standard_gravity
                                ? call("return " + overload.callable->name, passed_on(overload), 2)
-                               : call_of_kernel(*overload.callable);
+                               : call_of_kernel(overload);
   return declaration(head, parameter_list(overload), " noexcept {") + body + "}\n";
 }
 
@@ -168,8 +170,8 @@ std::string print_robot(const Api& api, const std::string& path) {
 
 std::string print_umbrella(const Api& api, const std::string& path) {
   std::vector<std::string> headers = group_headers(*api.library);
-  for (const std::string stem : {"model", "robot", "types"})
-    headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
+  for (const std::string& stem : stems(api.library->has_robot()))
+    if (stem != "reflection") headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
   return paragraphs(
       {banner(*api.library, path, "everything but the tables of " + header_path(api.library->name, "reflection")),
        "#pragma once\n", includes(headers)});

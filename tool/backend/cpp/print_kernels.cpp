@@ -45,20 +45,38 @@ std::string body(const Kernel& kernel) {
   return result + "}\n";
 }
 
-std::string print_kernel(const Callable& callable) {
+// `0:HAA, 1:HFE`
+std::string numbered(const std::vector<std::string>& names) {
+  std::string result;
+  for (std::size_t i = 0; i < names.size(); ++i) result += (i ? ", " : "") + std::to_string(i) + ":" + names[i];
+  return result.empty() ? "none" : result;
+}
+
+// The elements of a kernel's arrays, where they differ from function to function.
+std::string arrays(const Library& library, const symbolic::Program& program) {
+  if (library.has_robot()) return "";
+  std::string result;
+  for (const symbolic::InputArray& input : program.inputs)
+    result += comment(input.name + ": " + numbered(input.elements) + ".");
+  return result;
+}
+
+std::string print_kernel(const Library& library, const Callable& callable) {
   std::string result;
   for (const std::string& line : callable.function->summary) result += comment(line);
   result += comment(counts(callable.function->program));
+  result += arrays(library, callable.function->program);
   const Kernel kernel = lower(callable.function->program, callable.kernel);
   return result + signature(kernel) + body(kernel);
 }
 
-// `0:HAA, 1:HFE`
-std::string numbered_joints(const Library& library) {
-  std::string result;
-  for (std::size_t i = 0; i < library.joints.size(); ++i)
-    result += (i ? ", " : "") + std::to_string(i) + ":" + library.joints[i].name;
-  return result.empty() ? "none" : result;
+// What holds for all kernels.
+std::string conventions(const Library& library) {
+  const std::string overlap = "Outputs must not overlap inputs.";
+  if (!library.has_robot()) return overlap;
+  std::vector<std::string> joints;
+  for (const JointData& joint : library.joints) joints.push_back(joint.name);
+  return overlap + " Joints: " + numbered(joints) + ".";
 }
 
 std::string explicit_instantiations(const Callable& callable) {
@@ -84,10 +102,9 @@ std::string kernel_declaration(const Callable& callable) {
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> kernels;
   for (const Callable& c : api.callables)
-    if (c.function->group == group) kernels.push_back(print_kernel(c));
+    if (c.function->group == group) kernels.push_back(print_kernel(*api.library, c));
   return paragraphs(
-      {banner(*api.library, path, "kernels for any scalar type, without Eigen") +
-           comment("Outputs must not overlap inputs. Joints: " + numbered_joints(*api.library) + "."),
+      {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
        "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos.h\"", "\"robcogen/version.h\""}),
        runtime_check(api), in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }

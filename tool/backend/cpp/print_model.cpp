@@ -58,6 +58,7 @@ double total_mass(const Library& library) {
 
 std::string sizes(const Library& library) {
   const auto count = [](std::size_t n) { return std::to_string(n); };
+  if (!library.has_robot()) return constant("int kFrameCount", count(library.frames.size()));
   return constant("int kDof", count(library.joints.size())) + constant("int kLinkCount", count(library.links.size())) +
          constant("int kFrameCount", count(library.frames.size())) +
          constant("bool kFloatingBase", library.floating_base ? "true" : "false") +
@@ -75,7 +76,17 @@ std::string limits(const JointLimits& l) {
          (none ? "{}" : braced({limit(l.lower), limit(l.upper), limit(l.velocity), limit(l.effort)}));
 }
 
+std::string enumerations(const Api& api) {
+  const std::string frames = enumeration("Frame", api.frames), index_of_frame = index_function("Frame", "frame");
+  if (!api.library->has_robot()) return paragraphs({frames, index_of_frame});
+  return paragraphs(
+      {"// In the order of joint vectors.\n" + enumeration("Joint", api.joints),
+       "// The base first.\n" + enumeration("Link", api.links), frames, index_function("Joint", "joint"),
+       index_function("Link", "link"), index_of_frame});
+}
+
 std::string joint_tables(const Api& api) {
+  if (!api.library->has_robot()) return "";
   std::vector<std::string> types, parents, children, all_limits;
   for (const JointData& joint : api.library->joints) {
     all_limits.push_back(limits(joint.limits));
@@ -93,6 +104,7 @@ std::string joint_tables(const Api& api) {
 }
 
 std::string link_tables(const Api& api) {
+  if (!api.library->has_robot()) return "";
   std::vector<std::string> parents;
   for (const LinkData& link : api.library->links)
     parents.push_back(link.parent_joint < 0 ? "-1" : "index(Joint::" + api.joints[at(link.parent_joint)] + ")");
@@ -103,11 +115,29 @@ std::string link_tables(const Api& api) {
 }
 
 std::string frame_tables(const Api& api) {
+  if (!api.library->has_robot()) return names("kFrameCount", "kFrameNames", api.library->frames);
   std::vector<std::string> links;
   for (const FrameData& frame : api.library->frames) links.push_back("Link::" + api.links[at(frame.link)]);
   return paragraphs(
       {names("kFrameCount", "kFrameNames", api.library->frames),
        "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
+}
+
+std::string matrix_alias(const std::string& scalar) {
+  return "template <int kRows, int kColumns>\nusing Matrix = Eigen::Matrix<" + scalar + ", kRows, kColumns>;\n";
+}
+
+std::string parameters_struct(const Api& api, const std::string& scalar) {
+  if (api.parameters.empty()) return "";
+  std::string members;
+  for (std::size_t i = 0; i < api.parameters.size(); ++i) {
+    const double value = api.library->parameters[i].default_value;
+    const std::string none = "std::numeric_limits<Scalar>::quiet_NaN()";
+    members += "  Scalar " + api.parameters[i] + " = " +
+               (std::isnan(value) ? none : "Scalar(" + print_double(value) + ")") + ";\n";
+  }
+  return comment("Values of the model's parameters, m or rad. What has no default is not a number until it is given.") +
+         "struct Parameters {\n  using Scalar = " + scalar + ";\n\n" + members + "};\n";
 }
 
 // One set of aliases; the text is the same for both scalars.
@@ -122,8 +152,12 @@ std::string aliases(const Library& library, const std::string& scalar) {
   if (library.floating_base)
     for (const std::string type : {"InverseDynamics", "GeneralizedForce", "GeneralizedAcceleration"})
       result += "using " + type + " = robcogen::" + type + "<" + scalar + ", kDof>;\n";
-  return result + "\ntemplate <int kRows, int kColumns>\nusing Matrix = Eigen::Matrix<" + scalar +
-         ", kRows, kColumns>;\n";
+  return result + "\n" + matrix_alias(scalar);
+}
+
+// What functions of transforms take and return.
+std::string transform_types(const Api& api, const std::string& scalar) {
+  return paragraphs({"using Scalar = " + scalar + ";\n", matrix_alias(scalar), parameters_struct(api, scalar)});
 }
 
 }  // namespace
@@ -134,18 +168,25 @@ std::string print_model(const Api& api, const std::string& path) {
       {constant("const char* kName", quoted(library.robot)) +
            constant("const char* kModelHash", quoted(library.model_hash)) +
            constant("const char* kGeneratorVersion", quoted(library.generator_version)),
-       sizes(library), "// In the order of joint vectors.\n" + enumeration("Joint", api.joints),
-       "// The base first.\n" + enumeration("Link", api.links), enumeration("Frame", api.frames),
-       index_function("Joint", "joint"), index_function("Link", "link"), index_function("Frame", "frame"),
-       joint_tables(api), link_tables(api), frame_tables(api)});
+       sizes(library), enumerations(api), joint_tables(api), link_tables(api), frame_tables(api)});
+  std::vector<std::string> runtime = {"\"robcogen/version.h\""};
+  if (library.has_robot()) runtime.insert(runtime.end(), {"\"robcogen/joint_limits.h\"", "\"robcogen/joint_type.h\""});
   return paragraphs(
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n", includes({"<array>"}),
-       includes({"\"robcogen/joint_limits.h\"", "\"robcogen/joint_type.h\"", "\"robcogen/version.h\""}),
-       runtime_check(api), in_namespace(api.space, body)});
+       includes(runtime), runtime_check(api), in_namespace(api.space, body)});
 }
 
 std::string print_types(const Api& api, const std::string& path) {
   const Library& library = *api.library;
+  if (!library.has_robot()) {
+    const std::string types = paragraphs(
+        {transform_types(api, "double"),
+         "// The same in single precision.\n" + in_namespace("f32", transform_types(api, "float"))});
+    return paragraphs(
+        {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
+         library.parameters.empty() ? "" : includes({"<limits>"}),
+         includes({"\"" + header_path(library.name, "model") + "\""}), in_namespace(api.space, types)});
+  }
   std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\"", "\"robcogen/spatial.h\""};
   if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
   const std::string body = paragraphs(

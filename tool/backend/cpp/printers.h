@@ -7,6 +7,9 @@
 
 namespace robcogen::backend::cpp {
 
+// The stems of the headers beside those of groups.
+std::vector<std::string> stems(bool has_robot);
+
 // Path of a header of this robot, as its files include it: `hyl/types.h`. Where the name is that of the umbrella header
 // (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
 std::string header_path(const std::string& name, const std::string& stem);
@@ -31,6 +34,8 @@ std::string print_instantiations(const Api& api, const std::string& group, const
 std::string print_interface(const Api& api, const std::string& group, const std::string& path);
 std::string print_robot(const Api& api, const std::string& path);
 std::string print_reflection(const Api& api, const std::string& path);
+// In the place of print_reflection, where there is no robot.
+std::string print_factors(const Api& api, const std::string& path);
 std::string print_umbrella(const Api& api, const std::string& path);
 
 }  // namespace robcogen::backend::cpp

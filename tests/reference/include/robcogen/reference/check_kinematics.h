@@ -3,49 +3,16 @@
 #pragma once
 
 #include "robcogen/reference/check_dynamics.h"
+#include "robcogen/reference/composition.h"
 
 namespace robcogen::reference {
 
-inline constexpr Tolerance kTransform{
-    "kTransform", 1e-13, "rounding of a product of rotations, relative to the lengths"};
 inline constexpr Tolerance kJacobian{"kJacobian", 1e-13, "rounding of a product of rotations, twice"};
-
-// Relative to the lengths in the matrix, and to one, which its rotation has.
-template <class Scalar>
-Real transform_error(const Matrix<double>& actual, const Matrix<Scalar>& expected) {
-  const Matrix<Real> wanted = expected.template cast<Real>();
-  return largest(actual.cast<Real>() - wanted) / std::max(Real(1), largest(wanted));
-}
-
-// left_X_middle * middle_X_right = left_X_right wherever all three are in the table, and inverse pairs.
-inline void check_composition(const Case& c, const std::vector<TransformForms>& all, Checks& checks) {
-  const TransformForms unit{Matrix<double>::identity(4), Matrix<double>::identity(6), Matrix<double>::identity(6)};
-  const auto& table = c.robot.transforms;
-  for (int a = 0; a < table.size; ++a) {
-    for (int b = 0; b < table.size; ++b) {
-      if (table[a].right != table[b].left) continue;
-      const TransformForms& A = all[static_cast<std::size_t>(a)];
-      const TransformForms& B = all[static_cast<std::size_t>(b)];
-      const auto compare = [&](const char* name, const TransformForms& expected) {
-        const TransformForms product = A * B;
-        const Real lengths = std::max(1.0, largest(A.motion) * largest(B.motion));
-        const Real error = worst_of(
-            {transform_error(product.homogeneous, expected.homogeneous),
-             transform_error(product.motion, expected.motion), transform_error(product.force, expected.force)});
-        checks.record(name, kTransform, error / lengths, c.index);
-      };
-      if (table[a].left == table[b].right) compare("P5: inverse pairs", unit);
-      for (int k = 0; k < table.size; ++k) {
-        if (table[k].left == table[a].left && table[k].right == table[b].right)
-          compare("P5: composition", all[static_cast<std::size_t>(k)]);
-      }
-    }
-  }
-}
 
 template <class Subject>
 void check_transforms(const Subject& subject, const Case& c, Checks& checks) {
   std::vector<TransformForms> all;
+  std::vector<FramePair> pairs;
   for (int i = 0; i < c.robot.transforms.size; ++i) {
     const reflection::Transform& t = c.robot.transforms[i];
     const TransformForms& X = all.emplace_back(subject.transform(i, c.sample.motion.q));
@@ -54,13 +21,10 @@ void check_transforms(const Subject& subject, const Case& c, Checks& checks) {
     record("transforms::homogeneous", transform_error(X.homogeneous, expected));
     record("transforms::motion", transform_error(X.motion, motion_form(expected)));
     record("transforms::force", transform_error(X.force, force_form(expected)));
-    record("P5: motion form of the homogeneous one", transform_error(X.motion, motion_form(X.homogeneous)));
-    const Real lengths = std::max(1.0, largest(X.motion) * largest(X.force));
-    record(
-        "P5: force = inverse transpose of motion",
-        transform_error(transpose(X.force) * X.motion, Matrix<double>::identity(6)) / lengths);
+    check_duality(X, c.index, checks);
+    pairs.push_back({t.left, t.right});
   }
-  check_composition(c, all, checks);
+  check_composition(pairs, all, c.index, checks);
 }
 
 // Twist of `right` with respect to `left` at the velocity qd, in coordinates of `left`: the pose's rate by a complex

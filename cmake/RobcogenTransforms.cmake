@@ -1,0 +1,94 @@
+# robcogen_add_transforms: a document of rigid motions or of coordinate transforms, with no robot, becomes a static
+# library.
+#
+#     robcogen_add_transforms(
+#       TARGET euler                # the library; alias ${PROJECT_NAME}::euler
+#       MOTIONS euler.motdsl        # relative poses of frames: each motion gives a transform and its inverse; or
+#       TRANSFORMS euler.ctdsl      # coordinate transforms as products of primitive ones
+#       [DESIRED euler.dtdsl]       # the transforms to generate, between any frames that the document connects
+#       [NAME ident] [NAMESPACE a::b] [LANGUAGES cpp …] [IMPORT_DIRS dir…] [DEPENDS file|target…]
+#       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
+#       [EXPORT_FILES variable] [OPTIONS flag…])
+#
+# The keywords mean what they mean in robcogen_add_robot. Makes, for TARGET euler in C++:
+#     euler            the static library; #include <euler/euler.h>
+#     euler_codegen    the generated files only
+#     euler_selfcheck  compares every transform with its product of primitives, multiplied out in long double; ctest
+#                      euler.selfcheck, label `transforms` (where BUILD_TESTING is on)
+include_guard(GLOBAL)
+
+function(robcogen_add_transforms)
+  set(flags NO_TESTS EXCLUDE_FROM_ALL)
+  set(values TARGET MOTIONS TRANSFORMS DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
+  set(lists LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
+  cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
+
+  set(library_CALL robcogen_add_transforms)
+  _robcogen_check_keywords(${values} ${lists} ${flags})
+  _robcogen_choose_document()
+  _robcogen_complete_arguments()
+  _robcogen_check_elements(LANGUAGES cpp matlab maxima)
+  _robcogen_check_documents(${document_keyword})
+  _robcogen_check_names()
+  _robcogen_require_tool()
+
+  if(NOT "cpp" IN_LIST library_LANGUAGES)
+    _robcogen_add_text()
+    return()
+  endif()
+  _robcogen_generated_transforms(${library_NAME} headers sources)
+  list(TRANSFORM headers PREPEND ${library_OUTPUT_DIR}/)
+  list(TRANSFORM sources PREPEND ${library_OUTPUT_DIR}/)
+  _robcogen_add_codegen(${library_TARGET}_codegen)
+  _robcogen_add_library(${library_TARGET})
+  if(BUILD_TESTING AND NOT library_NO_TESTS)
+    _robcogen_add_transforms_selfcheck(${library_TARGET}_selfcheck)
+  endif()
+  if(library_EXPORT_FILES)
+    set(${library_EXPORT_FILES} ${headers} ${sources} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Sets library_MODEL to the document that MOTIONS or TRANSFORMS names, and document_keyword to that keyword.
+function(_robcogen_choose_document)
+  if(library_MOTIONS AND library_TRANSFORMS)
+    _robcogen_refuse("MOTIONS and TRANSFORMS exclude each other")
+  elseif(library_MOTIONS)
+    set(keyword MOTIONS)
+    set(wanted .motdsl)
+  elseif(library_TRANSFORMS)
+    set(keyword TRANSFORMS)
+    set(wanted .ctdsl)
+  else()
+    _robcogen_refuse("MOTIONS or TRANSFORMS is missing")
+  endif()
+  cmake_path(GET library_${keyword} EXTENSION LAST_ONLY extension)
+  if(NOT extension STREQUAL wanted)
+    _robcogen_refuse("${keyword} must be a ${wanted} document, not '${extension}': ${library_${keyword}}")
+  endif()
+  set(library_MODEL "${library_${keyword}}" PARENT_SCOPE)
+  set(document_keyword ${keyword} PARENT_SCOPE)
+endfunction()
+
+# Sets `headers` and `sources` to the files of a library, relative to its include root.
+function(_robcogen_generated_transforms name headers sources)
+  set(header_list ${name}/${name}.h ${name}/kernel/transforms.h)
+  foreach(stem model types reflection transforms)
+    _robcogen_header(${name} ${stem} header)
+    list(APPEND header_list ${header})
+  endforeach()
+  set(${headers} ${header_list} PARENT_SCOPE)
+  set(${sources} ${name}/transforms.cpp PARENT_SCOPE)
+endfunction()
+
+function(_robcogen_add_transforms_selfcheck target)
+  _robcogen_exclusion(exclusion)
+  add_executable(${target} ${exclusion})
+  target_link_libraries(${target} PRIVATE ${library_TARGET} robcogen::transforms_selfcheck_harness)
+  string(JOIN "::" qualified ${library_NAMESPACE} ${library_NAME})
+  _robcogen_header(${library_NAME} reflection reflection_header)
+  target_compile_definitions(
+    ${target} PRIVATE ROBCOGEN_REFLECTION_HEADER=<${reflection_header}> ROBCOGEN_TRANSFORMS_NAMESPACE=${qualified})
+  set_target_properties(${target} PROPERTIES FOLDER transforms)
+  _robcogen_run_selfcheck(${target} transforms)
+endfunction()

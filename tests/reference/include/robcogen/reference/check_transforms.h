@@ -1,0 +1,172 @@
+// Checks of coordinate transforms with no robot: each against its product of primitives, multiplied out as matrices in
+// long double, and against identities between them.
+#pragma once
+
+#include "robcogen/reference/checks.h"
+#include "robcogen/reference/composition.h"
+#include "robcogen/reference/samples.h"
+#include "robcogen/transform_tables.h"
+
+namespace robcogen::reference {
+
+// What a model's parameters and variables are in one sample.
+struct Values {
+  std::vector<double> parameters;
+  std::vector<double> variables;
+};
+
+// Variables anywhere within a turn or so; parameters positive, as lengths are.
+inline Values random_values(std::mt19937_64& engine, const reflection::Transforms& model) {
+  constexpr double kAngle = 3.2, kHalf = 0.75;
+  Values values;
+  for (int i = 0; i < model.parameter_count; ++i) values.parameters.push_back(1 + uniform(engine, kHalf));
+  for (int i = 0; i < model.variable_count; ++i) values.variables.push_back(uniform(engine, kAngle));
+  return values;
+}
+
+// An amount, and the largest magnitude on the way to it: what its rounding errors are measured by.
+struct Amount {
+  Real value = 0;
+  Real size = 0;
+};
+
+inline Amount amount(const reflection::Table<reflection::AmountStep>& steps, const Values& values) {
+  using reflection::AmountStep;
+  std::vector<Real> stack;
+  Amount result;
+  const auto pop = [&] {
+    const Real top = stack.back();
+    stack.pop_back();
+    return top;
+  };
+  const auto push = [&](Real value) {
+    stack.push_back(value);
+    result.size = worst_of({result.size, std::abs(value)});
+  };
+  const auto with_operands = [&](const auto& f) {
+    const Real b = pop(), a = pop();
+    push(f(a, b));
+  };
+  for (const AmountStep& step : steps) {
+    const auto index = static_cast<std::size_t>(step.index);
+    switch (step.kind) {
+      case AmountStep::constant:
+        push(step.value);
+        break;
+      case AmountStep::parameter:
+        push(values.parameters[index]);
+        break;
+      case AmountStep::variable:
+        push(values.variables[index]);
+        break;
+      case AmountStep::negate:
+        push(-pop());
+        break;
+      case AmountStep::add:
+        with_operands([](Real a, Real b) { return a + b; });
+        break;
+      case AmountStep::subtract:
+        with_operands([](Real a, Real b) { return a - b; });
+        break;
+      case AmountStep::multiply:
+        with_operands([](Real a, Real b) { return a * b; });
+        break;
+      case AmountStep::divide:
+        with_operands([](Real a, Real b) { return a / b; });
+        break;
+      case AmountStep::sine:
+        push(std::sin(pop()));
+        break;
+      case AmountStep::cosine:
+        push(std::cos(pop()));
+        break;
+      case AmountStep::tangent:
+        push(std::tan(pop()));
+        break;
+      case AmountStep::square_root:
+        push(std::sqrt(pop()));
+        break;
+    }
+  }
+  result.value = stack.back();
+  return result;
+}
+
+// The 4 x 4 matrix of one primitive.
+inline Matrix<Real> primitive(const reflection::Factor& factor, Real value) {
+  Matrix<Real> m = Matrix<Real>::identity(4);
+  if (!factor.rotation) {
+    m(factor.axis, 3) = value;
+    return m;
+  }
+  const int i = (factor.axis + 1) % 3, j = (factor.axis + 2) % 3;
+  m(i, i) = m(j, j) = std::cos(value);
+  m(j, i) = std::sin(value);
+  m(i, j) = -std::sin(value);
+  return m;
+}
+
+// A transform multiplied out. `size` grows with what rounding errors grow with: amounts, and lengths of the parts.
+struct Expected {
+  Matrix<Real> pose = Matrix<Real>::identity(4);
+  Real size = 1;
+};
+
+inline Expected multiplied_out(const reflection::ProductOfFactors& transform, const Values& values) {
+  Expected expected;
+  for (const reflection::Factor& factor : transform.factors) {
+    const Amount a = amount(factor.amount, values);
+    expected.pose = expected.pose * primitive(factor, a.value);
+    expected.size = worst_of({expected.size, a.size, largest(expected.pose)});
+  }
+  return expected;
+}
+
+template <int n>
+Matrix<double> copy_of(const Eigen::Matrix<double, n, n>& m) {
+  Matrix<double> result(n, n);
+  std::copy(m.data(), m.data() + n * n, result.data());
+  return result;
+}
+
+// The errors of all transforms for these values. Amounts that are no numbers for them, a root of a negative length, say
+// nothing: `checked` marks the transforms that were compared.
+inline void check_transforms(
+    const reflection::Transforms& model,
+    const Values& values,
+    int sample,
+    std::vector<bool>& checked,
+    Checks& checks) {
+  std::vector<TransformForms> all;
+  std::vector<FramePair> pairs;
+  for (int i = 0; i < model.transforms.size; ++i) {
+    const reflection::ProductOfFactors& t = model.transforms[i];
+    const Expected expected = multiplied_out(t, values);
+    if (!std::isfinite(expected.size)) continue;
+    checked[static_cast<std::size_t>(i)] = true;
+    const double *p = values.parameters.data(), *v = values.variables.data();
+    pairs.push_back({t.left, t.right});
+    const TransformForms& X =
+        all.emplace_back(TransformForms{copy_of(t.homogeneous(p, v)), copy_of(t.motion(p, v)), copy_of(t.force(p, v))});
+    const auto record = [&](const char* name, Real error) {
+      checks.record(name, kTransform, error / (expected.size * expected.size), sample);
+    };
+    record("transforms::homogeneous", transform_error(X.homogeneous, expected.pose));
+    record("transforms::motion", transform_error(X.motion, motion_form(expected.pose)));
+    record("transforms::force", transform_error(X.force, force_form(expected.pose)));
+    check_duality(X, sample, checks);
+  }
+  check_composition(pairs, all, sample, checks);
+}
+
+inline Checks check_transforms(const reflection::Transforms& model, std::uint64_t seed, int samples) {
+  Checks checks;
+  std::mt19937_64 engine(seed);
+  std::vector<bool> checked(static_cast<std::size_t>(model.transforms.size), false);
+  for (int i = 0; i < samples; ++i) check_transforms(model, random_values(engine, model), i, checked, checks);
+  const bool all = std::find(checked.begin(), checked.end(), false) == checked.end();
+  checks.record("every transform has values to compare", kTransform, all ? 0 : 1, samples - 1);
+  return checks;
+}
+
+}  // namespace robcogen::reference

@@ -1,0 +1,145 @@
+// <name>/reflection.h of a library with no robot: its transforms as products of primitives, for the self-check.
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+#include "support/number.h"
+#include "symbolic/count.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::Role;
+
+std::string name_of(AmountStep::Kind kind) {
+  switch (kind) {
+    case AmountStep::Kind::constant:
+      return "constant";
+    case AmountStep::Kind::parameter:
+      return "parameter";
+    case AmountStep::Kind::variable:
+      return "variable";
+    case AmountStep::Kind::negate:
+      return "negate";
+    case AmountStep::Kind::add:
+      return "add";
+    case AmountStep::Kind::subtract:
+      return "subtract";
+    case AmountStep::Kind::multiply:
+      return "multiply";
+    case AmountStep::Kind::divide:
+      return "divide";
+    case AmountStep::Kind::sine:
+      return "sine";
+    case AmountStep::Kind::cosine:
+      return "cosine";
+    case AmountStep::Kind::tangent:
+      return "tangent";
+    case AmountStep::Kind::square_root:
+      break;
+  }
+  return "square_root";
+}
+
+// A run of a table that others refer to.
+std::string span(const std::string& table, std::size_t first, std::size_t size) {
+  if (size == 0) return "{nullptr, 0}";
+  return braced({table + (first ? " + " + std::to_string(first) : ""), std::to_string(size)});
+}
+
+// A function of the interface with arrays of all parameters and all variables for arguments.
+std::string caller(const Api& api, const Callable& callable) {
+  std::string name = "call_" + callable.kernel;
+  std::vector<std::string> arguments;
+  bool parameters = false, variables = false;
+  for (const symbolic::InputArray& input : callable.function->program.inputs) {
+    if (input.role == Role::parameters) {
+      std::vector<std::string> values;
+      for (std::size_t i = 0; i < api.parameters.size(); ++i) values.push_back("parameters[" + std::to_string(i) + "]");
+      arguments.push_back("Parameters" + braced(values));
+      parameters = true;
+    } else {
+      for (const std::string& label : input.elements)
+        for (std::size_t i = 0; i < api.library->variables.size(); ++i)
+          if (api.library->variables[i] == label) arguments.push_back("variables[" + std::to_string(i) + "]");
+      variables = true;
+    }
+  }
+  return declaration(
+             "inline " + result_type(callable.function->program) + " " + name,
+             {std::string("const double* ") + (parameters ? "parameters" : "/*parameters*/"),
+              std::string("const double* ") + (variables ? "variables" : "/*variables*/")},
+             " noexcept {") +
+         call("return " + callable.function->scope + "::" + callable.name, arguments, 2) + "}\n";
+}
+
+// Tables of steps, factors and transforms; a row of one refers to a run of the one before.
+class Tables {
+ public:
+  explicit Tables(const Api& api) : api_(api) {
+    for (const Callable& c : api.callables) {
+      callers_.push_back(caller(api, c));
+      if (c.function->program.outputs.front().role == Role::homogeneous) add(c);
+    }
+  }
+
+  std::string text() const {
+    const Library& library = *api_.library;
+    const std::string space = "robcogen::reflection::";
+    std::vector<std::string> parts = callers_;
+    const auto add = [&](const std::string& type, const std::string& name,
+                         const std::vector<std::vector<Field>>& rows) {
+      if (!rows.empty()) parts.push_back(table("inline constexpr " + space + type + " " + name + "[]", rows));
+    };
+    add("AmountStep", "kSteps", steps_);
+    add("Factor", "kFactors", factors_);
+    add("ProductOfFactors", "kTransforms", transforms_);
+    parts.push_back(remarked_list(
+        "inline constexpr " + space + "Transforms model",
+        {quoted(library.robot), std::to_string(library.parameters.size()), std::to_string(library.variables.size()),
+         std::to_string(library.frames.size()), span("kTransforms", 0, transforms_.size())},
+        {"name", "parameters", "variables", "frames", "transforms"}));
+    return paragraphs(parts);
+  }
+
+ private:
+  void add(const Callable& homogeneous) {
+    const std::size_t first = factors_.size();
+    for (const FactorData& factor : homogeneous.function->factors) {
+      const std::size_t first_step = steps_.size();
+      for (const AmountStep& s : factor.amount)
+        steps_.push_back({"robcogen::reflection::AmountStep::" + name_of(s.kind), print_double(s.value), s.index});
+      factors_.push_back(
+          {factor.primitive.rotation ? "true" : "false", factor.primitive.axis,
+           span("kSteps", first_step, factor.amount.size())});
+    }
+    std::vector<Field> row = {
+        quoted(homogeneous.function->name), homogeneous.function->left_frame, homogeneous.function->right_frame,
+        span("kFactors", first, factors_.size() - first)};
+    for (const Role form : {Role::homogeneous, Role::spatial_motion, Role::spatial_force})
+      row.emplace_back("&" + caller_of(homogeneous, form));
+    transforms_.push_back(std::move(row));
+  }
+
+  // The function of the same name in another form.
+  std::string caller_of(const Callable& homogeneous, Role form) const {
+    for (const Callable& c : api_.callables)
+      if (c.function->name == homogeneous.function->name && c.function->program.outputs.front().role == form)
+        return "call_" + c.kernel;
+    return "";
+  }
+
+  const Api& api_;
+  std::vector<std::string> callers_;
+  std::vector<std::vector<Field>> steps_, factors_, transforms_;
+};
+
+}  // namespace
+
+std::string print_factors(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  return paragraphs(
+      {banner(library, path, "its transforms as tables"), "#pragma once\n",
+       includes({"\"" + header_path(library.name, "transforms") + "\"", "\"robcogen/transform_tables.h\""}),
+       in_namespace(api.space + "::reflection", Tables(api).text())});
+}
+
+}  // namespace robcogen::backend::cpp

@@ -1,0 +1,39 @@
+// Coordinate transforms with no robot: from documents of motions or of transforms to libraries.
+#pragma once
+
+#include "algorithm/transform_programs.h"
+#include "command/pipeline.h"
+
+namespace robcogen::command {
+
+// Transforms as loaded from their documents: those that a list asks for, or all that the document names.
+struct Transforms {
+  model::CoordinateTransforms document;
+  std::string canonical;                    // all that the model says, in one form whatever its layout was
+  std::filesystem::path model;              // as given
+  std::vector<std::filesystem::path> read;  // every file that was read
+};
+
+bool is_motions(const std::filesystem::path& model);
+// Documents of motions too: transforms are made of them.
+bool is_transforms(const std::filesystem::path& model);
+
+// Without a list: of motions each and its inverse, of transforms all. nullopt when an error was reported.
+std::optional<Transforms> load_transforms(
+    const std::filesystem::path& model,
+    const Reading& reading,
+    Diagnostics& diagnostics);
+
+// All functions, by these steps.
+std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const std::vector<std::string>& steps);
+
+// The only group of functions that such a library has.
+inline constexpr const char* kTransformsGroup = "transforms";
+
+// What the back ends print.
+backend::Library library(
+    const Transforms& transforms,
+    const LibraryNames& names,
+    const std::vector<std::string>& steps);
+
+}  // namespace robcogen::command
