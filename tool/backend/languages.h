@@ -9,10 +9,10 @@
 namespace robcogen::backend {
 
 struct Language {
-  std::string name;                 // as on the command line
-  std::vector<std::string> groups;  // which it offers; empty: all
-  bool takes_parameters = false;    // prints robots whose parameters have no values
-  bool takes_transforms = false;    // prints libraries with no robot: inputs of role `variables`
+  std::string name;                      // as on the command line
+  std::vector<std::string> groups = {};  // which it offers; empty: all
+  bool takes_parameters = false;         // prints robots whose parameters have no values
+  bool takes_transforms = false;         // prints libraries with no robot: inputs of role `variables`
   std::vector<OutputFile> (*print)(const Library& library) = nullptr;
 };
 
