@@ -1,0 +1,54 @@
+#include "functions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace robcogen::octave {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Role;
+
+// `a::b` to `a.b.`
+std::string dotted(const std::string& scope) {
+  std::string text = scope;
+  for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::")) text.replace(at, 2, ".");
+  return text.empty() ? "" : text + ".";
+}
+
+Argument argument(const backend::Library& library, const InputArray& array) {
+  Argument result{array.name, static_cast<int>(array.elements.size())};
+  if (array.role == Role::link_wrenches) {
+    result.rows = 6;
+    result.columns = static_cast<int>(library.links.size());
+  }
+  if (array.role == Role::parameters) {
+    for (const backend::ParameterData& p : library.parameters) {
+      result.fields.push_back(p.name);
+      result.around.push_back(std::isnan(p.default_value) ? 1.0 : p.default_value);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Call shape(const backend::Library& library, const backend::Function& function) {
+  Call call;
+  call.function = dotted(library.enclosing) + library.name + "." + dotted(function.scope) + function.name;
+  for (const InputArray& array : function.program.inputs) call.arguments.push_back(argument(library, array));
+  for (const OutputArray& array : function.program.outputs)
+    call.results.push_back({array.name, array.rows, array.columns});
+  return call;
+}
+
+bool may_omit_gravity(const backend::Library& library, const backend::Function& function) {
+  const std::vector<InputArray>& inputs = function.program.inputs;
+  if (inputs.empty() || inputs.back().role != Role::gravity) return false;
+  return std::none_of(library.functions.begin(), library.functions.end(), [&](const backend::Function& other) {
+    return other.scope == function.scope && other.name == function.name && other.program.inputs.size() < inputs.size();
+  });
+}
+
+}  // namespace robcogen::octave

@@ -1,0 +1,69 @@
+// write_calls MODEL DESIRED NAME FILE: the text of a header with a row for each function of the robot's compiled
+// library.
+//
+// The functions are those that the generator knows; a new algorithm is among them by itself. Kernels are declared and
+// not defined, so that what runs is the library's own object code.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "backend/cpp/api.h"
+#include "backend/cpp/printers.h"
+#include "command/pipeline.h"
+#include "functions.h"
+#include "pass/passes.h"
+
+namespace robcogen::octave {
+namespace {
+
+std::string braced(const std::vector<std::string>& items) {
+  return fmt::format("{{{}}}", fmt::join(items, ", "));
+}
+
+std::string row(const backend::cpp::Api& api, const backend::cpp::Callable& callable, bool omits_gravity) {
+  const Call call = shape(*api.library, *callable.function);
+  std::vector<std::string> arguments, results, pointers;
+  for (const Argument& a : call.arguments) {
+    pointers.push_back(fmt::format("in[{}]", arguments.size()));
+    arguments.push_back(fmt::format("{{\"{}\", {}, {}}}", a.name, a.rows, a.columns));
+  }
+  for (const Result& r : call.results) {
+    pointers.push_back(fmt::format("out[{}]", results.size()));
+    results.push_back(fmt::format("{{\"{}\", {}, {}}}", r.name, r.rows, r.columns));
+  }
+  return fmt::format(
+      "    {{\"{}\", {}, {},\n     [](const double* const* in, double* const* out) {{ "
+      "{}::kernel::{}<double>({}); }}, {}}},\n",
+      call.function, braced(arguments), braced(results), api.space, callable.kernel, fmt::join(pointers, ", "),
+      omits_gravity);
+}
+
+std::string header(const backend::Library& library) {
+  const backend::cpp::Api api = backend::cpp::api(library);
+  std::string text = "#pragma once\n#include \"calls.h\"\n\nnamespace " + api.space + "::kernel {\n";
+  for (const backend::cpp::Callable& callable : api.callables) text += backend::cpp::kernel_declaration(callable);
+  text += "}\n\ninline const std::vector<robcogen::octave::Call> kCalls = {\n";
+  for (const backend::cpp::Callable& callable : api.callables) {
+    text += row(api, callable, false);
+    if (may_omit_gravity(library, *callable.function)) text += row(api, callable, true);
+  }
+  return text + "};\n";
+}
+
+}  // namespace
+}  // namespace robcogen::octave
+
+int main(int argc, char** argv) {
+  using namespace robcogen;
+  const std::vector<std::string> arguments(argv, argv + argc);
+  if (arguments.size() != 5) return 2;
+  Diagnostics diagnostics;
+  const auto robot = command::load_robot(arguments[1], {arguments[2], false, {}}, diagnostics);
+  if (!robot) return 1;
+  const backend::Library library = command::library(*robot, {arguments[3], ""}, algorithm::groups(), pass::names());
+  std::ofstream file(arguments[4]);
+  file << octave::header(library);
+  file.close();
+  return file ? 0 : 1;
+}
