@@ -16,15 +16,14 @@ using symbolic::OutputArray;
 using symbolic::Role;
 
 constexpr std::size_t kColumns = 100;
+constexpr std::size_t kEnd = 4;  // of them for what ends a definition
 
-// Words of the syntax, and variables of the system that steer evaluation.
+// Words of the syntax and its values, and variables of the system that steer evaluation.
 constexpr auto kReserved = std::to_array<std::string_view>(
-    {"algebraic", "and",           "context", "demoivre", "display2d",  "do",    "domain",    "else",      "elseif",
-     "error",     "false",         "float",   "for",      "fpprec",     "from",  "functions", "gcd",       "if",
-     "in",        "ind",           "inf",     "infinity", "keepfloat",  "linel", "listarith", "logexpand", "minf",
-     "nounify",   "next",          "not",     "numer",    "or",         "pred",  "props",     "radexpand", "return",
-     "rules",     "scalarmatrixp", "simp",    "step",     "stringdisp", "then",  "thru",      "true",      "und",
-     "unless",    "values",        "while",   "zeroa",    "zerob"});
+    {"and", "do",       "else",      "elseif",    "false", "for",       "from",   "if",    "in",    "ind",
+     "inf", "infinity", "minf",      "next",      "not",   "or",        "step",   "then",  "thru",  "true",
+     "und", "unless",   "while",     "zeroa",     "zerob", "algebraic", "domain", "error", "float", "fpprec",
+     "gcd", "linel",    "listarith", "logexpand", "numer", "radexpand", "ratfac", "simp",  "values"});
 
 bool is_reserved(const std::string& name) {
   return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
@@ -41,6 +40,11 @@ Spelling literal(const Number& value) {
   return result;
 }
 
+// A variable of its own, which no other name can be. In a function `q[1]` would be that of a user's array `q`.
+std::string element(const std::string& array, std::size_t k) {
+  return array + "__" + std::to_string(k + 1);
+}
+
 const Dialect& dialect() {
   static const Dialect maxima = [] {
     Dialect d;
@@ -49,7 +53,7 @@ const Dialect& dialect() {
     d.pairs_angles = false;
     d.stores = false;
     d.literal = literal;
-    d.element = [](const std::string& array, std::size_t k) { return array + "[" + std::to_string(k + 1) + "]"; };
+    d.element = element;
     d.text = [](const Line& line) { return line.targets.front() + ": " + line.expression + ","; };
     return d;
   }();
@@ -64,9 +68,10 @@ std::string joined(const std::vector<std::string>& items) {
 
 // Lines of at most kColumns where blanks allow it, each after the margin.
 std::string wrapped(std::string text, const std::string& margin) {
+  const std::size_t columns = kColumns - kEnd - margin.size();
   std::string result;
-  while (text.size() + margin.size() > kColumns) {
-    std::size_t cut = text.rfind(' ', kColumns - margin.size());
+  while (text.size() > columns) {
+    std::size_t cut = text.rfind(' ', columns);
     if (cut == std::string::npos || cut == 0) cut = text.find(' ', 1);
     if (cut == std::string::npos) break;
     result += margin + text.substr(0, cut) + "\n";
@@ -129,19 +134,30 @@ std::string result(const OutputArray& output, const std::vector<std::string>& el
   return "  matrix(\n" + text + ")\n";
 }
 
-// `name(arguments) := block([locals], lines, value)$`
-std::string definition(const std::string& name, const Kernel& kernel, const std::string& value) {
+// `name(arguments) := block([locals], [elements]: argument, lines, value)$`
+std::string definition(
+    const std::string& name,
+    const symbolic::Program& program,
+    const Kernel& kernel,
+    const std::string& value) {
   std::vector<std::string> arguments, locals;
-  for (const Parameter& p : kernel.parameters)
-    if (!p.output) arguments.push_back(p.name);
   std::string lines;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    arguments.push_back(kernel.parameters[i].name);
+    if (!kernel.parameters[i].used) continue;
+    std::vector<std::string> elements;
+    for (std::size_t k = 0; k < program.inputs[i].elements.size(); ++k)
+      elements.push_back(element(arguments.back(), k));
+    locals.insert(locals.end(), elements.begin(), elements.end());
+    lines += wrapped("[" + joined(elements) + "]: " + arguments.back() + ",", "  ");
+  }
   for (const Line& line : kernel.lines) {
     const bool is_section = line.kind == Line::Kind::section;
     if (!is_section) locals.push_back(line.targets.front());
     lines += is_section ? comment({line.expression}, "  ") : "  " + dialect().text(line) + "\n";
   }
-  return name + "(" + joined(arguments) + ") := block(\n" + wrapped("[" + joined(locals) + "],", "  ") + lines + value +
-         ")$\n";
+  const std::string signature = wrapped(name + "(" + joined(arguments) + ") := block(", "");
+  return signature + wrapped("[" + joined(locals) + "],", "  ") + lines + value + ")$\n";
 }
 
 std::vector<std::string> documentation(const Library& library, const Function& f, const Kernel& kernel) {
@@ -165,15 +181,14 @@ std::string print_function(const Library& library, const Function& f, const std:
     value.pop_back();
   }
   if (f.program.outputs.size() != 1) value = "  [\n" + value + "]";
-  return "\n" + comment(documentation(library, f, kernel)) + definition(prefix + f.kernel, kernel, value);
+  return "\n" + comment(documentation(library, f, kernel)) + definition(prefix + f.kernel, f.program, kernel, value);
 }
 
-std::string print_product(const Library& library, const Function& f, const std::string& prefix) {
+std::string print_product(const Library& library, const Function& f, const std::string& name) {
   const Product product = product_of_primitives(f, " . ", dialect());
   std::string value = wrapped(product.text, "  ");
   value.pop_back();
-  return "\n" + comment({convention_of_primitives(library)}) +
-         definition(prefix + "product_" + f.name, product.kernel, value);
+  return "\n" + comment({convention_of_primitives(library)}) + definition(name, f.amounts, product.kernel, value);
 }
 
 // Those that have no default stay symbols.
@@ -192,23 +207,22 @@ std::string print_parameters(const Library& library, const std::string& prefix) 
 
 std::vector<OutputFile> print(const Library& library) {
   const std::string enclosing = library.enclosing.empty() ? "" : library.enclosing + "_";
-  const std::string prefix = identifier(enclosing + library.name, is_reserved) + "_";
-  std::vector<OutputFile> files;
-  for (const std::string& group : library.groups) {
-    OutputFile file = {prefix + group + ".mac", ""};
-    file.text = comment(
-        {"Robot " + library.robot + ": generated by robcogen from " + library.model_file + " (model " +
-             library.model_hash + "). Edit the model, not this file.",
-         "Arguments are lists, of numbers or symbols: [q1, q2]. Fractions and multiples of %pi are exact."});
-    if (!library.parameters.empty()) file.text += print_parameters(library, prefix);
-    for (const Function& f : library.functions)
-      if (f.group == group) file.text += print_function(library, f, prefix);
-    for (const Function& f : library.functions)
-      if (f.group == group && f.scope == "transforms::homogeneous" && library.primitives != PrimitiveConvention::none)
-        file.text += print_product(library, f, prefix);
-    files.push_back(std::move(file));
+  const std::string robot = identifier(enclosing + library.name, is_reserved), prefix = robot + "_";
+  std::string text = comment(
+      {"Robot " + library.robot + ": generated by robcogen from " + library.model_file + " (model " +
+           library.model_hash + "). Edit the model, not this file.",
+       "Arguments are lists, of numbers or symbols: [q1, q2]. Fractions and multiples of %pi are exact."});
+  if (!library.parameters.empty()) text += print_parameters(library, prefix);
+  NameScope scope(is_reserved);
+  for (const Function& f : library.functions) {
+    text += print_function(library, f, prefix);
+    scope.take(f.kernel);
   }
-  return files;
+  if (library.primitives != PrimitiveConvention::none)
+    for (const Function& f : library.functions)
+      if (f.scope == "transforms::homogeneous")
+        text += print_product(library, f, prefix + scope.claim("product_" + f.name));
+  return {{robot + ".mac", text}};
 }
 
 }  // namespace robcogen::backend::maxima

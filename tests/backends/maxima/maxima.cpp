@@ -1,0 +1,178 @@
+#include "maxima.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+#include "backend/maxima/maxima.h"
+#include "pass/passes.h"
+#include "robcogen/reference/samples.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::test {
+namespace {
+
+using symbolic::Arrays;
+using symbolic::Program;
+
+// Maxima prints 16 digits and computes with exact fractions where the interpreter rounds; inverting inertias (forward
+// dynamics) makes the most of that. Relative to the largest element of a result.
+constexpr double kRounding = 1e-12;
+constexpr std::uint64_t kSeed = 11;
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+Arrays<double> random_inputs(const Program& program, std::mt19937_64& engine) {
+  constexpr double kLimit = 2;
+  Arrays<double> inputs;
+  for (const symbolic::InputArray& array : program.inputs) {
+    for (std::size_t k = 0; k < array.elements.size(); ++k) {
+      const double value = reference::uniform(engine, kLimit);
+      inputs[array.name].push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
+    }
+  }
+  return inputs;
+}
+
+// `if__inverse_dynamics([0.1, 0.2], [0.3, 0.4])`
+std::string call(const std::string& name, const Program& program, const Arrays<double>& inputs) {
+  std::vector<std::string> arguments;
+  for (const symbolic::InputArray& array : program.inputs) {
+    std::vector<std::string> elements;
+    if (const auto given = inputs.find(array.name); given != inputs.end())
+      for (const double value : given->second) elements.push_back(print_double(value));
+    arguments.push_back(fmt::format("[{}]", fmt::join(elements, ", ")));
+  }
+  return fmt::format("{}({})", name, fmt::join(arguments, ", "));
+}
+
+// As `show` prints them: matrices by rows, results one after another.
+std::vector<double> flattened(const Program& program, const Arrays<double>& results) {
+  std::vector<double> values;
+  for (const symbolic::OutputArray& output : program.outputs) {
+    for (int r = 0; r < output.rows; ++r)
+      for (int c = 0; c < output.columns; ++c)
+        values.push_back(results.at(output.name)[static_cast<std::size_t>(r + c * output.rows)]);
+  }
+  return values;
+}
+
+const char* const kShow = R"(
+plain(x) := if matrixp(x) then flatten(args(x)) else if listp(x) then flatten(map(plain, x)) else x$
+show(name, x) := (print("=", name), for e in plain(x) do print("=", string(float(e))), print("= end"))$
+)";
+
+// What `show` printed of one call against the values that it should have printed; empty when they agree.
+std::string compare(const std::vector<std::string>& printed, const std::vector<double>& expected) {
+  if (printed.size() != expected.size())
+    return fmt::format("{} elements instead of {}", printed.size(), expected.size());
+  double largest = 0;
+  for (const double value : expected) largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    double value = 0;
+    const char* const end = printed[i].data() + printed[i].size();
+    const auto [stop, fault] = std::from_chars(printed[i].data(), end, value);
+    if (fault != std::errc() || stop != end) return "no number: " + printed[i];
+    if (!(std::abs(value - expected[i]) <= kRounding * largest))
+      return fmt::format("element {} is {} instead of {:.17g}", i, printed[i], expected[i]);
+  }
+  return "";
+}
+
+}  // namespace
+
+void WithMaxima::SetUp() {
+  if (!std::string(MAXIMA).empty()) return;
+  const std::string message = "Maxima is missing; Debian's package is maxima";
+  if (REQUIRE_ORACLES) FAIL() << message;
+  GTEST_SKIP() << message;
+}
+
+std::vector<std::string> run_maxima(const std::vector<OutputFile>& files) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("robcogen-maxima-{}", ::getpid());
+  std::string error, loads;
+  if (!write_files_if_changed(folder, files, error)) throw std::runtime_error(error);
+  for (const OutputFile& file : files) loads += fmt::format("load(\"{}\")$ ", file.path.string());
+  // No settings of the user's, and no answer to a question.
+  const std::string command = fmt::format(
+      "cd '{}' && '{}' --very-quiet --userdir=. --batch-string='{}print(\"= all is loaded\")$' > printed 2>&1 "
+      "< /dev/null",
+      folder.string(), MAXIMA, loads);
+  const int status = std::system(command.c_str());
+  const std::string printed = read_text(folder / "printed");
+  fs::remove_all(folder);
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  while (begin < printed.size()) {
+    const std::size_t end = std::min(printed.find('\n', begin), printed.size());
+    if (printed.compare(begin, 2, "= ") == 0)
+      lines.push_back(printed.substr(begin + 2, printed.find_last_not_of(' ', end - 1) - begin - 1));
+    begin = end + 1;
+  }
+  const bool complete = status == 0 && !lines.empty() && lines.back() == "all is loaded";
+  EXPECT_TRUE(complete) << printed.substr(printed.size() - std::min<std::size_t>(printed.size(), 2000));
+  if (complete) lines.pop_back();
+  return lines;
+}
+
+backend::Library library_of(
+    const std::filesystem::path& document,
+    const std::string& name,
+    command::Primitives primitives) {
+  Diagnostics diagnostics;
+  std::filesystem::path desired = document;
+  desired.replace_extension(".dtdsl");
+  command::Reading reading;
+  if (std::filesystem::exists(desired)) reading.desired = desired;
+  const std::optional<command::Robot> robot = command::load_robot(document, reading, diagnostics);
+  if (!robot) throw std::runtime_error(diagnostics.render());
+  return command::library(*robot, {name, ""}, algorithm::groups(), pass::names(), primitives);
+}
+
+OutputFile maxima_text(const backend::Library& library) {
+  const std::vector<OutputFile> files = backend::maxima::print(library);
+  EXPECT_EQ(files.size(), 1U);
+  return files.front();
+}
+
+std::string differences(const backend::Library& library, const OutputFile& text) {
+  struct Call {
+    std::string name;
+    std::vector<double> expected;
+  };
+  std::vector<Call> calls;
+  std::mt19937_64 engine(kSeed);
+  const int states = library.joints.size() < 20 ? 3 : 1;  // a humanoid's text takes seconds a state
+  OutputFile script = {"calls.mac", kShow};
+  for (const backend::Function& f : library.functions) {
+    for (int state = 0; state < states; ++state) {
+      const Arrays<double> inputs = random_inputs(f.program, engine);
+      const std::string name = text.path.stem().string() + "_" + f.kernel;
+      script.text += fmt::format("show(\"{}\", {})$\n", name, call(name, f.program, inputs));
+      calls.push_back({name, flattened(f.program, symbolic::interpret(f.program, inputs))});
+    }
+  }
+  const std::vector<std::string> lines = run_maxima({text, script});
+  std::string report;
+  auto line = lines.begin();
+  for (const Call& call : calls) {
+    if (line == lines.end() || *line != call.name) return report + call.name + ": not printed\n";
+    const auto end = std::find(line, lines.end(), "end");
+    const std::string difference = compare({line + 1, end}, call.expected);
+    if (!difference.empty()) report += call.name + ": " + difference + "\n";
+    line = end == lines.end() ? end : end + 1;
+  }
+  return report;
+}
+
+}  // namespace robcogen::test

@@ -1,0 +1,38 @@
+// Maxima as a judge of the text that the generator prints for it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "backend/library.h"
+#include "command/pipeline.h"
+
+namespace robcogen::test {
+
+// Skips where there is no Maxima, or fails where there must be.
+class WithMaxima : public virtual testing::Test {
+ protected:
+  void SetUp() override;
+};
+
+// Loads the files in their order into a Maxima of its own: the lines that they print with "= " in front, without it and
+// without blanks at their end. A file that cannot be loaded ends the run, and the test fails with all that was printed.
+std::vector<std::string> run_maxima(const std::vector<OutputFile>& files);
+
+// The library of a robot document, all groups, with its list of desired transforms where one stands beside it.
+backend::Library library_of(
+    const std::filesystem::path& document,
+    const std::string& name,
+    command::Primitives primitives = std::nullopt);
+
+// The text of a library.
+OutputFile maxima_text(const backend::Library& library);
+
+// Calls every function of the library, as the text defines them, on random states, and compares all elements of their
+// results with those of the interpreter: what differs, a line each; empty when nothing does.
+std::string differences(const backend::Library& library, const OutputFile& text);
+
+}  // namespace robcogen::test

@@ -1,0 +1,112 @@
+// The text of every robot, run by Maxima on numbers.
+#include <fmt/format.h>
+
+#include <regex>
+#include <set>
+
+#include "maxima.h"
+
+namespace robcogen::test {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+
+std::filesystem::path document(const std::string& robot) {
+  return std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / robot / (robot + ".kindsl");
+}
+
+class MaximaRobots : public WithMaxima, public testing::WithParamInterface<std::string> {};
+
+TEST_P(MaximaRobots, GiveWhatTheInterpreterGives) {
+  const backend::Library library = library_of(document(GetParam()), GetParam());
+  ASSERT_GT(library.functions.size(), 20U);
+  EXPECT_EQ(differences(library, maxima_text(library)), "");
+}
+
+class MaximaText : public testing::TestWithParam<std::string> {};
+
+TEST_P(MaximaText, IsTidy) {
+  const std::string text =
+      maxima_text(library_of(document(GetParam()), GetParam(), model::MovedFramePosition::left)).text;
+  std::set<std::string> names;
+  std::size_t definitions = 0, begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = text.find('\n', begin);
+    ASSERT_NE(end, std::string::npos) << "no end of line at the end";
+    const std::string line = text.substr(begin, end - begin);
+    EXPECT_LE(line.size(), kColumns) << line;
+    EXPECT_EQ(line.find('\t'), std::string::npos) << line;
+    EXPECT_FALSE(line.ends_with(' ')) << line;
+    if (line.starts_with(GetParam() + "_")) {
+      ++definitions;
+      names.insert(line.substr(0, line.find('(')));
+    }
+    begin = end + 1;
+  }
+  EXPECT_GT(definitions, 20U);
+  EXPECT_EQ(names.size(), definitions) << "a name is defined twice";
+}
+
+const std::string kRobots[] = {"hyl",       "tree5",           "puma560", "iiwa14",
+                               "quadruped", "quadruped_fixed", "centaur", "humanoid"};
+std::string itself(const testing::TestParamInfo<std::string>& robot) {
+  return robot.param;
+}
+INSTANTIATE_TEST_SUITE_P(Of, MaximaRobots, testing::ValuesIn(kRobots), itself);
+INSTANTIATE_TEST_SUITE_P(Of, MaximaText, testing::ValuesIn(kRobots), itself);
+
+class MaximaRobot : public WithMaxima {
+ protected:
+  const backend::Library hyl_ = library_of(document("hyl"), "hyl");
+  const OutputFile text_ = maxima_text(hyl_);
+};
+
+TEST_F(MaximaRobot, WithOneSignWrongIsFoundOut) {
+  OutputFile wrong = text_;
+  const std::size_t function = wrong.text.find("hyl_forward_dynamics_external(");
+  ASSERT_NE(function, std::string::npos);
+  const std::size_t sign = wrong.text.find(" - ", function);
+  wrong.text[sign + 1] = '+';
+  const std::string report = differences(hyl_, wrong);
+  EXPECT_EQ(report.find("hyl_forward_dynamics_external: element 0 is "), 0U) << report;
+  EXPECT_EQ(report.find("hyl_inverse"), std::string::npos) << report;
+}
+
+// No variable, array, option or property but the functions themselves, and no way in for those of the user's.
+TEST_F(MaximaRobot, LeavesNoTraceAndTakesNoNotice) {
+  const std::string state =
+      "print(\"= system\", values, arrays, myoptions, rules, aliases, macros, structures, gradefs, dependencies)$\n"
+      "print(\"=\", float(hyl_joint_space_inertia([0.1, 0.2, 0.3])[1][2]))$\n";
+  const OutputFile before = {"before.mac", "hyl_joint_space_inertia(q) := matrix([1, 2])$\n" + state};
+  const OutputFile loaded = {"loaded.mac", state};
+  const OutputFile disturbed = {
+      "disturbed.mac",
+      "q: 7$ q[2]: 8$ s_HFE: 9$ c_HFE: 10$ q__2: 11$\n"
+      "print(\"=\", float(hyl_joint_space_inertia([0.1, 0.2, 0.3])[1][2]))$\n"
+      "print(\"=\", hyl_homogeneous_fr_base_X_fr_upperleg([s_HFE, 'c_HFE, 0])[1])$\n"};
+  const std::vector<std::string> lines = run_maxima({before, text_, loaded, disturbed});
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_EQ(lines[2], lines[0]);
+  EXPECT_NE(lines[3], lines[1]);
+  EXPECT_EQ(lines[4], lines[3]);
+  EXPECT_EQ(lines[5], "[- sin(c_HFE), - cos(c_HFE), 0, 0]");
+}
+
+TEST_F(MaximaRobot, NamesNoVariableOfTheSystem) {
+  std::set<std::string> names;
+  for (const char* robot : {"hyl", "puma560", "centaur"}) {
+    const std::string text = maxima_text(library_of(document(robot), robot)).text;
+    const std::regex definition("\n  (\\w+): |[(] ?(\\w+)(?:, (\\w+))*[)] := ");
+    for (std::sregex_iterator it(text.begin(), text.end(), definition), end; it != end; ++it)
+      for (std::size_t group = 1; group < it->size(); ++group)
+        if ((*it)[group].matched) names.insert((*it)[group]);
+  }
+  ASSERT_GT(names.size(), 100U);
+  ASSERT_EQ(names.count("tau") + names.count("q") + names.count("s_HFE"), 3U);
+  const std::string check = fmt::format(
+      "for s in '[{}, numer] do if apply('properties, [s]) # [] then print(\"=\", s)$\n", fmt::join(names, ", "));
+  EXPECT_EQ(run_maxima({{"check.mac", check}}), std::vector<std::string>{"numer"});
+}
+
+}  // namespace
+}  // namespace robcogen::test
