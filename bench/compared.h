@@ -52,10 +52,11 @@ Eigen::MatrixXd flat(const GeneralizedAcceleration<double, kDof>& value) {
 }
 
 // With a column for each joint: zero for those that are not of the chain.
-inline Eigen::MatrixXd full_jacobian(const reflection::Jacobian& jacobian, const Eigen::VectorXd& q) {
+template <class R>
+Eigen::MatrixXd full_jacobian(const reflection::Jacobian& jacobian, const State<R>& s) {
   Eigen::MatrixXd narrow(6, jacobian.column_count);
-  jacobian.kernel(q.data(), narrow.data());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, q.size());
+  jacobian.kernel(reference::cache_of(*s.robot), s.q.data(), narrow.data());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, s.q.size());
   for (int i = 0; i < jacobian.column_count; ++i) J.col(jacobian.columns[i]) = narrow.col(i);
   return J;
 }
@@ -76,12 +77,12 @@ std::vector<Computed> computed(const Robot& robot, const std::vector<State<R>>& 
   }
   if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA) {
     all.push_back({peers::Quantity::inertia_matrix, "joint_space_inertia", [&states](std::size_t i) {
-                     return flat(R::joint_space_inertia(states[i].q));
+                     return flat(states[i].robot->joint_space_inertia(states[i].q));
                    }});
   }
   if (const reflection::Jacobian* jacobian = compared_jacobian(robot)) {
     all.push_back({peers::Quantity::jacobian, benchmark_name(*jacobian), [&states, jacobian](std::size_t i) {
-                     return full_jacobian(*jacobian, states[i].q);
+                     return full_jacobian(*jacobian, states[i]);
                    }});
   }
   return all;

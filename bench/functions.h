@@ -55,18 +55,18 @@ void add(
 template <class R>
 auto inverse_dynamics(const State<R>& s) {
   if constexpr (R::kFloatingBase) {
-    return R::inverse_dynamics_fully_actuated(s.q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
+    return s.robot->inverse_dynamics_fully_actuated(s.q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
   } else {
-    return R::inverse_dynamics(s.q, s.qd, s.qdd);
+    return s.robot->inverse_dynamics(s.q, s.qd, s.qdd);
   }
 }
 
 template <class R>
 auto forward_dynamics(const State<R>& s) {
   if constexpr (R::kFloatingBase) {
-    return R::forward_dynamics(s.q, s.qd, s.tau, s.base_velocity);
+    return s.robot->forward_dynamics(s.q, s.qd, s.tau, s.base_velocity);
   } else {
-    return R::forward_dynamics(s.q, s.qd, s.tau);
+    return s.robot->forward_dynamics(s.q, s.qd, s.tau);
   }
 }
 
@@ -79,7 +79,7 @@ void add_inverse_dynamics(const Robot& robot, const std::vector<State<R>>& state
   benchmark::AddCustomContext("compared/inverse_dynamics", compared);
   if constexpr (R::kFloatingBase) {
     add<R>(robot, states, "inverse_dynamics", "inverse_dynamics", [](const State<R>& s) {
-      return R::inverse_dynamics(s.q, s.qd, s.qdd, s.base_velocity);
+      return s.robot->inverse_dynamics(s.q, s.qd, s.qdd, s.base_velocity);
     });
   }
   add<R>(robot, states, compared, compared, [](const State<R>& s) { return inverse_dynamics<R>(s); });
@@ -96,7 +96,7 @@ template <class R>
 void add_inertia_matrix(const Robot& robot, const std::vector<State<R>>& states) {
   benchmark::AddCustomContext("compared/inertia_matrix", "joint_space_inertia");
   add<R>(robot, states, "joint_space_inertia", "joint_space_inertia", [](const State<R>& s) {
-    return R::joint_space_inertia(s.q);
+    return s.robot->joint_space_inertia(s.q);
   });
 }
 
@@ -104,9 +104,9 @@ template <class R>
 void add_bias_forces(const Robot& robot, const std::vector<State<R>>& states) {
   add<R>(robot, states, "bias_forces", "bias_forces", [](const State<R>& s) {
     if constexpr (R::kFloatingBase) {
-      return R::bias_forces(s.q, s.qd, s.base_velocity);
+      return s.robot->bias_forces(s.q, s.qd, s.base_velocity);
     } else {
-      return R::bias_forces(s.q, s.qd);
+      return s.robot->bias_forces(s.q, s.qd);
     }
   });
 }
@@ -187,7 +187,7 @@ template <class R>
 void add_jacobian(const Robot& robot, const std::vector<State<R>>& states, const reflection::Jacobian& jacobian) {
   add<R>(robot, states, benchmark_name(jacobian), jacobian.name, [kernel = jacobian.kernel](const State<R>& s) {
     Eigen::Matrix<double, 6, R::kDof> J;
-    kernel(s.q.data(), J.data());
+    kernel(reference::cache_of(*s.robot), s.q.data(), J.data());
     return J;
   });
 }
@@ -199,12 +199,12 @@ void add_kinematics(const Robot& robot, const std::vector<State<R>>& states) {
     const std::string name = longest->name;
     add<R>(robot, states, "homogeneous/" + name, "homogeneous_" + name, [longest](const State<R>& s) {
       Eigen::Matrix4d X;
-      longest->homogeneous(s.q.data(), X.data());
+      longest->homogeneous(reference::cache_of(*s.robot), s.q.data(), X.data());
       return X;
     });
     add<R>(robot, states, "motion/" + name, "motion_" + name, [longest](const State<R>& s) {
       Eigen::Matrix<double, 6, 6> X;
-      longest->motion(s.q.data(), X.data());
+      longest->motion(reference::cache_of(*s.robot), s.q.data(), X.data());
       return X;
     });
   }

@@ -8,6 +8,8 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
+#include <cmath>
+
 #include "functions.h"
 
 #ifdef ROBCOGEN_BENCH_URDF
@@ -52,6 +54,22 @@ bool add_peers(const Robot& robot, const std::vector<State<R>>& states, std::vec
 }
 #endif
 
+// With the declared defaults of its parameters, or values at random: the time depends on none.
+template <class R>
+R instance([[maybe_unused]] const Robot& robot) {
+  if constexpr (reference::kIsParametric<R>) {
+    typename R::ParameterArray values;
+    std::mt19937_64 engine(kSeed);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const reflection::Parameter& p = robot.parameters[static_cast<int>(i)];
+      values[i] = std::isnan(p.default_value) ? reference::uniform(engine, 1) : p.default_value;
+    }
+    return R{typename R::Parameters(values)};
+  } else {
+    return R();
+  }
+}
+
 }  // namespace
 }  // namespace robcogen::bench
 
@@ -64,7 +82,8 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("states", std::to_string(bench::kStates));
   benchmark::AddCustomContext("joints", std::to_string(robot.joints.size));
   benchmark::AddCustomContext("floating_base", robot.floating_base ? "yes" : "no");
-  const std::vector<bench::State<R>> states = bench::random_states<R>(robot);
+  const R instance = bench::instance<R>(robot);
+  const std::vector<bench::State<R>> states = bench::random_states<R>(robot, instance);
   bench::add_functions<R>(robot, states);
 #ifdef ROBCOGEN_BENCH_URDF
   std::vector<robcogen::peers::Candidate> candidates;

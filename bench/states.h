@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "robcogen/reference/compiled_robot.h"
 #include "robcogen/reference/samples.h"
 #include "robcogen/spatial.h"
 
@@ -18,6 +19,7 @@ constexpr std::uint64_t kSeed = 20;
 // The arguments of one call, in the types that the functions of `R`, the robot's traits, take.
 template <class R>
 struct State {
+  const R* robot;
   typename R::JointState q, qd, qdd, tau;
   Twist base_velocity;
   SpatialAcceleration base_acceleration;
@@ -31,9 +33,9 @@ To converted(const reference::Vector<double>& from) {
   return to;
 }
 
-// kStates of them, the same in every run; a fixed base rests.
+// kStates of them for this instance, the same in every run; a fixed base rests.
 template <class R>
-std::vector<State<R>> random_states(const Robot& robot) {
+std::vector<State<R>> random_states(const Robot& robot, const R& instance) {
   using Joints = typename R::JointState;
   std::mt19937_64 engine(kSeed);
   std::vector<State<R>> states;
@@ -41,7 +43,7 @@ std::vector<State<R>> random_states(const Robot& robot) {
     const auto [q, qd, qdd, velocity, acceleration] = reference::random_sample(engine, robot).motion;
     const auto tau = reference::uniform_vector(engine, R::kDof, 50);
     states.push_back(
-        {converted<Joints>(q), converted<Joints>(qd), converted<Joints>(qdd), converted<Joints>(tau),
+        {&instance, converted<Joints>(q), converted<Joints>(qd), converted<Joints>(qdd), converted<Joints>(tau),
          converted<Twist>(velocity), converted<SpatialAcceleration>(acceleration)});
   }
   return states;

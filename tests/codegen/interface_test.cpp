@@ -134,11 +134,11 @@ TEST(Reflection, TablesCallTheKernels) {
   ASSERT_EQ(r.transforms.size, 1);
   const cart_pole::JointState q(0.3, -0.4);
   Eigen::Matrix4d X;
-  r.transforms[0].homogeneous(q.data(), X.data());
+  r.transforms[0].homogeneous(nullptr, q.data(), X.data());
   EXPECT_EQ(X, cart_pole::transforms::homogeneous::fr_base_X_fr_tip(q));
   Eigen::Matrix<double, 6, 6> XM, XF;
-  r.transforms[0].motion(q.data(), XM.data());
-  r.transforms[0].force(q.data(), XF.data());
+  r.transforms[0].motion(nullptr, q.data(), XM.data());
+  r.transforms[0].force(nullptr, q.data(), XF.data());
   EXPECT_EQ(XM, cart_pole::transforms::motion::fr_base_X_fr_tip(q));
   EXPECT_EQ(XF, cart_pole::transforms::force::fr_base_X_fr_tip(q));
   ASSERT_EQ(r.jacobians.size, 2);
@@ -146,7 +146,7 @@ TEST(Reflection, TablesCallTheKernels) {
   EXPECT_EQ(r.jacobians[0].columns[1], 1);
   EXPECT_EQ(r.jacobians[1].column_count, 0);
   Eigen::Matrix<double, 6, 2> J;
-  r.jacobians[0].kernel(q.data(), J.data());
+  r.jacobians[0].kernel(nullptr, q.data(), J.data());
   EXPECT_EQ(J, cart_pole::jacobians::fr_base_J_fr_tip(q));
 }
 

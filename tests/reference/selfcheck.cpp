@@ -6,13 +6,15 @@
 //
 //     hyl_selfcheck [--seed N] [--samples N]
 //
-// prints one line a check and exits with 1 when one failed, 2 when the command line is wrong.
+// prints one line a check and exits with 1 when one failed, 2 when the command line is wrong, 77 when no values were
+// found for the parameters of a robot. A robot with parameters is checked with several sets of values.
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
+#include "robcogen/reference/check_parameters.h"
 #include "robcogen/reference/command_line.h"
 #include "robcogen/reference/compiled_robot.h"
 
@@ -28,10 +30,7 @@ constexpr bool kHasCentroidal = ROBCOGEN_HAS_CENTROIDAL;
 constexpr bool kHasEnergy = ROBCOGEN_HAS_ENERGY;
 
 template <class R>
-Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
-  const CompiledRobot<R> subject(robot);
-  Checks checks;
-  std::mt19937_64 engine(seed);
+void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64& engine, int samples, Checks& checks) {
   for (int i = 0; i < samples; ++i) {
     const Sample sample = random_sample(engine, robot);
     const Case c(robot, sample, i);
@@ -54,6 +53,29 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
     check_transforms(subject, c, checks);
     check_jacobians(subject, c, checks);
   }
+}
+
+constexpr int kSetsOfValues = 4;
+
+// Empty where no values were found.
+template <class R>
+Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
+  Checks checks;
+  std::mt19937_64 engine(seed);
+  if constexpr (kIsParametric<R>) {
+    std::optional<std::vector<double>> before = default_values(robot);
+    for (int set = 0; set < kSetsOfValues; ++set) {
+      const auto values = set == 0 && before ? before : random_values(engine, robot);
+      if (!values) return Checks();
+      const RobotOf tables(robot, *values);
+      const CompiledRobot<R> subject(tables.robot(), R{parameters_of<R>(*values)});
+      check<R>(tables.robot(), subject, engine, samples, checks);
+      check_updates<R>(*values, before ? *before : *values, checks, set);
+      before = values;
+    }
+  } else {
+    check<R>(robot, CompiledRobot<R>(robot), engine, samples, checks);
+  }
   return checks;
 }
 
@@ -69,6 +91,10 @@ int main(int argc, char** argv) {
       "%s: seed %llu, %d samples\n", robot.name, static_cast<unsigned long long>(options->seed), options->samples);
   const robcogen::reference::Checks checks =
       robcogen::reference::selfcheck<generated::Robot>(robot, options->seed, options->samples);
+  if (checks.size() == 0 && robot.parameters.size > 0) {
+    std::printf("no values found with which all links are bodies\n");
+    return 77;
+  }
   std::printf("%s%d checks, %d failed\n", checks.report().c_str(), checks.size(), checks.failures());
   return checks.failures() == 0 ? 0 : 1;
 }

@@ -8,9 +8,9 @@ namespace robcogen::backend {
 
 const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
-      {.name = "cpp", .takes_transforms = true, .print = cpp::print},
-      {.name = "matlab", .takes_parameters = true, .print = matlab::print},
-      {.name = "maxima", .takes_parameters = true, .print = maxima::print},
+      {.name = "cpp", .caches_parameters = true, .takes_transforms = true, .print = cpp::print},
+      {.name = "matlab", .print = matlab::print},
+      {.name = "maxima", .print = maxima::print},
   };
   return all;
 }

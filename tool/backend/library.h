@@ -54,6 +54,7 @@ struct FrameData {
 struct ParameterData {
   std::string name;
   double default_value = std::numeric_limits<double>::quiet_NaN();  // not a number: none
+  bool is_dynamics = false;  // stands in mass properties; else in the placement of a joint or frame
 };
 
 // What a user's Rx(a) maps coordinates to: right: from the frame rotated by +a to the original frame; left: the
@@ -125,6 +126,12 @@ struct Library {
   std::vector<std::string> variables;     // with no robot: in the document's order of their first use
   std::vector<std::string> groups;        // which groups were asked for, in canonical order
   std::vector<Function> functions;
+  // For languages that cache what follows from parameters alone (`functions` then read the cache as their parameters),
+  // of robots that have some. Each update computes a part of the cache from the parameters: what depends on kinematics
+  // parameters alone, on dynamics parameters alone, on both; the parts stand one after another.
+  std::vector<Function> updates;
+  // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
+  std::vector<Function> numbers;
   PrimitiveConvention primitives = PrimitiveConvention::none;
 
   bool has_robot() const { return !links.empty(); }

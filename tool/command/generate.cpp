@@ -89,19 +89,6 @@ Primitives primitives_of(const Options& options) {
   return options.primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
 }
 
-// Parametric robots have programs and can be evaluated, but the C++ interface takes no parameters.
-void refuse_parameters(const Robot& robot, const backend::Language& language) {
-  if (robot.tree.parameters.empty() || language.takes_parameters) return;
-  std::vector<std::string> names;
-  for (const model::Parameter& p : robot.tree.parameters) names.push_back(p.name);
-  throw Failure{
-      wrong_input,
-      fmt::format(
-          "{}: error: robot '{}' has parameters ({}), and C++ code with parameters cannot be generated "
-          "[parametric-cpp]\nhint: give them values in the document, or evaluate the robot with 'robcogen eval'",
-          robot.model.string(), robot.tree.name, fmt::join(names, ", "))};
-}
-
 // Files of languages whose names follow from the model: those of an earlier run that are made no more must not stay.
 // They are known from a list that every run leaves beside them.
 struct Listed {
@@ -172,9 +159,9 @@ Status generate_robot(const Options& options) {
   const std::optional<Robot> robot = options.model.load();
   if (!robot) return wrong_input;
   return write_libraries(options, robot->read, [&](const backend::Language& language) {
-    refuse_parameters(*robot, language);
-    return library(
-        *robot, options.names, groups_of(language, options.groups), options.model.passes, primitives_of(options));
+    const std::vector<std::string> groups = groups_of(language, options.groups);
+    if (language.caches_parameters) return library_with_cache(*robot, options.names, groups, options.model.passes);
+    return library(*robot, options.names, groups, options.model.passes, primitives_of(options));
   });
 }
 

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "algorithm/model_numbers.h"
 #include "algorithm/primitive_product.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
 #include "pass/passes.h"
+#include "pass/split_parameters.h"
 #include "support/files.h"
 
 namespace robcogen::command {
@@ -82,6 +84,16 @@ void add_product(
   for (const model::PrimitiveTransform& p : product.primitives)
     function.primitives.push_back({p.rotation, static_cast<int>(p.axis)});
   function.amounts = std::move(product.amounts);
+}
+
+// A function of the library's own machinery.
+backend::Function function_of(symbolic::Program program, std::vector<std::string> summary) {
+  backend::Function function;
+  function.group = "parameters";
+  function.name = function.kernel = program.name;
+  function.summary = std::move(summary);
+  function.program = std::move(program);
+  return function;
 }
 
 int frame_index(const std::vector<model::Frame>& frames, const model::Frame& wanted) {
@@ -216,8 +228,10 @@ backend::Library library(
   const std::vector<model::Frame> frames = robot.tree.frames();
   for (const model::Frame& frame : frames) result.frames.push_back(constants.of(frame));
   for (const model::Parameter& p : robot.tree.parameters) {
-    result.parameters.push_back({p.name});
-    if (p.default_value) result.parameters.back().default_value = *p.default_value;
+    backend::ParameterData data = {p.name};
+    if (p.default_value) data.default_value = *p.default_value;
+    data.is_dynamics = model::is_dynamics(p.kind);
+    result.parameters.push_back(std::move(data));
   }
   for (algorithm::RobotFunction& f : trace(robot, groups, steps)) {
     backend::Function function;
@@ -233,6 +247,35 @@ backend::Library library(
     if (primitives && function.scope == "transforms::homogeneous") add_product(robot, f.frames, *primitives, function);
     result.functions.push_back(std::move(function));
   }
+  return result;
+}
+
+backend::Library library_with_cache(
+    const Robot& robot,
+    const LibraryNames& names,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& steps) {
+  if (robot.tree.parameters.empty()) return library(robot, names, groups, steps);
+  // Split before the passes, which put parameters and variables together in one sum.
+  std::vector<std::string> choices, passes;
+  for (const std::string& step : steps)
+    (std::count(pass::names().begin(), pass::names().end(), step) == 0 ? choices : passes).push_back(step);
+  backend::Library result = library(robot, names, groups, choices);
+  std::vector<symbolic::Program> programs;
+  for (backend::Function& function : result.functions) programs.push_back(std::move(function.program));
+  std::vector<bool> is_dynamics;
+  for (const backend::ParameterData& p : result.parameters) is_dynamics.push_back(p.is_dynamics);
+  pass::SplitPrograms split = pass::split_parameters(programs, is_dynamics);
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    result.functions[i].program = pass::run(std::move(split.programs[i]), passes);
+  const auto add_update = [&](symbolic::Program& program, const std::string& what) {
+    result.updates.push_back(function_of(pass::run(std::move(program), passes), {"What follows from " + what + "."}));
+  };
+  add_update(split.kinematics, "kinematics parameters alone");
+  add_update(split.dynamics, "dynamics parameters alone");
+  add_update(split.both, "kinematics and dynamics parameters together");
+  result.numbers.push_back(
+      function_of(algorithm::model_numbers(robot.tree), {"The numbers of the model, a column each."}));
   return result;
 }
 

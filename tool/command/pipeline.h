@@ -86,4 +86,11 @@ backend::Library library(
     const std::vector<std::string>& steps,
     Primitives primitives = std::nullopt);
 
+// The same, where the functions of a robot with parameters read what follows from these from a cache.
+backend::Library library_with_cache(
+    const Robot& robot,
+    const LibraryNames& names,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& steps);
+
 }  // namespace robcogen::command

@@ -45,11 +45,17 @@ class Derived {
   // Values of the statements of a program that read nothing but parameters and constants; nullopt for the others.
   std::vector<std::optional<Expression>> add(const Program& program, const Range& parameters) {
     std::vector<std::optional<Expression>> values(program.statements.size());
+    int section = -1;
     for (std::size_t i = 0; i < program.statements.size(); ++i) {
       const Statement& s = program.statements[i];
       const auto a = read(program, parameters, values, s.a);
       const auto b = symbolic::is_binary(s.op) ? read(program, parameters, values, s.b) : Expression();
       if (!a || !b) continue;
+      if (s.section != section) {
+        section = s.section;
+        const symbolic::Section& title = program.sections[static_cast<std::size_t>(section)];
+        graph_.begin_section(title.title, title.prefix);
+      }
       values[i] = symbolic::apply(s.op, *a, *b);
       if (s.named) graph_.name(*values[i], s.name);
       if (!values[i]->is_constant()) names_.insert({values[i]->node(), s.name});

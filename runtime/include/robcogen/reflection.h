@@ -31,14 +31,36 @@ struct Frame {
   double rotation[3];
 };
 
-// left_X_right, three forms; each kernel reads q and writes a matrix column by column.
+// A kernel that reads q, and before it the cache of a robot that has parameters, and writes a matrix column by column.
+class MatrixKernel {
+ public:
+  using Constant = void (*)(const double* q, double* X) noexcept;
+  using Parametric = void (*)(const double* parameters, const double* q, double* X) noexcept;
+
+  constexpr MatrixKernel(Constant kernel) : constant_(kernel) {}
+  constexpr MatrixKernel(Parametric kernel) : parametric_(kernel) {}
+
+  // `parameters` may be null where the robot has none.
+  void operator()(const double* parameters, const double* q, double* X) const noexcept {
+    if (parametric_ != nullptr)
+      parametric_(parameters, q, X);
+    else
+      constant_(q, X);
+  }
+
+ private:
+  Constant constant_ = nullptr;
+  Parametric parametric_ = nullptr;
+};
+
+// left_X_right, three forms.
 struct Transform {
   const char* name;
   int left;   // frame indices
   int right;
-  void (*homogeneous)(const double* q, double* X) noexcept;  // 4 x 4
-  void (*motion)(const double* q, double* X) noexcept;       // 6 x 6, angular first
-  void (*force)(const double* q, double* X) noexcept;        // 6 x 6, angular first
+  MatrixKernel homogeneous;  // 4 x 4
+  MatrixKernel motion;       // 6 x 6, angular first
+  MatrixKernel force;        // 6 x 6, angular first
 };
 
 // left_J_right: velocity of the origin of `right` with respect to `left`, in coordinates of `left`, angular rows first.
@@ -48,7 +70,7 @@ struct Jacobian {
   int right;
   const int* columns;  // joint index of each column
   int column_count;
-  void (*kernel)(const double* q, double* J) noexcept;  // 6 x column_count
+  MatrixKernel kernel;  // 6 x column_count
 };
 
 struct OperationCount {
@@ -64,6 +86,12 @@ struct OperationCount {
 struct Function {
   const char* name;  // the kernel's name
   OperationCount count;
+};
+
+struct Parameter {
+  const char* name;
+  bool dynamics;         // a parameter of mass properties; else a length or an angle
+  double default_value;  // not a number: none
 };
 
 template <class T>
@@ -84,6 +112,11 @@ struct Robot {
   Table<Transform> transforms;
   Table<Jacobian> jacobians;
   Table<Function> functions;
+  // Robots with parameters: `links`, `joints` and `frames` above hold the numbers of the defaults. For other values,
+  // `numbers` computes them, in the order of the tables: of a link mass, com and inertia, of joints and frames
+  // translation and rotation.
+  Table<Parameter> parameters = {nullptr, 0};
+  void (*numbers)(const double* parameters, double* links, double* joints, double* frames) noexcept = nullptr;
 };
 
 }  // namespace robcogen::reflection

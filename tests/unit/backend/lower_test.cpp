@@ -55,6 +55,27 @@ TEST(Lower, EvaluationOrderIsThatOfTheProgram) {
       "tau[0] = -t2 / t2;\n");
 }
 
+TEST(Lower, ParametersThatAreReadAreNamedFirst) {
+  const symbolic::Program program = test::program(
+      "program leg\n"
+      "input parameters parameters length unused mass q\n"
+      "input q joint_position HIP\n"
+      "output tau joint_force 1 1\n"
+      "section hip link hip\n"
+      "in 0\n"
+      "tmp t0 = parameters[2] * q[0]\n"
+      "tmp t1 = parameters[0] * t0\n"
+      "tmp t2 = parameters[3] + t1\n"
+      "return tau t2\n");
+  EXPECT_EQ(
+      lowered(program),
+      "const Scalar& length = parameters[0];\n"
+      "const Scalar& mass = parameters[2];\n"
+      "const Scalar& q_2 = parameters[3];\n"
+      "// link hip\n"
+      "tau[0] = q_2 + length * (mass * q[0]);\n");
+}
+
 TEST(Lower, SectionsBecomeComments) {
   EXPECT_EQ(
       lowered("let hip_wx = q[0] + qd[0]\n"

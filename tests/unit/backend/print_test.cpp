@@ -24,13 +24,13 @@ TEST(Outputs, AreAFunctionOfNameAndGroups) {
   EXPECT_EQ(
       outputs("leg", kGroups),
       (Names{
-          "leg/model.h", "leg/types.h", "leg/robot.h", "leg/reflection.h", "leg/leg.h", "leg/inverse_dynamics.h",
-          "leg/kernel/inverse_dynamics.h", "leg/inverse_dynamics.cpp", "leg/transforms.h", "leg/kernel/transforms.h",
-          "leg/transforms.cpp"}));
+          "leg/model.h", "leg/types.h", "leg/parameters.h", "leg/robot.h", "leg/reflection.h", "leg/leg.h",
+          "leg/kernel/parameters.h", "leg/parameters.cpp", "leg/inverse_dynamics.h", "leg/kernel/inverse_dynamics.h",
+          "leg/inverse_dynamics.cpp", "leg/transforms.h", "leg/kernel/transforms.h", "leg/transforms.cpp"}));
 }
 
 TEST(Outputs, ARobotMayHaveTheNameOfAHeader) {
-  for (const std::string name : {"robot", "Model", "TYPES", "transforms", "reflection"}) {
+  for (const std::string name : {"robot", "Model", "TYPES", "transforms", "reflection", "Parameters"}) {
     std::set<std::string> seen;
     for (std::string path : outputs(name, kGroups)) {
       std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -61,6 +61,7 @@ class Lowering {
   void run() {
     declare_parameters();
     find_uses();
+    if (dialect_.binds_parameters) bind_parameters();
     name_values();
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (places_[i] != Place::nowhere && places_[i] != Place::angle) fit(i);
@@ -82,6 +83,7 @@ class Lowering {
   NameScope scope_;
   std::vector<std::string> input_names_;   // by flat index: `q[1]`
   std::vector<std::string> input_labels_;  // by flat index
+  std::vector<bool> inputs_used_;          // by flat index
   std::vector<Place> places_;
   std::vector<Spelling> spellings_;         // how a user reads the statement, unless it stands inside
   std::vector<std::vector<Store>> stores_;  // by statement
@@ -144,6 +146,19 @@ class Lowering {
     for (std::size_t p = 0; p < program_.inputs.size(); ++p)
       for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k)
         if (inputs_used[element++]) kernel_.parameters[p].used = true;
+    inputs_used_ = std::move(inputs_used);
+  }
+
+  void bind_parameters() {
+    std::size_t index = 0;
+    for (std::size_t p = 0; p < program_.inputs.size(); ++p) {
+      for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k, ++index) {
+        if (program_.inputs[p].role != symbolic::Role::parameters || !inputs_used_[index]) continue;
+        std::string name = scope_.claim(shortened(input_labels_[index]));
+        add({Line::Kind::binding, {name}, input_names_[index]});
+        input_names_[index] = std::move(name);
+      }
+    }
   }
 
   Place place(std::size_t i, int uses, int user) const {

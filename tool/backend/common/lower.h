@@ -23,6 +23,7 @@ struct Parameter {
 struct Line {
   enum class Kind {
     section,     // a comment: `expression` is its text
+    binding,     // targets: the name of `expression`, an element of the parameters
     sincos,      // targets: sine and cosine of `expression`
     definition,  // targets: the one name that is defined
     store,       // targets: elements of outputs that get the same value
@@ -51,6 +52,8 @@ struct Dialect {
   // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each is a name, an
   // element of an input or a number, and the printer puts the outputs together at the end.
   bool stores = true;
+  // Parameters that are read are named by their labels, a line each, before all else.
+  bool binds_parameters = false;
   // A number that is not negative.
   Spelling (*literal)(const Number& value) = nullptr;
   // Element k, from 0, of an array.
@@ -63,6 +66,7 @@ struct Dialect {
 std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
 
 // The rules:
+// - Parameters that are read come first, where Dialect::binds_parameters is on.
 // - Sines and cosines of plain inputs come first, one pair an argument; a lone sine or cosine is a definition.
 // - A statement that is used once and that the algorithm did not name stands inside its user, as far as the line has
 //   room: products inside sums first of all, for a compiler fuses them only within one expression. Evaluation order is

@@ -68,6 +68,8 @@ std::string alias(Role role) {
       return "Vector3";
     case Role::energy:
       return "Scalar";
+    case Role::parameters:
+      return kParametersType;
     default:
       return "";
   }
@@ -134,6 +136,28 @@ void name_values(const Library& library, Api& api) {
   api.variables = claim_all(arguments, library.variables);
 }
 
+// The fields that hold the parameters, and the getters of the interfaces. Kinematics and dynamics parameters are
+// members of different types, and may have the same names.
+void name_parameters(const Library& library, Api& api) {
+  api.fields.resize(library.parameters.size());
+  api.getters.resize(library.parameters.size());
+  for (const bool is_dynamics : {false, true}) {
+    std::vector<std::size_t> indices;
+    std::vector<std::string> wanted;
+    for (std::size_t i = 0; i < library.parameters.size(); ++i) {
+      if (library.parameters[i].is_dynamics != is_dynamics) continue;
+      indices.push_back(i);
+      wanted.push_back(library.parameters[i].name);
+    }
+    NameScope scope({"DynamicsParameters", "DynamicsValues", "KinematicsParameters", "KinematicsValues", "robcogen"});
+    const std::vector<std::string> names = claim_all(scope, wanted);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      api.fields[indices[i]] = names[i];
+      api.getters[indices[i]] = scope.claim("get_" + names[i]);
+    }
+  }
+}
+
 }  // namespace
 
 Api api(const Library& library) {
@@ -165,6 +189,9 @@ Api api(const Library& library) {
     const bool jacobian = !f.program.outputs.empty() && f.program.outputs.front().role == Role::jacobian;
     result.callables.push_back({&f, kernel_names[i], name, jacobian ? taken[f.scope].claim(name + "_columns") : ""});
   }
+  if (!library.updates.empty()) name_parameters(library, result);
+  for (const Function& f : library.updates) result.updates.push_back({&f, f.kernel, f.name, ""});
+  for (const Function& f : library.numbers) result.numbers.push_back({&f, f.kernel, f.name, ""});
   return result;
 }
 

@@ -8,6 +8,9 @@
 
 namespace robcogen::backend::cpp {
 
+// What functions of robots with parameters take first: of namespace hyl and of hyl::f32 alike.
+inline constexpr const char* kParametersType = "Parameters<Scalar>";
+
 // A function of the library under its C++ names.
 struct Callable {
   const Function* function = nullptr;
@@ -23,6 +26,11 @@ struct Api {
   std::vector<std::string> variables;              // arguments
   std::vector<std::string> parameters;             // members of Parameters
   std::vector<Callable> callables;                 // in the order of Library::functions
+  // Of robots with parameters, whose functions take these first:
+  std::vector<std::string> fields, getters;  // by parameter
+  std::vector<Callable> updates, numbers;
+
+  bool is_parametric() const { return !updates.empty(); }
 };
 
 // Refers to the library, which must live as long.

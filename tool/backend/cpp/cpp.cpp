@@ -18,7 +18,7 @@ std::string lower_case(std::string text) {
 }  // namespace
 
 std::vector<std::string> stems(bool has_robot) {
-  if (has_robot) return {"model", "types", "robot", "reflection"};
+  if (has_robot) return {"model", "types", kParameters, "robot", "reflection"};
   return {"model", "types", "reflection"};
 }
 
@@ -60,6 +60,7 @@ std::vector<std::string> outputs(const std::string& name, const std::vector<std:
   std::vector<std::string> files;
   for (const std::string& stem : stems(has_robot)) files.push_back(header_path(name, stem));
   files.push_back(umbrella_path(name));
+  if (has_robot) files.insert(files.end(), {kernel_path(name, kParameters), source_path(name, kParameters)});
   for (const std::string& group : groups)
     files.insert(files.end(), {header_path(name, group), kernel_path(name, group), source_path(name, group)});
   return files;
@@ -74,13 +75,18 @@ std::vector<OutputFile> print(const Library& library) {
   const auto add_header = [&](const std::string& path, Printer printer) { add(path, printer(names, path)); };
   add_header(header_path(name, "model"), print_model);
   add_header(header_path(name, "types"), print_types);
+  if (library.has_robot()) add_header(header_path(name, kParameters), print_parameters);
   if (library.has_robot()) add_header(header_path(name, "robot"), print_robot);
   add_header(header_path(name, "reflection"), library.has_robot() ? print_reflection : print_factors);
   add_header(umbrella_path(name), print_umbrella);
-  for (const std::string& group : library.groups) {
-    add(header_path(name, group), print_interface(names, group, header_path(name, group)));
+  const auto add_kernels = [&](const std::string& group) {
     add(kernel_path(name, group), print_kernels(names, group, kernel_path(name, group)));
     add(source_path(name, group), print_instantiations(names, group, source_path(name, group)));
+  };
+  if (library.has_robot()) add_kernels(kParameters);
+  for (const std::string& group : library.groups) {
+    add(header_path(name, group), print_interface(names, group, header_path(name, group)));
+    add_kernels(group);
   }
   return files;
 }

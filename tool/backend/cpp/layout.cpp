@@ -56,6 +56,9 @@ std::string declaration(
     std::size_t indent) {
   const std::string line = blanks(indent) + head + "(" + joined(parameters, ", ") + ")" + tail;
   if (line.size() <= kColumns || parameters.empty()) return line + "\n";
+  // What follows a member function's parameters may stand in a line of its own.
+  if (const std::size_t end = line.size() - tail.size(); tail.rfind(" const ", 0) == 0 && end <= kColumns)
+    return line.substr(0, end) + "\n" + blanks(indent + 4) + tail.substr(1) + "\n";
   const std::string separator = "\n" + blanks(indent + 4);
   return blanks(indent) + head + "(" + separator + joined(parameters, "," + separator) + ")" + tail + "\n";
 }

@@ -19,6 +19,7 @@ const Dialect& dialect() {
     d.used_names = {"Scalar", "cos", "robcogen", "sin", "sincos", "sqrt", "std"};
     d.line_limit = 118;  // 120 columns less the indentation
     d.name_limit = 30;   // three such operands and their operators fit in one line
+    d.binds_parameters = true;
     d.literal = [](const Number& value) { return literal(value.value()); };
     d.element = element;
     d.text = text;
@@ -44,6 +45,9 @@ std::string text(const Line& line) {
   switch (line.kind) {
     case Line::Kind::section:
       return "// " + line.expression;
+    // A reference: read where it is used, and no register is spent on it before.
+    case Line::Kind::binding:
+      return "const Scalar& " + line.targets[0] + " = " + line.expression + ";";
     case Line::Kind::sincos:
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = robcogen::sincos(" + line.expression +
              ");";

@@ -91,9 +91,13 @@ std::string scope_text(const Api& api, const std::string& group, const std::stri
   return in_namespace(prefix + scope, paragraphs(parts));
 }
 
+// A robot with parameters carries them.
 std::string member_function(const Overload& overload, const std::string& space) {
-  const std::string head = "static " + overload.result + " " + overload.callable->name;
-  const std::vector<std::string> parameters = parameter_list(overload);
+  const bool carries = !overload.arguments.empty() && overload.arguments.front().type == kParametersType;
+  const std::string head = (carries ? "" : "static ") + overload.result + " " + overload.callable->name;
+  const std::string tail = carries ? " const noexcept {" : " noexcept {";
+  std::vector<std::string> parameters = parameter_list(overload);
+  if (carries) parameters.erase(parameters.begin());
   std::vector<std::string> names;
   for (const Argument& a : overload.arguments) names.push_back(a.name);
   const auto body = [&](std::size_t indent) {
@@ -101,9 +105,9 @@ std::string member_function(const Overload& overload, const std::string& space) 
   };
   const std::string statement = body(0);
   const std::string line =
-      declaration(head, parameters, " noexcept { " + statement.substr(0, statement.size() - 1) + " }", 2);
+      declaration(head, parameters, tail + " " + statement.substr(0, statement.size() - 1) + " }", 2);
   const bool fits = line.size() <= kColumns + 1 && line.find('\n') == line.size() - 1;
-  return fits ? line : declaration(head, parameters, " noexcept {", 2) + body(4) + "  }\n";
+  return fits ? line : declaration(head, parameters, tail, 2) + body(4) + "  }\n";
 }
 
 std::string robot_type(const Api& api, const std::string& scalar, const std::string& space) {
@@ -127,12 +131,25 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
     for (const Overload& o : overloads(api, group, "")) members += member_function(o, space);
     parts.push_back(members);
   }
+  if (api.is_parametric()) {
+    parts.front() += "  using Parameters = ::" + api.space + "::Parameters<" + scalar + ">;\n";
+    for (const std::string type : {"KinematicsParameters", "DynamicsParameters", "ParameterValues", "ParameterArray"})
+      parts.front() += "  using " + type + " = ::" + api.space + "::" + type + ";\n";
+    parts.push_back("  Parameters parameters;\n");
+  }
   return "struct Robot {\n" + paragraphs(parts) + "};\n";
 }
 
 std::vector<std::string> group_headers(const Library& library) {
   std::vector<std::string> headers;
   for (const std::string& group : library.groups) headers.push_back("\"" + header_path(library.name, group) + "\"");
+  return headers;
+}
+
+// What every function's declaration needs.
+std::vector<std::string> base_headers(const Api& api) {
+  std::vector<std::string> headers = {"\"" + header_path(api.library->name, "types") + "\""};
+  if (api.is_parametric()) headers.push_back("\"" + header_path(api.library->name, kParameters) + "\"");
   return headers;
 }
 
@@ -152,14 +169,14 @@ std::string print_interface(const Api& api, const std::string& group, const std:
   for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, true));
   return paragraphs(
       {banner(library, path, "functions over Eigen types, in double and (namespace f32) single precision"),
-       "#pragma once\n", tables ? includes({"<array>"}) : "",
-       includes({"\"" + header_path(library.name, "types") + "\""}), in_namespace(api.space, paragraphs(parts))});
+       "#pragma once\n", tables ? includes({"<array>"}) : "", includes(base_headers(api)),
+       in_namespace(api.space, paragraphs(parts))});
 }
 
 std::string print_robot(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   std::vector<std::string> headers = group_headers(library);
-  headers.push_back("\"" + header_path(library.name, "types") + "\"");
+  for (const std::string& header : base_headers(api)) headers.push_back(header);
   const std::string body = paragraphs(
       {"// The robot as a type, for code that is generic over robots.\n" + robot_type(api, "double", "::" + api.space),
        in_namespace("f32", robot_type(api, "float", "::" + api.space + "::f32"))});
@@ -171,7 +188,8 @@ std::string print_robot(const Api& api, const std::string& path) {
 std::string print_umbrella(const Api& api, const std::string& path) {
   std::vector<std::string> headers = group_headers(*api.library);
   for (const std::string& stem : stems(api.library->has_robot()))
-    if (stem != "reflection") headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
+    if (stem != "reflection" && (stem != kParameters || api.is_parametric()))
+      headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
   return paragraphs(
       {banner(*api.library, path, "everything but the tables of " + header_path(api.library->name, "reflection")),
        "#pragma once\n", includes(headers)});

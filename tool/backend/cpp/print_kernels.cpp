@@ -90,6 +90,14 @@ std::string explicit_instantiations(const Callable& callable) {
   return result;
 }
 
+std::vector<Callable> callables_of(const Api& api, const std::string& group) {
+  std::vector<Callable> result;
+  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers})
+    for (const Callable& c : *list)
+      if (c.function->group == group) result.push_back(c);
+  return result;
+}
+
 }  // namespace
 
 std::string kernel_declaration(const Callable& callable) {
@@ -101,8 +109,7 @@ std::string kernel_declaration(const Callable& callable) {
 
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> kernels;
-  for (const Callable& c : api.callables)
-    if (c.function->group == group) kernels.push_back(print_kernel(*api.library, c));
+  for (const Callable& c : callables_of(api, group)) kernels.push_back(print_kernel(*api.library, c));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
        "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos.h\"", "\"robcogen/version.h\""}),
@@ -111,8 +118,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
 
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> kernels;
-  for (const Callable& c : api.callables)
-    if (c.function->group == group) kernels.push_back(explicit_instantiations(c));
+  for (const Callable& c : callables_of(api, group)) kernels.push_back(explicit_instantiations(c));
   return paragraphs(
       {banner(*api.library, path, "kernels compiled for double and float"),
        includes({"\"" + kernel_path(api.library->name, group) + "\""}),

@@ -59,10 +59,13 @@ double total_mass(const Library& library) {
 std::string sizes(const Library& library) {
   const auto count = [](std::size_t n) { return std::to_string(n); };
   if (!library.has_robot()) return constant("int kFrameCount", count(library.frames.size()));
-  return constant("int kDof", count(library.joints.size())) + constant("int kLinkCount", count(library.links.size())) +
-         constant("int kFrameCount", count(library.frames.size())) +
-         constant("bool kFloatingBase", library.floating_base ? "true" : "false") +
-         constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links but a fixed base");
+  const std::string result = constant("int kDof", count(library.joints.size())) +
+                             constant("int kLinkCount", count(library.links.size())) +
+                             constant("int kFrameCount", count(library.frames.size())) +
+                             constant("bool kFloatingBase", library.floating_base ? "true" : "false");
+  // Parameters may change it.
+  if (!library.numbers.empty()) return result;
+  return result + constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links but a fixed base");
 }
 
 std::string limit(double value) {

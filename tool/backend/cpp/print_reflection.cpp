@@ -1,4 +1,5 @@
 // <name>/reflection.h: the tables that the self-check and the benchmark of a robot read.
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -12,10 +13,15 @@ namespace {
 
 using symbolic::Role;
 
+// A number of the model; none where it depends on a parameter without default.
+std::string number(double value) {
+  return std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN()" : print_double(value);
+}
+
 template <std::size_t n>
 Field numbers(const std::array<double, n>& values) {
   std::vector<std::string> texts;
-  for (double v : values) texts.push_back(print_double(v));
+  for (double v : values) texts.push_back(number(v));
   return texts;
 }
 
@@ -35,7 +41,7 @@ Table table(const std::string& type, const std::string& name, const std::vector<
 Table links(const Library& library) {
   std::vector<std::vector<Field>> rows;
   for (const LinkData& l : library.links)
-    rows.push_back({quoted(l.name), l.parent_joint, print_double(l.mass), numbers(l.com), numbers(l.inertia)});
+    rows.push_back({quoted(l.name), l.parent_joint, number(l.mass), numbers(l.com), numbers(l.inertia)});
   return table("Link", "kLinks", rows);
 }
 
@@ -111,6 +117,13 @@ Table functions(const Api& api) {
   return table("Function", "kFunctions", rows);
 }
 
+Table parameters(const Library& library) {
+  std::vector<std::vector<Field>> rows;
+  for (const ParameterData& p : library.parameters)
+    rows.push_back({quoted(p.name), p.is_dynamics ? "true" : "false", number(p.default_value)});
+  return table("Parameter", "kParameters", rows);
+}
+
 }  // namespace
 
 std::string print_reflection(const Api& api, const std::string& path) {
@@ -118,18 +131,25 @@ std::string print_reflection(const Api& api, const std::string& path) {
   std::vector<std::string> kernels;
   for (const Callable& c : api.callables)
     if (c.function->left_frame >= 0) kernels.push_back(kernel_declaration(c));
-  const std::vector<Table> tables = {links(library),  joints(library), frames(library),
-                                     transforms(api), jacobians(api),  functions(api)};
+  std::vector<Table> tables = {links(library),  joints(library), frames(library),
+                               transforms(api), jacobians(api),  functions(api)};
+  std::vector<std::string> remarks = {"name",   "floating base", "links",     "joints",
+                                      "frames", "transforms",    "Jacobians", "functions"};
+  if (api.is_parametric()) {
+    tables.push_back(parameters(library));
+    remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
+    for (const Callable& c : api.numbers) kernels.push_back(kernel_declaration(c));
+  }
   std::vector<std::string> parts, fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
   for (const Table& t : tables) {
     parts.push_back(t.definition);
     fields.push_back(t.reference);
   }
-  parts.push_back(remarked_list(
-      "inline constexpr robcogen::reflection::Robot robot", fields,
-      {"name", "floating base", "links", "joints", "frames", "transforms", "Jacobians", "functions"}));
+  for (const Callable& c : api.numbers) fields.push_back(address(c));
+  parts.push_back(remarked_list("inline constexpr robcogen::reflection::Robot robot", fields, remarks));
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
+       api.is_parametric() ? includes({"<limits>"}) : "",
        includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}), runtime_check(api),
        in_namespace(api.space + "::kernel", paragraphs(kernels)),
        in_namespace(api.space + "::reflection", paragraphs(parts))});

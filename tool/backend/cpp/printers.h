@@ -7,7 +7,7 @@
 
 namespace robcogen::backend::cpp {
 
-// The stems of the headers beside those of groups.
+// The stems of the headers beside those of groups. `parameters` tells something of robots only that have some.
 std::vector<std::string> stems(bool has_robot);
 
 // Path of a header of this robot, as its files include it: `hyl/types.h`. Where the name is that of the umbrella header
@@ -16,6 +16,9 @@ std::string header_path(const std::string& name, const std::string& stem);
 std::string umbrella_path(const std::string& name);
 std::string kernel_path(const std::string& name, const std::string& group);
 std::string source_path(const std::string& name, const std::string& group);
+
+// The file stem, and the group, of what only robots with parameters have.
+inline constexpr const char* kParameters = "parameters";
 
 // First lines of every file: what it is, from which model.
 std::string banner(const Library& library, const std::string& path, const std::string& what);
@@ -29,6 +32,8 @@ std::string kernel_declaration(const Callable& callable);
 
 std::string print_model(const Api& api, const std::string& path);
 std::string print_types(const Api& api, const std::string& path);
+std::string print_parameters(const Api& api, const std::string& path);
+// Of a group, or `parameters`: the updates of a robot that has some.
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
 std::string print_interface(const Api& api, const std::string& group, const std::string& path);

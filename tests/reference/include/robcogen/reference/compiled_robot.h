@@ -1,27 +1,45 @@
-// A generated library as the subject of checks. `R` is the library's `Robot`; include its header before.
+// A generated library as the subject of checks. `R` is the library's `Robot`; include its header before. A robot with
+// parameters carries their values.
 #pragma once
+
+#include <type_traits>
 
 #include "robcogen/link_wrenches.h"
 #include "robcogen/reference/subject.h"
 
 namespace robcogen::reference {
 
+template <class R, class = void>
+inline constexpr bool kIsParametric = false;
+template <class R>
+inline constexpr bool kIsParametric<R, std::void_t<typename R::Parameters>> = true;
+
+// What kernels of a robot with parameters read first; else null.
+template <class R>
+const double* cache_of([[maybe_unused]] const R& robot) {
+  if constexpr (kIsParametric<R>) {
+    return robot.parameters.data();
+  } else {
+    return nullptr;
+  }
+}
+
 template <class R>
 class CompiledRobot {
  public:
   using State = Motion<double>;
 
-  explicit CompiledRobot(const Robot& tables) : tables_(&tables) {}
+  explicit CompiledRobot(const Robot& tables, const R& robot = R()) : tables_(&tables), robot_(robot) {}
 
   // (base acceleration, tau): what the library finds, given qdd.
   Vector<double> inverse_dynamics(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
       if constexpr (R::kFloatingBase) {
-        const auto result = R::inverse_dynamics(q, qd, qdd, spatial<Twist>(m.base_velocity), extra...);
+        const auto result = robot_.inverse_dynamics(q, qd, qdd, spatial<Twist>(m.base_velocity), extra...);
         return stacked(vector(result.base_acceleration.vector()), vector(result.tau));
       } else {
-        return vector(R::inverse_dynamics(q, qd, qdd, extra...));
+        return vector(robot_.inverse_dynamics(q, qd, qdd, extra...));
       }
     });
   }
@@ -30,7 +48,7 @@ class CompiledRobot {
   Vector<double> inverse_dynamics_fully_actuated(const State& m, const Arguments& arguments) const {
     if constexpr (R::kFloatingBase) {
       return with(arguments, [&](const auto&... extra) {
-        const auto result = R::inverse_dynamics_fully_actuated(
+        const auto result = robot_.inverse_dynamics_fully_actuated(
             joints(m.q), joints(m.qd), joints(m.qdd), spatial<Twist>(m.base_velocity),
             spatial<SpatialAcceleration>(m.base_acceleration), extra...);
         return stacked(vector(result.base_wrench.vector()), vector(result.tau));
@@ -45,10 +63,10 @@ class CompiledRobot {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
         const auto result =
-            R::forward_dynamics(joints(m.q), joints(m.qd), joints(tau), spatial<Twist>(m.base_velocity), extra...);
+            robot_.forward_dynamics(joints(m.q), joints(m.qd), joints(tau), spatial<Twist>(m.base_velocity), extra...);
         return stacked(vector(result.base_acceleration.vector()), vector(result.qdd));
       } else {
-        return vector(R::forward_dynamics(joints(m.q), joints(m.qd), joints(tau), extra...));
+        return vector(robot_.forward_dynamics(joints(m.q), joints(m.qd), joints(tau), extra...));
       }
     });
   }
@@ -57,76 +75,76 @@ class CompiledRobot {
   Vector<double> bias_forces(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
-        return forces(R::bias_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity), extra...));
+        return forces(robot_.bias_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity), extra...));
       } else {
-        return forces(R::bias_forces(joints(m.q), joints(m.qd), extra...));
+        return forces(robot_.bias_forces(joints(m.q), joints(m.qd), extra...));
       }
     });
   }
 
   // (base wrench, tau); `external` does not enter.
   Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
-    if (arguments.gravity == nullptr) return forces(R::gravity_forces(joints(q)));
-    return forces(R::gravity_forces(joints(q), gravity(*arguments.gravity)));
+    if (arguments.gravity == nullptr) return forces(robot_.gravity_forces(joints(q)));
+    return forces(robot_.gravity_forces(joints(q), gravity(*arguments.gravity)));
   }
 
   // (base wrench, tau).
   Vector<double> coriolis_forces(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return forces(R::coriolis_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
+      return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
     } else {
-      return forces(R::coriolis_forces(joints(m.q), joints(m.qd)));
+      return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd)));
     }
   }
 
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
-    return matrix(R::joint_space_inertia(joints(q)));
+    return matrix(robot_.joint_space_inertia(joints(q)));
   }
 
   // For (base twist, qd), as H.
   Matrix<double> coriolis_matrix(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return matrix(R::coriolis_matrix(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
+      return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
     } else {
-      return matrix(R::coriolis_matrix(joints(m.q), joints(m.qd)));
+      return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd)));
     }
   }
 
-  Vector<double> center_of_mass(const Vector<double>& q) const { return vector(R::center_of_mass(joints(q))); }
+  Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(joints(q))); }
   Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
-    return matrix(R::center_of_mass_jacobian(joints(q)));
+    return matrix(robot_.center_of_mass_jacobian(joints(q)));
   }
   Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
-    return matrix(R::centroidal_momentum_matrix(joints(q)));
+    return matrix(robot_.centroidal_momentum_matrix(joints(q)));
   }
 
   double kinetic_energy(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return R::kinetic_energy(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity));
+      return robot_.kinetic_energy(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity));
     } else {
-      return R::kinetic_energy(joints(m.q), joints(m.qd));
+      return robot_.kinetic_energy(joints(m.q), joints(m.qd));
     }
   }
   // `external` does not enter.
   double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
-    if (arguments.gravity == nullptr) return R::potential_energy(joints(q));
-    return R::potential_energy(joints(q), gravity(*arguments.gravity));
+    if (arguments.gravity == nullptr) return robot_.potential_energy(joints(q));
+    return robot_.potential_energy(joints(q), gravity(*arguments.gravity));
   }
 
   // By index into the tables.
   TransformForms transform(int index, const Vector<double>& q) const {
     const reflection::Transform& kernels = tables_->transforms[index];
     TransformForms forms;
-    kernels.homogeneous(q.data(), forms.homogeneous.data());
-    kernels.motion(q.data(), forms.motion.data());
-    kernels.force(q.data(), forms.force.data());
+    kernels.homogeneous(cache_of(robot_), q.data(), forms.homogeneous.data());
+    kernels.motion(cache_of(robot_), q.data(), forms.motion.data());
+    kernels.force(cache_of(robot_), q.data(), forms.force.data());
     return forms;
   }
 
   Matrix<double> jacobian(int index, const Vector<double>& q) const {
     const reflection::Jacobian& what = tables_->jacobians[index];
     Matrix<double> J(6, what.column_count);
-    what.kernel(q.data(), J.data());
+    what.kernel(cache_of(robot_), q.data(), J.data());
     return J;
   }
 
@@ -188,6 +206,7 @@ class CompiledRobot {
   }
 
   const Robot* tables_;
+  R robot_;
 };
 
 }  // namespace robcogen::reference

@@ -1,0 +1,138 @@
+// Values of a robot's parameters: random ones that a real robot might have, and the robot's tables for them.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "robcogen/reference/algebra.h"
+#include "robcogen/reference/samples.h"
+
+namespace robcogen::reference {
+
+// The tables of a robot with the numbers of these values, computed by expressions of the document alone.
+class RobotOf {
+ public:
+  RobotOf(const Robot& robot, const std::vector<double>& values)
+      : links_(robot.links.begin(), robot.links.end()),
+        joints_(robot.joints.begin(), robot.joints.end()),
+        frames_(robot.frames.begin(), robot.frames.end()),
+        robot_(robot) {
+    std::vector<double> links(kOfLink * links_.size()), joints(kOfPlacement * joints_.size());
+    std::vector<double> frames(kOfPlacement * frames_.size());
+    robot.numbers(values.data(), links.data(), joints.data(), frames.data());
+    const double* next = links.data();
+    for (reflection::Link& link : links_) {
+      link.mass = *next++;
+      next = fill(fill(next, link.com), link.inertia);
+    }
+    next = joints.data();
+    for (reflection::Joint& joint : joints_) next = fill(fill(next, joint.translation), joint.rotation);
+    next = frames.data();
+    for (reflection::Frame& frame : frames_) next = fill(fill(next, frame.translation), frame.rotation);
+    robot_.links.data = links_.data();
+    robot_.joints.data = joints_.data();
+    robot_.frames.data = frames_.data();
+  }
+  RobotOf(const RobotOf&) = delete;
+  RobotOf& operator=(const RobotOf&) = delete;
+
+  const Robot& robot() const { return robot_; }
+
+ private:
+  static constexpr std::size_t kOfLink = 10, kOfPlacement = 6;
+
+  template <int n>
+  static const double* fill(const double* from, double (&to)[n]) {
+    std::copy(from, from + n, to);
+    return from + n;
+  }
+
+  std::vector<reflection::Link> links_;
+  std::vector<reflection::Joint> joints_;
+  std::vector<reflection::Frame> frames_;
+  Robot robot_;
+};
+
+// The declared defaults; nullopt where a parameter has none.
+inline std::optional<std::vector<double>> default_values(const Robot& robot) {
+  std::vector<double> values;
+  for (const reflection::Parameter& p : robot.parameters) values.push_back(p.default_value);
+  for (const double value : values)
+    if (std::isnan(value)) return std::nullopt;
+  return values;
+}
+
+// Whether a body can have these mass properties: a positive mass, and a positive definite inertia about the centre of
+// mass, the smallest moment larger than `share` of all. Massless links can.
+inline bool is_body(const reflection::Link& link, double share) {
+  const auto [xx, yy, zz, xy, xz, yz] = link.inertia;
+  if (link.mass == 0) return xx == 0 && yy == 0 && zz == 0;
+  const auto [x, y, z] = link.com;
+  const double m = link.mass;
+  // Sylvester's criterion for the inertia less `least` times the unit matrix.
+  const double least = share * (std::abs(xx) + std::abs(yy) + std::abs(zz));
+  const double a = xx - m * (y * y + z * z) - least, b = yy - m * (x * x + z * z) - least;
+  const double c = zz - m * (x * x + y * y) - least;
+  const double d = -(xy - m * x * y), e = -(xz - m * x * z), f = -(yz - m * y * z);
+  const double minor = a * b - d * d;
+  return m > 0 && a > 0 && minor > 0 && minor * c - a * f * f + 2 * d * e * f - b * e * e > 0;
+}
+
+// One value, at random: near the default, or else of the size of a limb. Also the sign and the size of a parameter
+// without default are free, but what it makes must be a body.
+inline double random_value(std::mt19937_64& engine, const reflection::Parameter& p) {
+  if (!std::isnan(p.default_value)) return p.default_value * (1 + uniform(engine, 0.2)) + uniform(engine, 0.01);
+  if (!p.dynamics) return uniform(engine, 1.5);
+  const double size = std::exp(uniform(engine, 3));  // 0.05 to 20
+  return uniform(engine, 1) < -0.5 ? -size : size;
+}
+
+// The numbers of a link.
+inline std::vector<double> numbers_of(const reflection::Link& link) {
+  std::vector<double> numbers = {link.mass};
+  numbers.insert(numbers.end(), std::begin(link.com), std::end(link.com));
+  numbers.insert(numbers.end(), std::begin(link.inertia), std::end(link.inertia));
+  return numbers;
+}
+
+// By link: the parameters that change its numbers.
+inline std::vector<std::vector<int>> dependencies(const Robot& robot, const std::vector<double>& values) {
+  std::vector<std::vector<int>> result(static_cast<std::size_t>(robot.links.size));
+  const RobotOf here(robot, values);
+  for (int k = 0; k < robot.parameters.size; ++k) {
+    std::vector<double> others = values;
+    others[static_cast<std::size_t>(k)] += 0.125;
+    const RobotOf there(robot, others);
+    for (int i = 0; i < robot.links.size; ++i) {
+      if (numbers_of(here.robot().links[i]) != numbers_of(there.robot().links[i]))
+        result[static_cast<std::size_t>(i)].push_back(k);
+    }
+  }
+  return result;
+}
+
+// Random values with which all links that depend on them are bodies; nullopt where none were found. What a link that is
+// none depends on is drawn anew until all are.
+inline std::optional<std::vector<double>> random_values(std::mt19937_64& engine, const Robot& robot) {
+  constexpr int kTries = 20000;
+  // Sane condition numbers at first; but some documents can only say rods and point masses.
+  for (const double share : {0.01, -1e-9}) {
+    std::vector<double> values;
+    for (const reflection::Parameter& p : robot.parameters) values.push_back(random_value(engine, p));
+    const std::vector<std::vector<int>> redrawn = dependencies(robot, values);
+    for (int i = 0; i < kTries; ++i) {
+      const RobotOf made(robot, values);
+      int wrong = 0;
+      while (wrong < robot.links.size &&
+             (redrawn[static_cast<std::size_t>(wrong)].empty() || is_body(made.robot().links[wrong], share)))
+        ++wrong;
+      if (wrong == robot.links.size) return values;
+      for (const int k : redrawn[static_cast<std::size_t>(wrong)])
+        values[static_cast<std::size_t>(k)] = random_value(engine, robot.parameters[k]);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace robcogen::reference

@@ -1,0 +1,17 @@
+// The numbers of a parametric robot's model as a program: what independent checks compute from.
+#pragma once
+
+#include "model/kinematic_tree.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+inline constexpr int kNumbersOfLink = 10, kNumbersOfPlacement = 6;
+
+// parameters -> `links`, `joints`, `frames`: a column for each link, joint and frame of the tree (`frames()`), in
+// order. Link: mass (kg), centre of mass (m), then moments of inertia xx yy zz and products xy xz yz of positive sign
+// (kg m^2), in the axes of the link and about its origin. Joint and frame: translation (m), then rotation about the
+// intrinsic axes x, y', z'' (rad), in the link that carries it.
+symbolic::Program model_numbers(const model::KinematicTree& tree);
+
+}  // namespace robcogen::algorithm

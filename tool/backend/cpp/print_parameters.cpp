@@ -1,0 +1,218 @@
+// <name>/parameters.h: the values of a robot's parameters, and what its functions read of them.
+#include <cmath>
+
+#include "backend/cpp/layout.h"
+#include "backend/cpp/lower.h"
+#include "backend/cpp/printers.h"
+#include "support/number.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+struct Kind {
+  bool is_dynamics = false;
+  std::string name;     // Kinematics
+  std::string subject;  // kinematics
+  std::string what;
+};
+
+const Kind kKinds[] = {
+    {false, "Kinematics", "kinematics",
+     "Parameters in the placement of joints and frames: lengths (m) and angles (rad)."},
+    {true, "Dynamics", "dynamics", "Parameters in the mass properties of links: kg, m, kg m^2."}};
+
+// Calls f(index) for the parameters of a kind, in order.
+template <class F>
+void for_each_of(const Library& library, const Kind& kind, F f) {
+  for (std::size_t i = 0; i < library.parameters.size(); ++i)
+    if (library.parameters[i].is_dynamics == kind.is_dynamics) f(i);
+}
+
+std::string joined(const std::vector<std::string>& items) {
+  std::string result;
+  for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
+  return result;
+}
+
+std::string interface_type(const Api& api, const Kind& kind) {
+  const std::string name = kind.name + "Parameters";
+  std::string getters;
+  for_each_of(*api.library, kind, [&](std::size_t i) {
+    getters += "  virtual double " + api.getters[i] + "() const noexcept = 0;\n";
+  });
+  return comment(kind.what + " Implement this where the values come from.") + "class " + name + " {\n public:\n" +
+         "  virtual ~" + name + "() = default;\n" + (getters.empty() ? "" : "\n" + getters) + "};\n";
+}
+
+std::string values_type(const Api& api, const Kind& kind) {
+  std::string fields, getters;
+  for_each_of(*api.library, kind, [&](std::size_t i) {
+    const double value = api.library->parameters[i].default_value;
+    const std::string initial =
+        std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN();  // no default" : print_double(value) + ";";
+    fields += "  double " + api.fields[i] + " = " + initial + "\n";
+    getters += "  double " + api.getters[i] + "() const noexcept override { return " + api.fields[i] + "; }\n";
+  });
+  const std::string body = paragraphs({fields, getters});
+  return "struct " + kind.name + "Values : " + kind.name + "Parameters {" + (body.empty() ? "" : "\n") + body + "};\n";
+}
+
+// Names of parameters, of those only that f(index) wants.
+template <class F>
+std::string names_of(const Api& api, F wants) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < api.fields.size(); ++i)
+    if (wants(i)) names.push_back(api.fields[i]);
+  return joined(names);
+}
+
+std::string array_type(const Api& api) {
+  const std::string size = std::to_string(api.library->parameters.size());
+  std::vector<std::string> names, remarks;
+  for (const ParameterData& p : api.library->parameters) {
+    names.push_back(quoted(p.name));
+    remarks.push_back(p.is_dynamics ? kKinds[1].subject : kKinds[0].subject);
+  }
+  return "// Values of all parameters in this order, for code that does not know their names.\n"
+         "using ParameterArray = std::array<double, " +
+         size + ">;\n\n" +
+         remarked_list("inline constexpr std::array<const char*, " + size + "> kParameterNames", names, remarks);
+}
+
+std::string all_values_type(const Api& api) {
+  const std::vector<ParameterData>& parameters = api.library->parameters;
+  const std::string twice = names_of(api, [&](std::size_t i) {
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      if (parameters[i].is_dynamics && !parameters[k].is_dynamics && api.fields[k] == api.fields[i]) return true;
+    return false;
+  });
+  std::string text =
+      "// Values of all parameters, at first as declared; one without default is not a number until it is set.\n";
+  if (!twice.empty())
+    text +=
+        comment("In both parts, and written values.KinematicsValues::… or values.DynamicsValues::…: " + twice + ".");
+  return text + "struct ParameterValues : KinematicsValues, DynamicsValues {};\n";
+}
+
+int size_of(const Callable& update) {
+  return update.function->program.outputs.front().rows;
+}
+
+std::string compute(const Api& api, const std::vector<std::size_t>& parts) {
+  std::string body;
+  for (const std::size_t part : parts) {
+    int begin = 0;
+    for (std::size_t k = 0; k < part; ++k) begin += size_of(api.updates[k]);
+    const int end = begin + size_of(api.updates[part]);
+    if (begin == end) continue;
+    body += "    compute<" + std::to_string(begin) + ", " + std::to_string(end) +
+            ">(&kernel::" + api.updates[part].kernel + "<double>);\n";
+  }
+  return body;
+}
+
+// Values that are read anew, then the parts of the cache that depend on them.
+std::string update(const Api& api, const std::vector<Kind>& read, const std::vector<std::size_t>& parts) {
+  std::vector<std::string> arguments;
+  std::string body;
+  for (const Kind& kind : read) {
+    bool is_read = false;
+    for_each_of(*api.library, kind, [&](std::size_t i) {
+      body += "    values_[" + std::to_string(i) + "] = " + kind.subject + "." + api.getters[i] + "();\n";
+      is_read = true;
+    });
+    arguments.push_back("const " + kind.name + "Parameters& " + (is_read ? kind.subject : "/*" + kind.subject + "*/"));
+  }
+  body += compute(api, parts);
+  return declaration("void update", arguments, body.empty() ? " noexcept {}" : " noexcept {", 2) +
+         (body.empty() ? "" : body + "  }\n");
+}
+
+std::string values_function(const Api& api) {
+  std::string body = "    ParameterValues values;\n";
+  for (const Kind& kind : kKinds)
+    for_each_of(*api.library, kind, [&](std::size_t i) {
+      body += "    values." + kind.name + "Values::" + api.fields[i] + " = values_[" + std::to_string(i) + "];\n";
+    });
+  return "  // The values of the last update.\n  ParameterValues values() const noexcept {\n" + body +
+         "    return values;\n  }\n  const ParameterArray& array() const noexcept { return values_; }\n";
+}
+
+std::string constructors(const Api& api) {
+  const std::vector<ParameterData>& parameters = api.library->parameters;
+  const std::string missing = names_of(api, [&](std::size_t i) { return std::isnan(parameters[i].default_value); });
+  std::string text;
+  if (missing.empty()) {
+    text += "  // The declared defaults.\n  Parameters() noexcept : Parameters(ParameterValues()) {}\n";
+  } else {
+    text += comment("Without default: " + missing + ".", 2) +
+            "  Parameters() = delete;  // some parameters have no default: construct with values\n";
+  }
+  return text + "  explicit Parameters(const ParameterValues& values) noexcept : Parameters(values, values) {}\n" +
+         "  explicit Parameters(const ParameterArray& values) noexcept { update(values); }\n" +
+         declaration(
+             "Parameters", {"const KinematicsParameters& kinematics", "const DynamicsParameters& dynamics"},
+             " noexcept {", 2) +
+         "    update(kinematics, dynamics);\n  }\n";
+}
+
+std::string parameters_type(const Api& api) {
+  int size = 0;
+  for (const Callable& update : api.updates) size += size_of(update);
+  const std::vector<std::string> parts = {
+      constructors(api),
+      "  // All values anew.\n" + update(api, {kKinds[0], kKinds[1]}, {0, 1, 2}) +
+          "  void update(const ParameterValues& values) noexcept { update(values, values); }\n" +
+          "  void update(const ParameterArray& values) noexcept {\n    values_ = values;\n" + compute(api, {0, 1, 2}) +
+          "  }\n",
+      "  // Those of one interface anew; the others stay.\n" + update(api, {kKinds[0]}, {0, 2}) +
+          update(api, {kKinds[1]}, {1, 2}),
+      values_function(api),
+      "  // The cache, as kernels take it.\n  const Scalar* data() const noexcept { return cache_.data(); }\n"
+      "  static constexpr std::size_t size() noexcept { return " +
+          std::to_string(size) + "; }\n"};
+  const std::string privates =
+      " private:\n"
+      "  // In double precision whatever Scalar is, and rounded once.\n"
+      "  template <int kBegin, int kEnd>\n"
+      "  void compute(void (*kernel)(const double* values, double* part) noexcept) noexcept {\n"
+      "    std::array<double, kEnd - kBegin> part;\n"
+      "    kernel(values_.data(), part.data());\n"
+      "    for (std::size_t i = 0; i < part.size(); ++i) cache_[kBegin + i] = static_cast<Scalar>(part[i]);\n"
+      "  }\n\n"
+      "  std::array<double, " +
+      std::to_string(api.library->parameters.size()) +
+      "> values_;\n"
+      "  std::array<Scalar, " +
+      std::to_string(size) + "> cache_;\n";
+  return "// What the functions of the robot read: all that follows from parameters alone, computed when these "
+         "change.\n"
+         "//\n"
+         "// Functions only read it, so any number of threads may share one object, as long as none updates it. To "
+         "change\n"
+         "// values meanwhile, update a copy and hand that on.\n"
+         "template <class Scalar = double>\nclass Parameters {\n public:\n" +
+         paragraphs(parts) + "\n" + privates + "};\n";
+}
+
+}  // namespace
+
+std::string print_parameters(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  const std::string head = banner(library, path, "values of its parameters");
+  if (!api.is_parametric())
+    return paragraphs({head + "// It has none: all its quantities are constants.\n", "#pragma once\n"});
+  std::vector<std::string> kernels;
+  for (const Callable& c : api.updates) kernels.push_back(kernel_declaration(c));
+  std::vector<std::string> parts;
+  for (const Kind& kind : kKinds) parts.push_back(interface_type(api, kind));
+  for (const Kind& kind : kKinds) parts.push_back(values_type(api, kind));
+  parts.insert(
+      parts.end(),
+      {all_values_type(api), array_type(api), in_namespace("kernel", paragraphs(kernels)), parameters_type(api)});
+  return paragraphs(
+      {head, "#pragma once\n", includes({"<array>", "<cstddef>", "<limits>"}), includes({"\"robcogen/version.h\""}),
+       runtime_check(api), in_namespace(api.space, paragraphs(parts))});
+}
+
+}  // namespace robcogen::backend::cpp
