@@ -8,8 +8,9 @@
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
 #       [NAMESPACE a::b]            # enclosing namespace
-#       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia
-#                                   # coriolis_matrix centroidal energy transforms jacobians; without it, all of them
+#       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia centroidal
+#                                   # energy transforms jacobians, which a robot gets without it, and coriolis_matrix
+#                                   # jacobian_references jacobian_derivatives velocities accelerations; or `all`
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [IMPORT_DIRS dir…]          # where the documents' imports are looked for, before ROBCOGEN_IMPORT_DIRS
@@ -38,7 +39,11 @@ include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
 
 set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
 set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
-                                             coriolis_matrix centroidal energy transforms jacobians)
+                                             coriolis_matrix centroidal energy transforms jacobians
+                                             jacobian_references jacobian_derivatives velocities accelerations)
+# Those that a robot gets that names none: what most programs need, and little to compile.
+set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
+                                                     centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
@@ -53,7 +58,8 @@ function(robcogen_add_robot)
     _robcogen_refuse("MODEL is missing")
   endif()
   _robcogen_complete_arguments()
-  _robcogen_check_elements(ALGORITHMS ${groups})
+  _robcogen_check_elements(ALGORITHMS ${groups} all)
+  _robcogen_choose_groups()
   _robcogen_check_elements(LANGUAGES cpp matlab maxima)
   _robcogen_check_documents(MODEL)
   _robcogen_check_robot()
@@ -64,7 +70,7 @@ function(robcogen_add_robot)
     _robcogen_add_text()
     return()
   endif()
-  _robcogen_generated_files(${library_NAME} "${library_ALGORITHMS}" headers sources)
+  _robcogen_generated_files(${library_NAME} "${library_groups}" headers sources)
   list(TRANSFORM headers PREPEND ${library_OUTPUT_DIR}/)
   list(TRANSFORM sources PREPEND ${library_OUTPUT_DIR}/)
   _robcogen_add_codegen(${library_TARGET}_codegen)
@@ -103,8 +109,20 @@ function(_robcogen_header name stem result)
   set(${result} ${name}/${stem}.h PARENT_SCOPE)
 endfunction()
 
-# Sets `headers` and `sources` to the files of a robot, relative to its include root. No algorithms means all.
-function(_robcogen_generated_files name algorithms headers sources)
+# Sets library_groups to the groups of functions that ALGORITHMS means.
+function(_robcogen_choose_groups)
+  set(chosen ${library_ALGORITHMS})
+  if(NOT chosen)
+    get_property(chosen GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS)
+  elseif("all" IN_LIST chosen)
+    get_property(chosen GLOBAL PROPERTY ROBCOGEN_GROUPS)
+    set(library_ALGORITHMS ${chosen} PARENT_SCOPE)
+  endif()
+  set(library_groups ${chosen} PARENT_SCOPE)
+endfunction()
+
+# Sets `headers` and `sources` to the files of a robot with these groups, relative to its include root.
+function(_robcogen_generated_files name chosen headers sources)
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
   set(header_list ${name}/${name}.h)
   foreach(stem model types parameters robot reflection)
@@ -114,7 +132,7 @@ function(_robcogen_generated_files name algorithms headers sources)
   list(APPEND header_list ${name}/kernel/parameters.h)
   set(source_list ${name}/parameters.cpp)
   foreach(group IN LISTS groups)
-    if(NOT algorithms OR group IN_LIST algorithms)
+    if(group IN_LIST chosen)
       _robcogen_header(${name} ${group} header)
       list(APPEND header_list ${header} ${name}/kernel/${group}.h)
       list(APPEND source_list ${name}/${group}.cpp)
@@ -261,7 +279,7 @@ function(_robcogen_link_harness target harness)
   foreach(group IN LISTS groups)
     string(TOUPPER ${group} upper)
     set(has 0)
-    if(NOT library_ALGORITHMS OR group IN_LIST library_ALGORITHMS)
+    if(group IN_LIST library_groups)
       set(has 1)
     endif()
     target_compile_definitions(${target} PRIVATE ROBCOGEN_HAS_${upper}=${has})

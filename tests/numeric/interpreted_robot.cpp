@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "check_frame_motion.h"
+
 namespace robcogen::numeric {
 namespace {
 
@@ -202,6 +204,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_energies(robot, c, checks);
     check_transforms(robot, c, checks);
     check_jacobians(robot, c, checks);
+    check_frame_motions(robot, c, checks);
   }
   return checks;
 }

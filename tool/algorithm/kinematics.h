@@ -22,10 +22,43 @@ symbolic::Program coordinate_transform(
     TransformForm form,
     const std::string& name);
 
-// left_J_right: velocity of the origin of `right` with respect to `left`, in coordinates of `left`, angular rows first:
-// q -> J, 6 x k, one column for each joint of the chain (Siciliano et al. 2009, ch. 3). A joint that the chain passes
-// from child to parent moves the other way.
+// How a Jacobian tells the velocity of `right` with respect to `left`; angular rows are the angular velocity in the
+// same axes.
+enum class JacobianReference {
+  in_left,    // velocity of the origin of `right`, in axes of `left`
+  in_target,  // the same velocity in axes of `right`
+  spatial,    // twist about the origin of `left`: velocity of the point of `right` that is there, in axes of `left`
+};
+
+// left_J_right, angular rows first: q -> J, 6 x k, one column for each joint of the chain (Siciliano et al. 2009, ch.
+// 3). A joint that the chain passes from child to parent moves the other way.
 symbolic::Program geometric_jacobian(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name,
+    JacobianReference reference = JacobianReference::in_left);
+
+// Time derivative of left_J_right (in_left): q, qd -> Jd, 6 x k.
+symbolic::Program jacobian_derivative(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name);
+
+// Jd qd of all joints of the chain: angular acceleration of `right` with respect to `left`, and acceleration of its
+// origin, where the joints do not accelerate; axes of `left`: q, qd -> a.
+symbolic::Program jacobian_derivative_times_velocity(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name);
+
+// Twist of `right` with respect to `left`, about the origin and in axes of `left`: q, qd -> V.
+symbolic::Program frame_velocity(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name);
+
+// The time derivative of that twist, in coordinates of `left`: q, qd, qdd -> A.
+symbolic::Program frame_acceleration(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
     const std::string& name);

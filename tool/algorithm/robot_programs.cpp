@@ -4,6 +4,7 @@
 
 #include "algorithm/dynamics.h"
 #include "algorithm/kinematics.h"
+#include "algorithm/transform_kinds.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -178,46 +179,134 @@ std::vector<RobotFunction> energy_group(const KinematicTree& tree, const Formula
 }
 
 std::vector<RobotFunction> transforms_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
-  struct Form {
-    TransformForm form;
-    std::string name;
-    std::string shape;
-  };
-  const std::vector<Form> forms = {
-      {TransformForm::homogeneous, "homogeneous", "4 x 4 homogeneous transform"},
-      {TransformForm::spatial_motion, "motion", "6 x 6 transform of spatial motion vectors, angular first"},
-      {TransformForm::spatial_force, "force", "6 x 6 transform of spatial force vectors, moment first"}};
   std::vector<RobotFunction> list;
-  for (const Form& form : forms) {
+  for (const TransformKind& kind : transform_kinds()) {
     for (const model::FramePair& pair : desired.transforms) {
       const std::string name = pair.left.name + "_X_" + pair.right.name;
       list.push_back(
           {"transforms",
-           "transforms::" + form.name,
+           "transforms::" + kind.scope,
            name,
-           {form.shape + ": maps coordinates in " + pair.right.name + " to coordinates in " + pair.left.name + "."},
+           {kind.summary(pair.left.name, pair.right.name)},
            {},
            pair,
-           coordinate_transform(tree, pair, form.form, form.name + "_" + name)});
+           coordinate_transform(tree, pair, kind.form, kind.scope + "_" + name)});
     }
   }
   return list;
 }
 
-std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
-  std::vector<RobotFunction> list;
+// One function for each desired Jacobian: `fr_base_<letter>_fr_foot`. Programs are called by `prefix` too, where the
+// name is one of several scopes.
+using BuildBetween = std::function<symbolic::Program(const model::FramePair& frames, const std::string& name)>;
+
+void add_for_jacobians(
+    std::vector<RobotFunction>& list,
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    const std::string& scope,
+    const std::string& letter,
+    const std::function<std::string(const std::string& left, const std::string& right)>& summary,
+    const BuildBetween& build,
+    const std::string& prefix = "") {
   for (const model::FramePair& pair : desired.jacobians) {
-    const std::string name = pair.left.name + "_J_" + pair.right.name;
+    const std::string name = pair.left.name + "_" + letter + "_" + pair.right.name;
     list.push_back(
-        {"jacobians",
-         "jacobians",
+        {group,
+         scope,
          name,
-         {"Geometric Jacobian: velocity of the origin of " + pair.right.name + " with respect to " + pair.left.name +
-          ", in coordinates of " + pair.left.name + ", angular rows first."},
+         {summary(pair.left.name, pair.right.name)},
          chain_joints(tree, pair),
          pair,
-         geometric_jacobian(tree, pair, name)});
+         build(pair, prefix + name)});
   }
+}
+
+std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "jacobians", "jacobians", "J",
+      [](const std::string& left, const std::string& right) {
+        return "Geometric Jacobian: velocity of the origin of " + right + " with respect to " + left +
+               ", in coordinates of " + left + ", angular rows first.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return geometric_jacobian(tree, pair, name); });
+  return list;
+}
+
+std::vector<RobotFunction> jacobian_references_group(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "jacobian_references", "jacobians::in_target", "J",
+      [](const std::string& left, const std::string& right) {
+        return "Geometric Jacobian: velocity of the origin of " + right + " with respect to " + left + ", in axes of " +
+               right + ", angular rows first.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) {
+        return geometric_jacobian(tree, pair, name, JacobianReference::in_target);
+      },
+      "in_target_");
+  add_for_jacobians(
+      list, tree, desired, "jacobian_references", "jacobians::spatial", "J",
+      [](const std::string& left, const std::string& right) {
+        return "Spatial Jacobian: twist of " + right + " with respect to " + left + " about the origin of " + left +
+               ", in its axes, angular rows first (Featherstone 2008, ch. 2).";
+      },
+      [&](const model::FramePair& pair, const std::string& name) {
+        return geometric_jacobian(tree, pair, name, JacobianReference::spatial);
+      },
+      "spatial_");
+  return list;
+}
+
+std::vector<RobotFunction> jacobian_derivatives_group(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "jacobian_derivatives", "jacobians", "Jd",
+      [](const std::string& left, const std::string& right) {
+        return "Time derivative of the geometric Jacobian " + left + "_J_" + right + ", column by column.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return jacobian_derivative(tree, pair, name); });
+  add_for_jacobians(
+      list, tree, desired, "jacobian_derivatives", "jacobians", "Jd_qd",
+      [](const std::string& left, const std::string& right) {
+        return "Acceleration that velocities cause: angular (rad/s^2) of " + right + " with respect to " + left +
+               ", then linear (m/s^2) of its origin, in axes of " + left + ": the derivative of " + left + "_J_" +
+               right + " times the velocity.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) {
+        return jacobian_derivative_times_velocity(tree, pair, name);
+      });
+  return list;
+}
+
+std::vector<RobotFunction> velocities_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "velocities", "velocities", "V",
+      [](const std::string& left, const std::string& right) {
+        return "Twist of " + right + " with respect to " + left + ", about the origin and in axes of " + left +
+               ": angular velocity (rad/s), then velocity of the point at that origin (m/s).";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return frame_velocity(tree, pair, name); });
+  return list;
+}
+
+std::vector<RobotFunction> accelerations_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "accelerations", "accelerations", "A",
+      [](const std::string& left, const std::string& right) {
+        return "Spatial acceleration of " + right + " with respect to " + left +
+               ": the time derivative of its twist about the origin and in axes of " + left +
+               " (rad/s^2, m/s^2; Featherstone 2008, ch. 2).";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return frame_acceleration(tree, pair, name); });
   return list;
 }
 
@@ -225,8 +314,16 @@ std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const mode
 
 const std::vector<std::string>& groups() {
   static const std::vector<std::string> names = {
-      "inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "coriolis_matrix", "centroidal",
-      "energy",           "transforms",  "jacobians"};
+      "inverse_dynamics",     "bias_forces", "forward_dynamics", "joint_space_inertia", "coriolis_matrix",
+      "centroidal",           "energy",      "transforms",       "jacobians",           "jacobian_references",
+      "jacobian_derivatives", "velocities",  "accelerations"};
+  return names;
+}
+
+const std::vector<std::string>& default_groups() {
+  static const std::vector<std::string> names = {"inverse_dynamics",    "bias_forces", "forward_dynamics",
+                                                 "joint_space_inertia", "centroidal",  "energy",
+                                                 "transforms",          "jacobians"};
   return names;
 }
 
@@ -244,6 +341,10 @@ std::vector<RobotFunction> functions(
   if (group == "energy") return energy_group(tree, formulation);
   if (group == "transforms") return transforms_group(tree, desired);
   if (group == "jacobians") return jacobians_group(tree, desired);
+  if (group == "jacobian_references") return jacobian_references_group(tree, desired);
+  if (group == "jacobian_derivatives") return jacobian_derivatives_group(tree, desired);
+  if (group == "velocities") return velocities_group(tree, desired);
+  if (group == "accelerations") return accelerations_group(tree, desired);
   return {};
 }
 

@@ -12,17 +12,20 @@ namespace robcogen::algorithm {
 
 // One function of the API. Overloads share `scope` and `name` and differ in inputs.
 struct RobotFunction {
-  std::string group;  // inverse_dynamics, bias_forces, forward_dynamics, joint_space_inertia, transforms, jacobians
-  std::string scope;  // "", transforms::homogeneous, transforms::motion, transforms::force, jacobians
+  std::string group;  // one of groups()
+  std::string scope;  // "", transforms::homogeneous, transforms::motion, transforms::force, jacobians, …
   std::string name;   // `inverse_dynamics`, `fr_base_X_fr_foot`
   std::vector<std::string> summary;  // what, frames, units, source
   std::vector<int> columns;          // jacobians: the joint of each column
-  model::FramePair frames;           // transforms and jacobians
+  model::FramePair frames;           // of what is about two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
 };
 
 // In canonical order.
 const std::vector<std::string>& groups();
+
+// The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
+const std::vector<std::string>& default_groups();
 
 // The functions of one group. Gravity, where it enters, is folded to (0, 0, -9.81) in a fixed-base robot's first
 // overload and an input in the others; external wrenches are inputs of the last.

@@ -18,7 +18,7 @@ struct Options {
   ModelOptions model;
   std::string output;
   LibraryNames names;
-  std::vector<std::string> groups;  // empty: all that a language offers
+  std::vector<std::string> groups;  // empty: the default ones, of those that a language offers
   std::vector<std::string> languages = {"cpp"};
   std::string primitives;  // convention; empty: no products
   std::vector<std::string> import_dirs;
@@ -64,7 +64,7 @@ std::vector<std::string> groups_of(const backend::Language& language, const std:
   std::vector<std::string> ordered;
   for (const std::string& group : algorithm::groups()) {
     const bool is_offered = language.groups.empty() || contains(language.groups, group);
-    if (!asked.empty() && !contains(asked, group)) continue;
+    if (!contains(asked.empty() ? algorithm::default_groups() : asked, group)) continue;
     if (is_offered) {
       ordered.push_back(group);
     } else if (!asked.empty()) {
@@ -215,7 +215,8 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
   subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b");
-  subcommand->add_option("--algorithms", options->groups, "What to generate; default all that a language offers")
+  const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
+  subcommand->add_option("--algorithms", options->groups, "What to generate; default " + default_groups)
       ->check(CLI::IsMember(algorithm::groups()));
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(CLI::IsMember(language_names()));

@@ -160,6 +160,27 @@ TEST(RobotPrograms, OverloadsAgree) {
   }
 }
 
+TEST(RobotPrograms, OfFrames) {
+  const model::KinematicTree tree = robot(false);
+  using List = std::vector<std::string>;
+  EXPECT_EQ(signatures(tree, "jacobians"), (List{"fr_base_J_fr_two: q -> J 6x2"}));
+  EXPECT_EQ(
+      signatures(tree, "jacobian_references"),
+      (List{"in_target_fr_base_J_fr_two: q -> J 6x2", "spatial_fr_base_J_fr_two: q -> J 6x2"}));
+  EXPECT_EQ(
+      signatures(tree, "jacobian_derivatives"),
+      (List{"fr_base_Jd_fr_two: q qd -> Jd 6x2", "fr_base_Jd_qd_fr_two: q qd -> a 6x1"}));
+  EXPECT_EQ(signatures(tree, "velocities"), (List{"fr_base_V_fr_two: q qd -> V 6x1"}));
+  EXPECT_EQ(signatures(tree, "accelerations"), (List{"fr_base_A_fr_two: q qd qdd -> A 6x1"}));
+}
+
+TEST(RobotPrograms, DefaultGroupsAreGroupsInTheirOrder) {
+  std::size_t found = 0;
+  for (const std::string& group : groups())
+    if (found < default_groups().size() && default_groups()[found] == group) ++found;
+  EXPECT_EQ(found, default_groups().size());
+}
+
 TEST(RobotPrograms, AnUnknownGroupIsEmpty) {
   EXPECT_TRUE(functions(robot(false), {}, "dynamics").empty());
 }

@@ -55,8 +55,10 @@ std::string alias(Role role) {
     case Role::gravity:
       return "Gravity";
     case Role::base_velocity:
+    case Role::frame_velocity:
       return "Twist";
     case Role::base_acceleration:
+    case Role::frame_acceleration:
       return "SpatialAcceleration";
     case Role::base_wrench:
       return "Wrench";

@@ -91,7 +91,8 @@ Table jacobians(const Api& api) {
   std::vector<std::vector<Field>> rows;
   std::string columns;
   for (const Callable& c : api.callables) {
-    if (!is_form(c, Role::jacobian)) continue;
+    // Only in the reference that the table means.
+    if (!is_form(c, Role::jacobian) || c.function->scope != "jacobians") continue;
     std::vector<std::string> indices;
     for (int j : c.function->columns) indices.push_back(std::to_string(j));
     const std::string name = indices.empty() ? "nullptr" : c.columns;
