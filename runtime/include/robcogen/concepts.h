@@ -1,0 +1,171 @@
+// Code that is generic over robots: what it may ask of the type `Robot` of a generated library. Needs C++20.
+//
+//     template <robcogen::FixedBaseRobot R>
+//     void control(const R& robot, …);
+//     control(hyl::Robot(), …);
+//
+// The requirements are on a value: the functions of a robot with parameters read those that it carries, and a robot
+// without is empty. A library that was generated with fewer algorithms satisfies the finer concepts of those it has.
+// Transforms and Jacobians have names of their own in each library, and no place here; see
+// robcogen/generic/inverse_kinematics.h for how generic code receives them.
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+
+#include "robcogen/results.h"
+#include "robcogen/spatial.h"
+
+namespace robcogen {
+
+// What all have: sizes and types.
+template <class R>
+concept RobotTraits = requires {
+  { R::kDof } -> std::convertible_to<int>;
+  { R::kLinkCount } -> std::convertible_to<int>;
+  { R::kFloatingBase } -> std::convertible_to<bool>;
+  requires std::floating_point<typename R::Scalar>;
+  requires std::same_as<typename R::JointState, Eigen::Matrix<typename R::Scalar, R::kDof, 1>>;
+  requires R::InertiaMatrix::RowsAtCompileTime == R::kDof + (R::kFloatingBase ? 6 : 0);
+  requires std::same_as<typename R::Gravity, BasicGravity<typename R::Scalar>>;
+  requires std::same_as<typename R::Twist, BasicTwist<typename R::Scalar>>;
+  typename R::LinkWrenches;
+};
+
+template <class R>
+concept FixedBase = RobotTraits<R> && !R::kFloatingBase;
+
+template <class R>
+concept FloatingBase = RobotTraits<R> && R::kFloatingBase;
+
+// inverse_dynamics(q, qd, qdd) returns the joint forces. With a floating base that nothing holds, it takes the velocity
+// of the base too and returns its acceleration beside them; inverse_dynamics_fully_actuated takes that acceleration and
+// returns the wrench that the base needs. All take gravity and external wrenches as further arguments.
+template <class R>
+concept HasInverseDynamics = (FixedBase<R> &&
+                              requires(
+                                  const R& robot,
+                                  const typename R::JointState& q,
+                                  const typename R::Gravity& gravity,
+                                  const typename R::LinkWrenches& external) {
+                                { robot.inverse_dynamics(q, q, q) }
+                                noexcept->std::same_as<typename R::JointState>;
+                                { robot.inverse_dynamics(q, q, q, gravity) }
+                                noexcept->std::same_as<typename R::JointState>;
+                                { robot.inverse_dynamics(q, q, q, gravity, external) }
+                                noexcept->std::same_as<typename R::JointState>;
+                              }) ||
+                             (FloatingBase<R> && requires(
+                                                     const R& robot,
+                                                     const typename R::JointState& q,
+                                                     const typename R::Twist& v,
+                                                     const typename R::SpatialAcceleration& a,
+                                                     const typename R::Gravity& gravity,
+                                                     const typename R::LinkWrenches& external) {
+                               { robot.inverse_dynamics(q, q, q, v, gravity) }
+                               noexcept->std::same_as<typename R::InverseDynamics>;
+                               { robot.inverse_dynamics(q, q, q, v, gravity, external) }
+                               noexcept->std::same_as<typename R::InverseDynamics>;
+                               { robot.inverse_dynamics_fully_actuated(q, q, q, v, a, gravity, external) }
+                               noexcept->std::same_as<typename R::GeneralizedForce>;
+                             });
+
+// forward_dynamics(q, qd, tau) returns the joint accelerations; with a floating base it takes its velocity and returns
+// its acceleration too.
+template <class R>
+concept HasForwardDynamics = (FixedBase<R> &&
+                              requires(
+                                  const R& robot,
+                                  const typename R::JointState& q,
+                                  const typename R::Gravity& gravity,
+                                  const typename R::LinkWrenches& external) {
+                                { robot.forward_dynamics(q, q, q) }
+                                noexcept->std::same_as<typename R::JointState>;
+                                { robot.forward_dynamics(q, q, q, gravity) }
+                                noexcept->std::same_as<typename R::JointState>;
+                                { robot.forward_dynamics(q, q, q, gravity, external) }
+                                noexcept->std::same_as<typename R::JointState>;
+                              }) ||
+                             (FloatingBase<R> && requires(
+                                                     const R& robot,
+                                                     const typename R::JointState& q,
+                                                     const typename R::Twist& v,
+                                                     const typename R::Gravity& gravity,
+                                                     const typename R::LinkWrenches& external) {
+                               { robot.forward_dynamics(q, q, q, v, gravity) }
+                               noexcept->std::same_as<typename R::GeneralizedAcceleration>;
+                               { robot.forward_dynamics(q, q, q, v, gravity, external) }
+                               noexcept->std::same_as<typename R::GeneralizedAcceleration>;
+                             });
+
+// joint_space_inertia(q): symmetric; with a floating base (6 + n) x (6 + n), base first.
+template <class R>
+concept HasJointSpaceInertia = RobotTraits<R> && requires(const R& robot, const typename R::JointState& q) {
+  { robot.joint_space_inertia(q) }
+  noexcept->std::same_as<typename R::InertiaMatrix>;
+};
+
+// bias_forces(q, qd) = coriolis_forces(q, qd) + gravity_forces(q); with a floating base they take its velocity and hold
+// the wrench on it.
+template <class R>
+concept HasBiasForces = (FixedBase<R> &&
+                         requires(const R& robot, const typename R::JointState& q, const typename R::Gravity& gravity) {
+                           { robot.bias_forces(q, q) }
+                           noexcept->std::same_as<typename R::JointState>;
+                           { robot.bias_forces(q, q, gravity) }
+                           noexcept->std::same_as<typename R::JointState>;
+                           { robot.gravity_forces(q, gravity) }
+                           noexcept->std::same_as<typename R::JointState>;
+                           { robot.coriolis_forces(q, q) }
+                           noexcept->std::same_as<typename R::JointState>;
+                         }) ||
+                        (FloatingBase<R> && requires(
+                                                const R& robot,
+                                                const typename R::JointState& q,
+                                                const typename R::Twist& v,
+                                                const typename R::Gravity& gravity) {
+                          { robot.bias_forces(q, q, v, gravity) }
+                          noexcept->std::same_as<typename R::GeneralizedForce>;
+                          { robot.gravity_forces(q, gravity) }
+                          noexcept->std::same_as<typename R::GeneralizedForce>;
+                          { robot.coriolis_forces(q, q, v) }
+                          noexcept->std::same_as<typename R::GeneralizedForce>;
+                        });
+
+// kinetic_energy(q, qd), with a floating base its velocity too; potential_energy(q).
+template <class R>
+concept HasEnergy = ((FixedBase<R> &&
+                      requires(const R& robot, const typename R::JointState& q) {
+                        { robot.kinetic_energy(q, q) }
+                        noexcept->std::same_as<typename R::Scalar>;
+                      }) ||
+                     (FloatingBase<R> &&
+                      requires(const R& robot, const typename R::JointState& q, const typename R::Twist& v) {
+                        { robot.kinetic_energy(q, q, v) }
+                        noexcept->std::same_as<typename R::Scalar>;
+                      })) &&
+                    requires(const R& robot, const typename R::JointState& q, const typename R::Gravity& gravity) {
+  { robot.potential_energy(q, gravity) }
+  noexcept->std::same_as<typename R::Scalar>;
+};
+
+// center_of_mass(q), its Jacobian and the centroidal momentum matrix.
+template <class R>
+concept HasCentroidal = RobotTraits<R> && requires(const R& robot, const typename R::JointState& q) {
+  { robot.center_of_mass(q) }
+  noexcept->std::same_as<typename R::Vector3>;
+  robot.center_of_mass_jacobian(q);
+  robot.centroidal_momentum_matrix(q);
+};
+
+// The dynamics that controllers and simulators are made of.
+template <class R>
+concept HasDynamics = HasInverseDynamics<R> && HasForwardDynamics<R> && HasJointSpaceInertia<R> && HasBiasForces<R>;
+
+template <class R>
+concept FixedBaseRobot = FixedBase<R> && HasDynamics<R>;
+
+template <class R>
+concept FloatingBaseRobot = FloatingBase<R> && HasDynamics<R>;
+
+}  // namespace robcogen

@@ -1,0 +1,42 @@
+// Computed torque: joints that follow a trajectory as masses on springs would, whatever the robot. Needs C++20.
+#pragma once
+
+#include "robcogen/generic/state.h"
+
+namespace robcogen {
+
+// A point of a trajectory.
+template <RobotTraits R>
+struct Setpoint {
+  typename R::JointState q = R::JointState::Zero();
+  typename R::JointState qd = R::JointState::Zero();
+  typename R::JointState qdd = R::JointState::Zero();
+};
+
+// Of the error of each joint: qdd per q (1/s^2) and per qd (1/s).
+template <RobotTraits R>
+struct Gains {
+  typename R::JointState stiffness;
+  typename R::JointState damping;
+};
+
+// Errors e(t) = (e + (de/dt + pole e) t) exp(-pole t), in all joints: both poles at -pole (1/s).
+template <RobotTraits R>
+Gains<R> critically_damped(typename R::Scalar pole) noexcept {
+  return {R::JointState::Constant(pole * pole), R::JointState::Constant(2 * pole)};
+}
+
+// Joint forces (N m, N) by inverse dynamics (Siciliano et al., Robotics, 2009, 8.5.2). With a floating base, which
+// nothing holds, the joints follow all the same, and the base moves as it must.
+template <HasInverseDynamics R>
+typename R::JointState computed_torque(
+    const R& robot,
+    const State<R>& state,
+    const Setpoint<R>& wanted,
+    const Gains<R>& gains) noexcept {
+  const typename R::JointState qdd =
+      wanted.qdd + gains.damping.cwiseProduct(wanted.qd - state.qd) + gains.stiffness.cwiseProduct(wanted.q - state.q);
+  return joint_forces(robot, state, qdd);
+}
+
+}  // namespace robcogen

@@ -1,0 +1,67 @@
+// One step of inverse kinematics of any chain of joints, by damped least squares. Needs C++20.
+//
+// Transforms and Jacobians have names of their own in each library, so the caller says which are meant:
+//
+//     struct Foot {
+//       using JointState = hyl::JointState;
+//       static auto pose(const JointState& q) { return hyl::transforms::homogeneous::fr_base_X_fr_foot(q); }
+//       static auto jacobian(const JointState& q) { return hyl::jacobians::fr_base_J_fr_foot(q); }
+//       static constexpr auto kColumns = hyl::jacobians::fr_base_J_fr_foot_columns;
+//     };
+//     q = inverse_kinematics_step(Foot(), q, target, 1e-6);
+//
+// Nothing allocates.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <concepts>
+
+namespace robcogen {
+
+// pose(q), A_X_B, of a frame B in a frame A (4 x 4), A_J_B with as many columns as kColumns lists joints.
+template <class C>
+concept KinematicChain = requires(const C& chain, const typename C::JointState& q) {
+  requires decltype(chain.pose(q))::RowsAtCompileTime == 4;
+  requires decltype(chain.jacobian(q))::RowsAtCompileTime == 6;
+  requires decltype(chain.jacobian(q))::ColsAtCompileTime == static_cast<int>(C::kColumns.size());
+};
+
+// The motion from one pose to another: the axis times the angle of the turn (rad), of at most half a turn, then the
+// displacement of the origin (m). In coordinates of the frame that both poses are in.
+template <class Scalar>
+Eigen::Matrix<Scalar, 6, 1> pose_error(
+    const Eigen::Matrix<Scalar, 4, 4>& from,
+    const Eigen::Matrix<Scalar, 4, 4>& to) noexcept {
+  using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+  const Matrix3 turn = to.template topLeftCorner<3, 3>() * from.template topLeftCorner<3, 3>().transpose();
+  const Eigen::AngleAxis<Scalar> rotation(turn);
+  Eigen::Matrix<Scalar, 6, 1> error;
+  error << rotation.angle() * rotation.axis(),
+      to.template topRightCorner<3, 1>() - from.template topRightCorner<3, 1>();
+  return error;
+}
+
+// The joints after one step towards `target`, a pose like chain.pose(q): q + J^T (J J^T + mu)^-1 e of the pose error e,
+// mu = damping + |e|^2 / 2. The damping (positive) keeps steps short at singularities; the rest keeps far targets from
+// causing long ones, and vanishes at the target (Sugihara, IEEE T-RO 27(5), 2011). Turns and displacements weigh alike,
+// in rad and m; joints outside of the chain stay.
+template <KinematicChain C>
+typename C::JointState inverse_kinematics_step(
+    const C& chain,
+    const typename C::JointState& q,
+    const Eigen::Matrix<typename C::JointState::Scalar, 4, 4>& target,
+    typename C::JointState::Scalar damping) noexcept {
+  using Scalar = typename C::JointState::Scalar;
+  using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+  const Eigen::Matrix<Scalar, 6, 1> error = pose_error<Scalar>(chain.pose(q), target);
+  const auto J = chain.jacobian(q);
+  const Matrix6 damped = J * J.transpose() + (damping + error.squaredNorm() / 2) * Matrix6::Identity();
+  const auto step = (J.transpose() * damped.llt().solve(error)).eval();
+  typename C::JointState result = q;
+  Eigen::Index row = 0;
+  for (const auto joint : C::kColumns) result[static_cast<int>(joint)] += step[row++];
+  return result;
+}
+
+}  // namespace robcogen

@@ -1,0 +1,108 @@
+// One step in time of any robot. Needs C++20.
+//
+// Both take a function that gives the accelerations in a state, so that joint forces, contacts and other gravity are
+// the caller's:
+//
+//     state = runge_kutta_step(state, h, [&](const auto& s) { return acceleration(robot, s, tau); });
+//
+// Nothing allocates.
+#pragma once
+
+#include <cmath>
+
+#include "robcogen/generic/state.h"
+
+namespace robcogen {
+
+namespace simulation {
+
+// Time derivative of a state, its parts one after another: position, then velocity; of a floating base the
+// coefficients of the orientation (x, y, z, w), position, velocity.
+template <RobotTraits R>
+using Rate = Eigen::Matrix<typename R::Scalar, 2 * R::kDof + (R::kFloatingBase ? 13 : 0), 1>;
+
+template <FixedBase R>
+Rate<R> rate(const State<R>& state, const typename R::JointState& qdd) noexcept {
+  Rate<R> result;
+  result << state.qd, qdd;
+  return result;
+}
+
+template <FloatingBase R>
+Rate<R> rate(const State<R>& state, const typename R::GeneralizedAcceleration& a) noexcept {
+  using Scalar = typename R::Scalar;
+  // The angular velocity in base coordinates as a quaternion: dQ/dt = Q (w, 0) / 2.
+  Eigen::Quaternion<Scalar> spin(0, 0, 0, 0);
+  spin.vec() = state.base_velocity.angular() / 2;
+  Rate<R> result;
+  result << state.qd, a.qdd, (state.orientation * spin).coeffs(), state.orientation * state.base_velocity.linear(),
+      a.base_acceleration.vector();
+  return result;
+}
+
+template <RobotTraits R>
+State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar h) noexcept {
+  State<R> result = state;
+  result.q += h * rate.template head<R::kDof>();
+  result.qd += h * rate.template segment<R::kDof>(R::kDof);
+  if constexpr (R::kFloatingBase) {
+    result.orientation.coeffs() += h * rate.template segment<4>(2 * R::kDof);
+    // Back to the unit sphere. The exact motion stays on it, so this takes nothing from the order of the method.
+    result.orientation.normalize();
+    result.position += h * rate.template segment<3>(2 * R::kDof + 4);
+    result.base_velocity = typename R::Twist(result.base_velocity.vector() + h * rate.template tail<6>());
+  }
+  return result;
+}
+
+// The turn about `vector` by its length (rad).
+template <class Scalar>
+Eigen::Quaternion<Scalar> turn(const Eigen::Matrix<Scalar, 3, 1>& vector) noexcept {
+  const Scalar angle = vector.norm();
+  // sin(angle / 2) / angle; its limit where the quotient has no digits.
+  const Scalar factor = angle > Scalar(0) ? std::sin(angle / 2) / angle : Scalar(0.5);
+  Eigen::Quaternion<Scalar> result;
+  result.w() = std::cos(angle / 2);
+  result.vec() = factor * vector;
+  return result;
+}
+
+}  // namespace simulation
+
+// Velocities by the accelerations at the start, then positions by the velocities at the end: first order; energy
+// oscillates and does not drift for small steps. One evaluation of the dynamics.
+template <FixedBase R, class Acceleration>
+State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
+  State<R> result = state;
+  result.qd += h * acceleration(state);
+  result.q += h * result.qd;
+  return result;
+}
+
+// The orientation turns by the angular velocity, and stays a rotation.
+template <FloatingBase R, class Acceleration>
+State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
+  const typename R::GeneralizedAcceleration a = acceleration(state);
+  State<R> result = state;
+  result.qd += h * a.qdd;
+  result.q += h * result.qd;
+  result.base_velocity = typename R::Twist(state.base_velocity.vector() + h * a.base_acceleration.vector());
+  const typename R::Vector3 angular = result.base_velocity.angular(), linear = result.base_velocity.linear();
+  result.position += h * (state.orientation * linear);
+  result.orientation = (state.orientation * simulation::turn<typename R::Scalar>(h * angular)).normalized();
+  return result;
+}
+
+// The classical method of Runge and Kutta: fourth order, four evaluations of the dynamics.
+template <RobotTraits R, class Acceleration>
+State<R> runge_kutta_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
+  using simulation::Rate, simulation::rate, simulation::advanced;
+  const auto rate_in = [&](const State<R>& s) { return rate<R>(s, acceleration(s)); };
+  const Rate<R> a = rate_in(state);
+  const Rate<R> b = rate_in(advanced<R>(state, a, h / 2));
+  const Rate<R> c = rate_in(advanced<R>(state, b, h / 2));
+  const Rate<R> d = rate_in(advanced<R>(state, c, h));
+  return advanced<R>(state, (a + 2 * b + 2 * c + d) / 6, h);
+}
+
+}  // namespace robcogen

@@ -1,0 +1,56 @@
+// Position and velocity of any robot, and its dynamics in a state: what is different with a floating base is so here
+// and nowhere else. Needs C++20.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "robcogen/concepts.h"
+
+namespace robcogen {
+
+// In rad, m and per second.
+template <RobotTraits R>
+struct State {
+  typename R::JointState q = R::JointState::Zero();
+  typename R::JointState qd = R::JointState::Zero();
+};
+
+// The pose maps base coordinates to those of the world, where z points up. The velocity of the base is in base
+// coordinates, as all that concerns it.
+template <FloatingBase R>
+struct State<R> {
+  typename R::JointState q = R::JointState::Zero();
+  typename R::JointState qd = R::JointState::Zero();
+  Eigen::Quaternion<typename R::Scalar> orientation = Eigen::Quaternion<typename R::Scalar>::Identity();  // unit
+  typename R::Vector3 position = R::Vector3::Zero();
+  typename R::Twist base_velocity;
+};
+
+// Standard gravity in base coordinates.
+template <FloatingBase R>
+typename R::Gravity gravity_in_base(const State<R>& state) noexcept {
+  return typename R::Gravity(state.orientation.conjugate() * R::Gravity::standard().vector());
+}
+
+// Accelerations under joint forces (N m, N) and standard gravity: of the joints (rad/s^2, m/s^2) with a fixed base, and
+// of the base beside them with a floating one.
+template <HasForwardDynamics R>
+auto acceleration(const R& robot, const State<R>& state, const typename R::JointState& tau) noexcept {
+  if constexpr (R::kFloatingBase) {
+    return robot.forward_dynamics(state.q, state.qd, tau, state.base_velocity, gravity_in_base(state));
+  } else {
+    return robot.forward_dynamics(state.q, state.qd, tau);
+  }
+}
+
+// Joint forces (N m, N) that give the joints these accelerations under standard gravity. Nothing holds a floating base.
+template <HasInverseDynamics R>
+typename R::JointState joint_forces(const R& robot, const State<R>& state, const typename R::JointState& qdd) noexcept {
+  if constexpr (R::kFloatingBase) {
+    return robot.inverse_dynamics(state.q, state.qd, qdd, state.base_velocity, gravity_in_base(state)).tau;
+  } else {
+    return robot.inverse_dynamics(state.q, state.qd, qdd);
+  }
+}
+
+}  // namespace robcogen
