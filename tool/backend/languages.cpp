@@ -10,7 +10,7 @@ const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
       {.name = "cpp", .caches_parameters = true, .takes_transforms = true, .print = cpp::print},
       {.name = "matlab", .print = matlab::print},
-      {.name = "maxima", .print = maxima::print},
+      {.name = "maxima", .takes_transforms = true, .print = maxima::print},
   };
   return all;
 }

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "backend/maxima/maxima.h"
+#include "command/transforms.h"
 #include "pass/passes.h"
 #include "robcogen/reference/samples.h"
 #include "symbolic/interpret.h"
@@ -130,9 +131,14 @@ backend::Library library_of(
     const std::string& name,
     command::Primitives primitives) {
   Diagnostics diagnostics;
+  command::Reading reading;
+  if (command::is_transforms(document)) {
+    const std::optional<command::Transforms> transforms = command::load_transforms(document, reading, diagnostics);
+    if (!transforms) throw std::runtime_error(diagnostics.render());
+    return command::library(*transforms, {name, ""}, pass::names());
+  }
   std::filesystem::path desired = document;
   desired.replace_extension(".dtdsl");
-  command::Reading reading;
   if (std::filesystem::exists(desired)) reading.desired = desired;
   const std::optional<command::Robot> robot = command::load_robot(document, reading, diagnostics);
   if (!robot) throw std::runtime_error(diagnostics.render());

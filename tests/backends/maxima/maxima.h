@@ -22,7 +22,8 @@ class WithMaxima : public virtual testing::Test {
 // without blanks at their end. A file that cannot be loaded ends the run, and the test fails with all that was printed.
 std::vector<std::string> run_maxima(const std::vector<OutputFile>& files);
 
-// The library of a robot document, all groups, with its list of desired transforms where one stands beside it.
+// The library of a robot document, all groups, with its list of desired transforms where one stands beside it; or of a
+// document of motions or transforms.
 backend::Library library_of(
     const std::filesystem::path& document,
     const std::string& name,

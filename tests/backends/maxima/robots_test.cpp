@@ -1,4 +1,4 @@
-// The text of every robot, run by Maxima on numbers.
+// The text of every robot, and of transforms with none, run by Maxima on numbers.
 #include <fmt/format.h>
 
 #include <regex>
@@ -21,6 +21,13 @@ TEST_P(MaximaRobots, GiveWhatTheInterpreterGives) {
   const backend::Library library = library_of(document(GetParam()), GetParam());
   ASSERT_GT(library.functions.size(), 20U);
   EXPECT_EQ(differences(library, maxima_text(library)), "");
+}
+
+TEST_F(WithMaxima, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
+  const backend::Library euler =
+      library_of(std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl", "euler");
+  ASSERT_GT(euler.functions.size(), 5U);
+  EXPECT_EQ(differences(euler, maxima_text(euler)), "");
 }
 
 class MaximaText : public testing::TestWithParam<std::string> {};
@@ -47,7 +54,7 @@ TEST_P(MaximaText, IsTidy) {
   EXPECT_EQ(names.size(), definitions) << "a name is defined twice";
 }
 
-const std::string kRobots[] = {"hyl",       "tree5",           "puma560", "iiwa14",
+const std::string kRobots[] = {"hyl",       "hyl_parametric",  "tree5",   "puma560", "iiwa14",
                                "quadruped", "quadruped_fixed", "centaur", "humanoid"};
 std::string itself(const testing::TestParamInfo<std::string>& robot) {
   return robot.param;

@@ -42,6 +42,24 @@ TEST(Primitives, OfTheOtherConventionHaveTheOtherSign) {
   EXPECT_NE(left.find("moved frame on the left"), std::string::npos);
 }
 
+TEST(Primitives, ComeInMaximaToo) {
+  const Scratch scratch("maxima-primitives");
+  const std::string generate = "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) +
+                               " --name hyl --namespace a --language maxima --algorithms transforms";
+  ASSERT_EQ(run_tool(generate + " --primitives right").status, 0);
+  const std::string text = read_text(scratch.path / "maxima" / "a_hyl.mac");
+  EXPECT_NE(
+      text.find("\na_hyl_product_fr_base_X_fr_upperleg(q) := block(\n"
+                "  [q__1, q__2, q__3],\n"
+                "  [q__1, q__2, q__3]: q,\n"
+                "  Tz(q__1) . Ty(13/100) . Tz(-2/25) . Rx(-%pi/2) . Rz(%pi/2) . Rz(q__2))$\n"),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("inverse_dynamics"), std::string::npos);
+  ASSERT_EQ(run_tool(generate).status, 0);
+  EXPECT_EQ(read_text(scratch.path / "maxima" / "a_hyl.mac").find("product"), std::string::npos);
+}
+
 TEST(Primitives, AreNotPrintedUnlessAskedFor) {
   const Scratch scratch("no-primitives");
   const std::string generate =
