@@ -45,8 +45,9 @@ Reached walk(
     Trace& trace,
     const std::vector<Stretch>& chain,
     const std::vector<Expression>& q,
-    const std::function<void(const Motor&, const Reached&)>& at_joint) {
-  Reached here = start(trace.graph);
+    const std::function<void(const Motor&, const Reached&)>& at_joint,
+    int moment_from) {
+  Reached here = start(trace.graph, moment_from);
   for (const Stretch& stretch : chain) {
     advance(here, pose_of(trace, stretch, q));
     if (!stretch.motor) continue;

@@ -35,6 +35,7 @@ Reached walk(
     Trace& trace,
     const std::vector<Stretch>& chain,
     const std::vector<Expression>& q,
-    const std::function<void(const Motor&, const Reached&)>& at_joint);
+    const std::function<void(const Motor&, const Reached&)>& at_joint,
+    int moment_from = Reached::kNoStretch);
 
 }  // namespace robcogen::algorithm

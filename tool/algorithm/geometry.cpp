@@ -74,7 +74,8 @@ class RotationBuilder {
 
   Rotation finish() const {
     Rotation r{quarter_, {}};
-    for (const Plane& plane : planes_) r.planes.push_back({plane.axis, cos(plane.angle), sin(plane.angle)});
+    for (const Plane& plane : planes_)
+      r.planes.push_back({plane.axis, cos(plane.angle), sin(plane.angle), plane.angle});
     return r;
   }
 

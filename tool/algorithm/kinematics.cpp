@@ -17,11 +17,15 @@ Program coordinate_transform(
     const model::FramePair& frames,
     TransformForm form,
     const std::string& name) {
-  Trace trace(tree);
-  const auto q = trace.joint_input("q", Role::joint_position);
-  const Reached end = walk(trace, chain(tree, frames), q, [](const Motor&, const Reached&) {});
-  output_transform(trace, end, form);
-  return trace.program(name);
+  const std::vector<Stretch> stretches = chain(tree, frames);
+  return cheapest_transform(form, static_cast<int>(stretches.size()) - 1, [&](int moment_from) {
+    Trace trace(tree);
+    const auto q = trace.joint_input("q", Role::joint_position);
+    const Reached end = walk(
+        trace, stretches, q, [](const Motor&, const Reached&) {}, moment_from);
+    output_transform(trace, end, form);
+    return trace.program(name);
+  });
 }
 
 Program geometric_jacobian(

@@ -1,7 +1,9 @@
 // Where a chain of frames has got to, and the matrices that map coordinates of there back to its first frame.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "algorithm/geometry.h"
 #include "algorithm/kinematics.h"
@@ -10,15 +12,36 @@ namespace robcogen::algorithm {
 
 // R and p of the frame reached, in the first frame.
 struct Reached {
-  Matrix3 rotation;
-  Vector3 position;
+  Graph* graph = nullptr;
+  Matrix3 rotation = {};
+  Vector3 position = {};
+
+  // How the rotation came about: rotation = before.front() * planes[0] * planes[1] …, no two neighbours about one axis.
+  // before[i] is the product up to planes[i]. Quarter turns are pushed to the left, where they are free.
+  std::vector<Matrix3> before = {};
+  std::vector<PlaneRotation> planes = {};
+  std::vector<Expression> angles = {};  // whose sines and cosines are at hand
+
+  // [p]x R can be made in the end, of p and R, or from some stretch on along the way, where R [offset]x is added: sin^2
+  // + cos^2 does not come up then. Which is cheaper depends on the chain.
+  int stretch = 0;
+  int moment_from = kNoStretch;
+  Matrix3 moment = {};
+  static constexpr int kNoStretch = 1 << 30;
 };
 
 // The first frame itself.
-Reached start(Graph& graph);
+Reached start(Graph& graph, int moment_from = Reached::kNoStretch);
 
 // Goes on to a frame of this pose in the one reached.
 void advance(Reached& here, const Pose& pose);
+
+// The cheapest of the programs that `make` makes: with the moment made in the end, from the first stretch on, or from
+// `tail` on, the stretch behind the last turn. A form that has no moment is made once.
+symbolic::Program cheapest_transform(
+    TransformForm form,
+    int tail,
+    const std::function<symbolic::Program(int moment_from)>& make);
 
 // Names the elements `<subject>_Rxy` and `<subject>_px`.
 void name_reached(Graph& graph, const Reached& here, const std::string& subject);

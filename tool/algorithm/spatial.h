@@ -60,9 +60,10 @@ void name(Graph& graph, const Vector3& v, const std::string& name);
 
 // Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions a vector.
 struct PlaneRotation {
-  int axis = 2;  // 0, 1, 2
-  Expression c;  // cosine
-  Expression s;  // sine
+  int axis = 2;           // 0, 1, 2
+  Expression c;           // cosine
+  Expression s;           // sine
+  Expression angle = {};  // rad, where it matters
 };
 
 // A rotation by a multiple of 90 degrees: image[i] is the axis that row i picks, sign[i] its sign. (P v)_i =

@@ -66,8 +66,9 @@ Reached walk(
     ProgramTrace& trace,
     const CoordinateTransforms& document,
     const std::vector<PrimitiveTransform>& primitives,
-    const std::vector<Expression>& variables) {
-  Reached here = start(trace.graph);
+    const std::vector<Expression>& variables,
+    int moment_from) {
+  Reached here = start(trace.graph, moment_from);
   std::vector<PrimitiveTransform> stretch;
   for (const PrimitiveTransform& primitive : primitives) {
     stretch.push_back(primitive);
@@ -81,6 +82,17 @@ Reached walk(
   trace.section("end", "to the last frame");
   advance(here, pose_of(trace, stretch, variables));
   return here;
+}
+
+// The number of the stretch behind the last turn.
+int tail_of(const CoordinateTransforms& document, const std::vector<PrimitiveTransform>& primitives) {
+  int stretch = 0, tail = 0;
+  for (const PrimitiveTransform& primitive : primitives) {
+    const bool is_last_of_stretch = !subject_of(document, primitive.amount).empty();
+    if (primitive.rotation) tail = stretch + (is_last_of_stretch ? 1 : 0);
+    if (is_last_of_stretch) ++stretch;
+  }
+  return tail;
 }
 
 }  // namespace
@@ -109,19 +121,22 @@ Program transform_program(
     const CoordinateTransform& transform,
     TransformForm form,
     const std::string& name) {
-  ProgramTrace trace;
   const Arguments arguments = arguments_of(document, transform);
-  if (arguments.parameters) trace.parameter_input(document.parameters);
-  std::vector<Expression> variables(document.variables.size());
-  if (!arguments.variables.empty()) {
-    std::vector<std::string> labels;
-    for (int i : arguments.variables) labels.push_back(document.variables[static_cast<std::size_t>(i)]);
-    const std::vector<Expression> inputs = trace.input("variables", Role::variables, labels);
-    for (std::size_t k = 0; k < inputs.size(); ++k)
-      variables[static_cast<std::size_t>(arguments.variables[k])] = inputs[k];
-  }
-  output_transform(trace, walk(trace, document, merged(rightwards(document, transform)), variables), form);
-  return trace.program(name);
+  const std::vector<PrimitiveTransform> primitives = merged(rightwards(document, transform));
+  return cheapest_transform(form, tail_of(document, primitives), [&](int moment_from) {
+    ProgramTrace trace;
+    if (arguments.parameters) trace.parameter_input(document.parameters);
+    std::vector<Expression> variables(document.variables.size());
+    if (!arguments.variables.empty()) {
+      std::vector<std::string> labels;
+      for (int i : arguments.variables) labels.push_back(document.variables[static_cast<std::size_t>(i)]);
+      const std::vector<Expression> inputs = trace.input("variables", Role::variables, labels);
+      for (std::size_t k = 0; k < inputs.size(); ++k)
+        variables[static_cast<std::size_t>(arguments.variables[k])] = inputs[k];
+    }
+    output_transform(trace, walk(trace, document, primitives, variables, moment_from), form);
+    return trace.program(name);
+  });
 }
 
 std::vector<TransformFunction> transform_functions(const CoordinateTransforms& document) {
