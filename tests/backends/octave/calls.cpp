@@ -22,7 +22,7 @@ std::string line(const Call& call) {
   std::string text = call.function;
   for (const Argument& a : call.arguments) {
     if (call.omits_gravity && &a == &call.arguments.back()) break;
-    text += fmt::format(" {} {} {} [{}]", a.name, a.rows, a.columns, fmt::join(a.fields, ","));
+    text += fmt::format(" {} {} {} {}", a.name, a.rows, a.columns, a.kind);
   }
   text += " >";
   for (const Result& r : call.results) text += fmt::format(" {} {} {}", r.name, r.rows, r.columns);

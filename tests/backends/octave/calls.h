@@ -12,8 +12,9 @@ struct Argument {
   std::string name;
   int rows = 0;
   int columns = 1;
-  std::vector<std::string> fields = {};  // of a struct with a number for each row; else empty
-  std::vector<double> around = {};       // values are drawn within a fifth of these; else all signs and a few turns
+  // `array`; `scalars`: Octave gets the elements one by one; `struct:a,b`: a field each.
+  std::string kind = "array";
+  std::vector<double> around = {};  // values are drawn within a fifth of these; else of all signs and a few turns
 };
 
 struct Result {
@@ -33,7 +34,7 @@ struct Call {
   bool omits_gravity = false;  // the last argument: Octave is called without it, and it is (0, 0, -9.81) m/s^2
 };
 
-// Writes folder/calls.txt, a line each call (`function argument rows columns [fields]… > result rows columns…`), and
+// Writes folder/calls.txt, a line each call (`function name rows columns kind… > name rows columns…`), and
 // folder/values.bin: for each call and state the arguments and then the results, as doubles. Deterministic. Throws
 // std::runtime_error when a value is not finite or a file cannot be written.
 void write_values(const std::vector<Call>& calls, int states, const std::filesystem::path& folder);

@@ -35,7 +35,7 @@ function compare(folder, states)
       failures = failures + 1;
       remark = '  DIFFERS';
     end
-    fprintf('%-70s %8.1e%s\n', sprintf('%s/%d', call.name, numel(call.arguments)), worst, remark);
+    fprintf('%-70s %8.1e%s\n', sprintf('%s/%d', call.name, numel(arguments)), worst, remark);
     functions{end + 1} = call.name;
   end
   if ~isempty(fread(file, 1))
@@ -59,13 +59,18 @@ function call = parse(line)
 end
 
 function list = arrays(words, width)
-  list = struct('rows', {}, 'columns', {}, 'fields', {});
+  list = struct('rows', {}, 'columns', {}, 'kind', {}, 'fields', {});
   for k = 1:width:numel(words)
     item.rows = str2double(words{k + 1});
     item.columns = str2double(words{k + 2});
+    item.kind = 'array';
     item.fields = {};
-    if width == 4 && ~strcmp(words{k + 3}, '[]')
-      item.fields = strsplit(words{k + 3}(2:end - 1), ',');
+    if width == 4
+      parts = strsplit(words{k + 3}, ':');
+      item.kind = parts{1};
+      if numel(parts) > 1
+        item.fields = strsplit(parts{2}, ',');
+      end
     end
     list(end + 1) = item;
   end
@@ -77,12 +82,17 @@ end
 
 % The arrays that lie in a column of values behind the first ones.
 function [arrays, first] = unpack(values, list, first)
-  arrays = cell(1, numel(list));
+  arrays = {};
   for k = 1:numel(list)
     count = list(k).rows * list(k).columns;
-    arrays{k} = reshape(values(first + 1:first + count), list(k).rows, list(k).columns);
-    if ~isempty(list(k).fields)
-      arrays{k} = cell2struct(num2cell(arrays{k}), list(k).fields, 1);
+    array = reshape(values(first + 1:first + count), list(k).rows, list(k).columns);
+    switch list(k).kind
+      case 'array'
+        arrays{end + 1} = array;
+      case 'scalars'
+        arrays = [arrays, num2cell(array)'];
+      case 'struct'
+        arrays{end + 1} = cell2struct(num2cell(array), list(k).fields, 1);
     end
     first = first + count;
   end

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "command/transforms.h"
+
 namespace robcogen::octave {
 namespace {
 
@@ -23,9 +25,11 @@ Argument argument(const backend::Library& library, const InputArray& array) {
     result.rows = 6;
     result.columns = static_cast<int>(library.links.size());
   }
+  if (array.role == Role::variables) result.kind = "scalars";
   if (array.role == Role::parameters) {
+    result.kind = "struct";
     for (const backend::ParameterData& p : library.parameters) {
-      result.fields.push_back(p.name);
+      result.kind += (result.around.empty() ? ":" : ",") + p.name;
       result.around.push_back(std::isnan(p.default_value) ? 1.0 : p.default_value);
     }
   }
@@ -33,6 +37,25 @@ Argument argument(const backend::Library& library, const InputArray& array) {
 }
 
 }  // namespace
+
+std::optional<backend::Library> load(
+    const std::filesystem::path& model,
+    const std::string& desired,
+    const std::string& name,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& passes) {
+  command::Reading reading;
+  if (!desired.empty()) reading.desired = desired;
+  Diagnostics diagnostics;
+  if (command::is_transforms(model)) {
+    const auto transforms = command::load_transforms(model, reading, diagnostics);
+    if (!transforms) return std::nullopt;
+    return command::library(*transforms, {name, ""}, passes);
+  }
+  const auto robot = command::load_robot(model, reading, diagnostics);
+  if (!robot) return std::nullopt;
+  return command::library(*robot, {name, ""}, groups, passes);
+}
 
 Call shape(const backend::Library& library, const backend::Function& function) {
   Call call;

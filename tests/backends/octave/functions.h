@@ -1,10 +1,21 @@
 // What a function of a library looks like to Octave.
 #pragma once
 
+#include <optional>
+
 #include "backend/library.h"
 #include "calls.h"
 
 namespace robcogen::octave {
+
+// The library of a robot with these groups, or of a document of motions or transforms; nullopt when it is wrong.
+// `desired` may be empty.
+std::optional<backend::Library> load(
+    const std::filesystem::path& model,
+    const std::string& desired,
+    const std::string& name,
+    const std::vector<std::string>& groups,
+    const std::vector<std::string>& passes);
 
 // The function's package name, arguments and results; nothing that evaluates it.
 Call shape(const backend::Library& library, const backend::Function& function);

@@ -3,7 +3,7 @@
 #     PACKAGES  folder of the generated package, NAME its name
 #     VALUES    the program that writes the values, and its arguments
 #     FOLDER    for the values
-#     MUTATE    a file of the package and the text in it that gets another sign: the comparison must fail
+#     MUTATE    a file of the package, whose first sum becomes a difference: the comparison must fail
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
 set(states 100)
 
@@ -20,24 +20,23 @@ run(ignored ${VALUES} ${states} ${FOLDER})
 if(MUTATE)
   file(COPY ${PACKAGES}/+${NAME} DESTINATION ${FOLDER})
   set(PACKAGES ${FOLDER})
-  list(GET MUTATE 0 file)
-  list(GET MUTATE 1 text)
-  list(GET MUTATE 2 replacement)
-  file(READ ${PACKAGES}/+${NAME}/${file} original)
-  string(REPLACE "${text}" "${replacement}" changed "${original}")
-  if(changed STREQUAL original)
-    message(FATAL_ERROR "${file} has no '${text}'")
+  file(READ ${PACKAGES}/+${NAME}/${MUTATE} text)
+  if(NOT text MATCHES "\n  [A-Za-z0-9_]+ = [^\n+]* \\+ [^\n]*")
+    message(FATAL_ERROR "${MUTATE} has no sum")
   endif()
-  file(WRITE ${PACKAGES}/+${NAME}/${file} "${changed}")
+  set(line "${CMAKE_MATCH_0}")
+  string(REPLACE " + " " - " changed "${line}")
+  string(REPLACE "${line}" "${changed}" text "${text}")
+  file(WRITE ${PACKAGES}/+${NAME}/${MUTATE} "${text}")
 endif()
 
 set(octave ${OCTAVE} --no-gui --norc --no-history --path ${PACKAGES} --path ${CMAKE_CURRENT_LIST_DIR} --eval
            "compare('${FOLDER}', ${states})")
 if(MUTATE)
-  string(REGEX REPLACE "\\.m$" "" function ${file})
+  string(REGEX REPLACE "\\.m$" "" function ${MUTATE})
   run_failing(text ${octave})
   if(NOT text MATCHES "${NAME}\\.${function}/[0-9]+ +[^ ]+  DIFFERS")
-    message(FATAL_ERROR "the change of ${file} is not what made the comparison fail:\n${text}")
+    message(FATAL_ERROR "the change of ${MUTATE} is not what made the comparison fail:\n${text}")
   endif()
   return()
 endif()
@@ -46,7 +45,7 @@ message("${text}")
 
 # Each function has been called, in each of its forms, at each state.
 file(GLOB_RECURSE files RELATIVE ${PACKAGES} ${PACKAGES}/+${NAME}/*.m)
-list(FILTER files EXCLUDE REGEX "^[^/]+/(model|parameters)\\.m$")
+list(FILTER files EXCLUDE REGEX "^[^/]+/(Contents|model|parameters)\\.m$")
 list(LENGTH files functions)
 file(STRINGS ${FOLDER}/calls.txt lines)
 list(LENGTH lines calls)

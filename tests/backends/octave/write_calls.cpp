@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iostream>
 
+#include "algorithm/robot_programs.h"
 #include "backend/cpp/api.h"
 #include "backend/cpp/printers.h"
-#include "command/pipeline.h"
 #include "functions.h"
 #include "pass/passes.h"
 
@@ -26,7 +25,7 @@ std::string row(const backend::cpp::Api& api, const backend::cpp::Callable& call
   std::vector<std::string> arguments, results, pointers;
   for (const Argument& a : call.arguments) {
     pointers.push_back(fmt::format("in[{}]", arguments.size()));
-    arguments.push_back(fmt::format("{{\"{}\", {}, {}}}", a.name, a.rows, a.columns));
+    arguments.push_back(fmt::format("{{\"{}\", {}, {}, \"{}\"}}", a.name, a.rows, a.columns, a.kind));
   }
   for (const Result& r : call.results) {
     pointers.push_back(fmt::format("out[{}]", results.size()));
@@ -58,12 +57,11 @@ int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() != 5) return 2;
-  Diagnostics diagnostics;
-  const auto robot = command::load_robot(arguments[1], {arguments[2], false, {}}, diagnostics);
-  if (!robot) return 1;
-  const backend::Library library = command::library(*robot, {arguments[3], ""}, algorithm::groups(), pass::names());
+  const auto library =
+      octave::load(arguments[1], arguments[2], arguments[3], algorithm::default_groups(), pass::names());
+  if (!library) return 1;
   std::ofstream file(arguments[4]);
-  file << octave::header(library);
+  file << octave::header(*library);
   file.close();
   return file ? 0 : 1;
 }

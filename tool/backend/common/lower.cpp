@@ -94,17 +94,30 @@ class Lowering {
 
   void declare_parameters() {
     kernel_.parameters = parameters(program_, dialect_);
-    for (const Parameter& p : kernel_.parameters) scope_.take(p.name);
+    for (const Parameter& p : kernel_.parameters) {
+      scope_.take(p.name);
+      for (const std::string& e : p.elements) scope_.take(e);
+    }
     for (std::size_t p = 0; p < program_.inputs.size(); ++p) {
       kernel_.parameters[p].used = false;
       const std::vector<std::string>& labels = program_.inputs[p].elements;
-      for (std::size_t k = 0; k < labels.size(); ++k) {
-        input_names_.push_back(element(kernel_.parameters[p], k));
-        input_labels_.push_back(labels[k]);
-      }
+      const std::vector<std::string> names = element_names(program_.inputs[p], kernel_.parameters[p]);
+      input_names_.insert(input_names_.end(), names.begin(), names.end());
+      input_labels_.insert(input_labels_.end(), labels.begin(), labels.end());
     }
     for (std::size_t p = 0; p < program_.outputs.size(); ++p)
       output_parameter(p).used = !program_.outputs[p].values.empty();
+  }
+
+  std::vector<std::string> element_names(const symbolic::InputArray& input, const Parameter& parameter) const {
+    if (!parameter.elements.empty()) return parameter.elements;
+    std::vector<std::string> names;
+    if (input.role == symbolic::Role::parameters && dialect_.members) {
+      for (const std::string& member : dialect_.members(input.elements)) names.push_back(parameter.name + "." + member);
+    } else {
+      for (std::size_t k = 0; k < input.elements.size(); ++k) names.push_back(element(parameter, k));
+    }
+    return names;
   }
 
   std::string element(const Parameter& array, std::size_t k) const { return dialect_.element(array.name, k); }
@@ -373,8 +386,18 @@ class Lowering {
 
 std::vector<Parameter> parameters(const Program& program, const Dialect& dialect) {
   NameScope scope(dialect.is_reserved, dialect.used_names);
+  std::vector<std::vector<std::string>> elements;
+  for (const symbolic::InputArray& array : program.inputs) {
+    elements.emplace_back();
+    if (!dialect.names_variables || array.role != symbolic::Role::variables) continue;
+    std::vector<std::string> wanted;
+    for (const std::string& label : array.elements)
+      wanted.push_back(shortened(label, dialect.name_limit, dialect.is_reserved));
+    elements.back() = claim_all(scope, wanted);
+  }
   std::vector<Parameter> result;
-  for (const symbolic::InputArray& array : program.inputs) result.push_back({scope.claim(array.name), false});
+  for (std::size_t p = 0; p < program.inputs.size(); ++p)
+    result.push_back({scope.claim(program.inputs[p].name), false, true, std::move(elements[p])});
   for (const symbolic::OutputArray& array : program.outputs) result.push_back({scope.claim(array.name), true});
   return result;
 }

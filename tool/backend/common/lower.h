@@ -17,7 +17,8 @@ namespace robcogen::backend {
 struct Parameter {
   std::string name;
   bool output = false;
-  bool used = true;  // an unused parameter needs no name
+  bool used = true;                        // an unused parameter needs no name
+  std::vector<std::string> elements = {};  // by Dialect::names_variables: arguments of their own
 };
 
 struct Line {
@@ -54,15 +55,20 @@ struct Dialect {
   bool stores = true;
   // Parameters that are read are named by their labels, a line each, before all else.
   bool binds_parameters = false;
+  // Variables of a document come as arguments of their own, by their labels.
+  bool names_variables = false;
   // A number that is not negative.
   Spelling (*literal)(const Number& value) = nullptr;
   // Element k, from 0, of an array.
   std::string (*element)(const std::string& array, std::size_t k) = nullptr;
+  // Where parameters come as a structure: its members, by the labels of all parameters.
+  std::vector<std::string> (*members)(const std::vector<std::string>& labels) = nullptr;
   // The line, ready to be printed.
   std::string (*text)(const Line& line) = nullptr;
 };
 
-// Inputs, then outputs, under the names that they have in the function; all marked as used.
+// Inputs, then outputs, under the names that they have in the function; all marked as used. Variables keep their names
+// before arrays do.
 std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
 
 // The rules:

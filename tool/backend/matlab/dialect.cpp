@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "support/number.h"
@@ -67,6 +68,7 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "false",
     "i",
     "inf",
+    "isempty",
     "j",
     "max",
     "min",
@@ -80,15 +82,10 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "sqrt",
     "struct",
     "sum",
+    "tril",
     "true",
     "zeros",
 });
-
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  std::string result;
-  for (const std::string& item : items) result += (result.empty() ? "" : separator) + item;
-  return result;
-}
 
 std::string text(const Line& line) {
   if (line.kind == Line::Kind::section) return "% " + line.expression;
@@ -96,8 +93,8 @@ std::string text(const Line& line) {
 }
 
 Spelling literal(const Number& value) {
-  const std::string number = print_double(value.value());
-  return backend::literal(number, "-" + number);
+  const std::string text = number(value.value());
+  return backend::literal(text, "-" + text);
 }
 
 std::string element(const std::string& array, std::size_t k) {
@@ -114,17 +111,44 @@ const Dialect& dialect() {
   static const Dialect matlab = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"cos", "nargin", "sin", "sqrt", "zeros"};
-    d.line_limit = kColumns - 4;  // inside a branch
-    d.name_limit = 26;            // three such operands and their operators fit in one line
+    d.used_names = {"cos", "isempty", "nargin", "sin", "sqrt", "tril", "zeros"};
+    d.line_limit = kColumns - 2;
+    d.name_limit = 26;  // three such operands and their operators fit in one line
     d.pairs_angles = false;
     d.stores = false;
+    d.binds_parameters = true;
+    d.names_variables = true;
     d.literal = literal;
     d.element = element;
+    d.members = fields;
     d.text = text;
     return d;
   }();
   return matlab;
+}
+
+std::vector<std::string> fields(const std::vector<std::string>& parameters) {
+  NameScope scope(is_reserved);
+  return claim_all(scope, parameters);
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+  std::string result;
+  for (const std::string& item : items) result += (result.empty() ? "" : separator) + item;
+  return result;
+}
+
+std::string upper_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
+std::string number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value < 0 ? "-Inf" : "Inf";
+  const std::string text = print_double(value);
+  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
 }
 
 std::string quoted(const std::string& text) {
@@ -133,45 +157,54 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string comment(const std::string& text, std::size_t indent) {
-  const std::string prefix = std::string(indent, ' ') + "% ";
-  std::string clean = text, result;
-  for (char& c : clean)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+std::string comment(const std::string& text, std::size_t indent, std::size_t hanging) {
+  const std::string margin = std::string(indent, ' ') + "% ";
+  std::string clean, result, prefix = margin;
+  for (const char c : text)
+    if (c != '`') clean += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   while (clean.size() + prefix.size() > kColumns) {
     std::size_t cut = clean.rfind(' ', kColumns - prefix.size());
-    if (cut == std::string::npos || cut == 0) cut = clean.find(' ', 1);
+    if (cut == std::string::npos || clean.find_first_not_of(' ') > cut)
+      cut = clean.find(' ', clean.find_first_not_of(' '));
     if (cut == std::string::npos) break;
     result += prefix + clean.substr(0, cut) + "\n";
     clean.erase(0, cut + 1);
+    prefix = margin + std::string(hanging, ' ');
   }
   return result + prefix + clean + "\n";
 }
 
-std::string assignment(
-    const std::string& target,
-    const std::vector<std::vector<std::string>>& rows,
-    std::size_t indent) {
-  const std::string margin(indent, ' ');
-  std::vector<std::string> texts;
-  for (const std::vector<std::string>& row : rows) texts.push_back(joined(row, ", "));
-  const std::string head = margin + target + " = ";
-  if (rows.size() == 1 && rows.front().size() == 1) return head + texts.front() + ";\n";
-  const std::string line = head + "[" + joined(texts, "; ") + "];\n";
-  if (line.size() <= kColumns) return line;
+std::string wrapped(
+    const std::string& head,
+    const std::vector<std::string>& items,
+    const std::string& tail,
+    const std::string& separator) {
+  std::string result, line = head;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool opens = line.ends_with('(') || line.ends_with('[') || line.ends_with('{');
+    const std::string item = items[i] + (i + 1 < items.size() ? separator : tail);
+    if (line.size() + item.size() + 5 > kColumns) {
+      result += line + " ...\n";
+      line = std::string(head.find_first_not_of(' ') + 4, ' ') + item;
+    } else {
+      line += (opens ? "" : " ") + item;
+    }
+  }
+  return result + line + (items.empty() ? tail : "") + "\n";
+}
 
+std::string matrix(const std::string& target, const std::vector<std::vector<std::string>>& rows) {
+  const std::string head = "  " + target + " = ";
+  if (rows.size() == 1 && rows.front().size() == 1) return head + rows.front().front() + ";\n";
+  if (rows.size() == 1 || rows.front().size() == 1) {
+    std::vector<std::string> items;
+    for (const std::vector<std::string>& row : rows) items.insert(items.end(), row.begin(), row.end());
+    return wrapped(head + "[", items, "];", rows.size() == 1 ? "," : ";");
+  }
   std::string result = head + "[ ...\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    std::string current = margin + "   ";
-    for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      const std::string item = " " + rows[r][c] + (c + 1 < rows[r].size() ? "," : r + 1 < rows.size() ? ";" : "];");
-      if (current.size() + item.size() + 4 > kColumns) {
-        result += current + " ...\n";
-        current = margin + "     ";
-      }
-      current += item;
-    }
-    result += current + (r + 1 < rows.size() ? " ...\n" : "\n");
+    const bool is_last = r + 1 == rows.size();
+    result += wrapped("    " + rows[r].front() + ",", {rows[r].begin() + 1, rows[r].end()}, is_last ? "];" : "; ...");
   }
   return result;
 }

@@ -15,16 +15,31 @@ bool is_reserved(const std::string& name);
 
 const Dialect& dialect();
 
+// The fields of the struct of parameters, by the names of all parameters.
+std::vector<std::string> fields(const std::vector<std::string>& parameters);
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ");
+
+std::string upper_case(std::string text);
+
+// The shortest text of a number: every one is a double.
+std::string number(double value);
+
 // A string literal.
 std::string quoted(const std::string& text);
 
-// Comment lines, wrapped at blanks.
-std::string comment(const std::string& text, std::size_t indent = 0);
+// Comment lines, wrapped at blanks; lines after the first are indented by `hanging` more. Quotation marks of the
+// documentation go.
+std::string comment(const std::string& text, std::size_t indent = 0, std::size_t hanging = 2);
 
-// `target = [rows];`, continued where it is too long. Elements hold no blanks but around operators.
-std::string assignment(
-    const std::string& target,
-    const std::vector<std::vector<std::string>>& rows,
-    std::size_t indent = 0);
+// `head item, item tail` with this separator, continued where it is too long.
+std::string wrapped(
+    const std::string& head,
+    const std::vector<std::string>& items,
+    const std::string& tail,
+    const std::string& separator = ",");
+
+// `  target = [rows];`: a row a line, unless it is a row or a column, and continued where it is too long.
+std::string matrix(const std::string& target, const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace robcogen::backend::matlab

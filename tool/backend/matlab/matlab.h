@@ -7,10 +7,13 @@
 
 namespace robcogen::backend::matlab {
 
-// +<name>/<function>.m for the functions of all groups, scopes as packages in it (+transforms/+homogeneous/…), and
-// +<name>/model.m with the robot's constants. Vectors are columns, matrices are full; overloads are one function whose
-// last arguments may be left out. A parametric robot's functions take a struct of its parameters first, whose defaults
-// +<name>/parameters.m returns. Everything runs in both programs unchanged.
+// +<name>/<function>.m for the functions of all groups, scopes as packages in it (+transforms/+homogeneous/…),
+// +<name>/model.m with the constants of a robot, and +<name>/Contents.m, an overview.
+//
+// Vectors are columns, matrices are full. Overloads are one function: gravity and external wrenches may be left out.
+// Where there are parameters, a struct of them is the first argument of what depends on them; +<name>/parameters.m
+// returns their declared values. Variables of a document with no robot are arguments one by one, by their names, after
+// the parameters and in the order of the document. Everything runs in both programs unchanged.
 std::vector<OutputFile> print(const Library& library);
 
 }  // namespace robcogen::backend::matlab

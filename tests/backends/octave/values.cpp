@@ -1,10 +1,13 @@
-// interpreted_values MODEL DESIRED NAME STATES FOLDER: what the interpreter makes of a robot, also of one with
-// parameters.
+// values MODEL DESIRED NAME STATES FOLDER: what the functions of a library give. Where CALLS is the header of calls of
+// a compiled library, that is asked for the functions that it has, and the interpreter for the others.
+#ifdef CALLS
+#include CALLS
+#endif
+
 #include <algorithm>
 
-#include "command/pipeline.h"
+#include "algorithm/robot_programs.h"
 #include "functions.h"
-#include "pass/passes.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::octave {
@@ -23,9 +26,18 @@ Evaluate evaluate(const symbolic::Program& program) {
   };
 }
 
+#ifndef CALLS
+const std::vector<Call> kCalls;
+#endif
+
+bool is_compiled(const std::string& function) {
+  return std::any_of(kCalls.begin(), kCalls.end(), [&](const Call& call) { return call.function == function; });
+}
+
 std::vector<Call> calls(const backend::Library& library) {
-  std::vector<Call> result;
+  std::vector<Call> result = kCalls;
   for (const backend::Function& function : library.functions) {
+    if (is_compiled(shape(library, function).function)) continue;
     result.push_back(shape(library, function));
     result.back().evaluate = evaluate(function.program);
     if (!may_omit_gravity(library, function)) continue;
@@ -42,10 +54,7 @@ int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() != 6) return 2;
-  Diagnostics diagnostics;
-  const auto robot = command::load_robot(arguments[1], {arguments[2], false, {}}, diagnostics);
-  if (!robot) return 1;
   // Without passes: these change what the functions compute by rounding only.
-  const backend::Library library = command::library(*robot, {arguments[3], ""}, algorithm::groups(), {});
-  return octave::write_values(octave::calls(library), arguments, 4);
+  const auto library = octave::load(arguments[1], arguments[2], arguments[3], algorithm::groups(), {});
+  return library ? octave::write_values(octave::calls(*library), arguments, 4) : 1;
 }

@@ -1,0 +1,95 @@
+// The text of functions.
+#include "backend/common/product.h"
+#include "backend/matlab/dialect.h"
+#include "backend/matlab/printers.h"
+
+namespace robcogen::backend::matlab {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::Program;
+using symbolic::Role;
+
+// `function [a, b] = name(arguments)`. Variables of a document are arguments one by one.
+std::string signature(const Program& program, const Kernel& kernel, const std::string& name) {
+  std::vector<std::string> arguments, results;
+  for (std::size_t i = 0; i < kernel.parameters.size(); ++i) {
+    const Parameter& p = kernel.parameters[i];
+    if (p.output) {
+      results.push_back(p.name);
+    } else if (program.inputs[i].role == Role::variables) {
+      arguments.insert(arguments.end(), p.elements.begin(), p.elements.end());
+    } else {
+      arguments.push_back(p.name);
+    }
+  }
+  const std::string result = results.size() == 1 ? results.front() : "[" + joined(results) + "]";
+  return wrapped("function " + result + " = " + name + "(", arguments, ")");
+}
+
+// Values of the arguments that may be left out.
+std::string defaults(const Callable& callable, const Kernel& kernel) {
+  const std::vector<InputArray>& inputs = callable.longest().program.inputs;
+  std::string text;
+  for (std::size_t i = required_inputs(callable); i < inputs.size(); ++i) {
+    const std::string& name = kernel.parameters[i].name;
+    const std::size_t size = inputs[i].elements.size();
+    std::string value = "zeros(" + std::to_string(size) + ", 1)";
+    if (inputs[i].role == Role::gravity) value = "[0; 0; -9.81]";
+    if (inputs[i].role == Role::link_wrenches) value = "zeros(6, " + std::to_string(size / 6) + ")";
+    text += "  if nargin < " + std::to_string(i + 1) + " || isempty(" + name + ")\n    " + name + " = " + value +
+            ";\n  end\n";
+  }
+  return text;
+}
+
+std::string lines(const Kernel& kernel) {
+  std::string text;
+  for (const Line& line : kernel.lines) {
+    const bool is_section = line.kind == Line::Kind::section;
+    text += is_section ? (text.empty() ? "" : "\n") + comment(line.expression, 2) : "  " + dialect().text(line) + "\n";
+  }
+  return text;
+}
+
+// Blocks with a blank line between them.
+std::string blocks(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts)
+    if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
+  return text;
+}
+
+}  // namespace
+
+std::string print_function(const Library& library, const Callable& callable) {
+  const Function& function = callable.longest();
+  const Program& program = function.program;
+  const Kernel kernel = lower(program, callable.name, dialect());
+  std::vector<std::string> joints;
+  for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  std::string results;
+  for (std::size_t p = 0; p < program.outputs.size(); ++p)
+    results +=
+        assemble(program.outputs[p], kernel.parameters[program.inputs.size() + p].name, kernel.results[p], joints);
+  return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
+         blocks({origin(library), defaults(callable, kernel), lines(kernel), results}) + "end\n";
+}
+
+std::string print_product(const Library& library, const Callable& callable) {
+  const Function& function = callable.longest();
+  const Product product = product_of_primitives(function, " * ", dialect());
+  Kernel kernel = product.kernel;
+  kernel.parameters.back().name = "X";
+  std::string text = signature(function.amounts, kernel, callable.name);
+  text += comment(upper_case(callable.name) + "  " + convention_of_primitives(library)) + "\n";
+  std::vector<std::string> factors;
+  for (std::size_t begin = 0; begin < product.text.size();) {
+    const std::size_t end = std::min(product.text.find(" * ", begin), product.text.size());
+    factors.push_back(product.text.substr(begin, end - begin));
+    begin = end + 3;
+  }
+  return text + blocks({origin(library), lines(kernel), wrapped("  X =", factors, ";", " *")}) + "end\n";
+}
+
+}  // namespace robcogen::backend::matlab

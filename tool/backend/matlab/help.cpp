@@ -1,0 +1,156 @@
+// What a function says of itself: the help text.
+#include <algorithm>
+
+#include "backend/matlab/dialect.h"
+#include "backend/matlab/printers.h"
+#include "symbolic/count.h"
+
+namespace robcogen::backend::matlab {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Role;
+
+// What an array is, its unit and its frame; empty where the summary of the function says it.
+std::string meaning(Role role) {
+  switch (role) {
+    case Role::joint_position:
+      return "joint positions (rad, m)";
+    case Role::joint_velocity:
+      return "joint velocities (rad/s, m/s)";
+    case Role::joint_acceleration:
+      return "joint accelerations (rad/s^2, m/s^2)";
+    case Role::joint_force:
+      return "joint forces (N m, N)";
+    case Role::gravity:
+      return "gravity (m/s^2) in base coordinates";
+    case Role::base_velocity:
+      return "velocity of the base (rad/s, m/s) in base coordinates, angular first";
+    case Role::base_acceleration:
+      return "spatial acceleration of the base (rad/s^2, m/s^2) in base coordinates, angular first, without gravity";
+    case Role::base_wrench:
+      return "wrench on the base (N m, N) about its origin in base coordinates, moment first";
+    case Role::link_wrenches:
+      return "wrench on each link (N m, N), a column a link, base first: about the link's origin in link coordinates, "
+             "moment first";
+    case Role::parameters:
+      return "struct of the parameters, as parameters() returns it";
+    default:
+      return "";
+  }
+}
+
+std::string line(const std::string& name, int rows, int columns, const std::string& what) {
+  const std::string shape = " (" + std::to_string(rows) + " x " + std::to_string(columns) + ")";
+  return comment("  " + name + shape + (what.empty() ? "" : "  " + what), 0, 6);
+}
+
+bool is_of_joints(Role role) {
+  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
+         role == Role::joint_force;
+}
+
+std::string default_of(const InputArray& input) {
+  return input.role == Role::gravity ? "; optional, default [0; 0; -9.81]" : "; optional, default zero";
+}
+
+// The arguments in their order. The joints are named once: all arrays of joints have this order.
+std::string arguments(const Callable& callable, const Kernel& kernel) {
+  const std::vector<InputArray>& inputs = callable.longest().program.inputs;
+  std::string text;
+  bool names_joints = true;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const InputArray& input = inputs[i];
+    const std::string& name = kernel.parameters[i].name;
+    const int size = static_cast<int>(input.elements.size());
+    if (input.role == Role::variables) {
+      for (const std::string& e : kernel.parameters[i].elements) text += line(e, 1, 1, "rad or m");
+      continue;
+    }
+    std::string what = meaning(input.role);
+    if (is_of_joints(input.role) && names_joints && size > 0) {
+      what += ": " + joined(input.elements);
+      names_joints = false;
+    }
+    if (i >= required_inputs(callable)) what += default_of(input);
+    if (input.role == Role::link_wrenches) {
+      text += line(name, 6, size / 6, what);
+    } else if (input.role == Role::parameters) {
+      text += comment("  " + name + "  " + what, 0, 6);
+    } else {
+      text += line(name, size, 1, what);
+    }
+  }
+  return text.empty() ? "" : comment("Arguments:") + text;
+}
+
+std::string results(const Library& library, const Function& function) {
+  std::string text = comment("Results:");
+  for (const OutputArray& output : function.program.outputs)
+    text += line(output.name, output.rows, output.columns, meaning(output.role));
+  std::vector<std::string> joints;
+  for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  if (!joints.empty()) text += comment("    columns: " + joined(joints), 0, 6);
+  return text;
+}
+
+std::string counts(const symbolic::Program& program) {
+  const symbolic::OperationCount c = symbolic::count(program);
+  return "Takes " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
+         std::to_string(c.div) + " divisions, " + std::to_string(c.sincos) + " pairs of sine and cosine.";
+}
+
+// What all overloads say: the loads that distinguish them are described as arguments.
+std::vector<std::string> summary(const Callable& callable) {
+  std::vector<std::string> lines = callable.overloads.front()->summary;
+  for (const Function* f : callable.overloads)
+    std::erase_if(lines, [&](const std::string& line) {
+      return std::find(f->summary.begin(), f->summary.end(), line) == f->summary.end();
+    });
+  return lines;
+}
+
+// The summary with a first line that stands alone, as searches of help texts show it.
+std::vector<std::string> titled(const Callable& callable) {
+  std::vector<std::string> lines = summary(callable);
+  if (lines.empty()) return {""};
+  const std::size_t room = kColumns - 4 - callable.name.size();
+  const std::size_t colon = lines.front().find(": ");
+  if (lines.front().size() <= room || colon == std::string::npos) return lines;
+  std::string rest = upper_case(lines.front().substr(colon + 2, 1)) + lines.front().substr(colon + 3);
+  lines.front().erase(colon);
+  lines.front() += ".";
+  lines.insert(lines.begin() + 1, std::move(rest));
+  return lines;
+}
+
+}  // namespace
+
+std::size_t required_inputs(const Callable& callable) {
+  const std::vector<InputArray>& inputs = callable.overloads.front()->program.inputs;
+  const bool ends_with_gravity = !inputs.empty() && inputs.back().role == Role::gravity;
+  return inputs.size() - (ends_with_gravity ? 1 : 0);
+}
+
+std::string first_line(const Callable& callable) {
+  return titled(callable).front();
+}
+
+std::string help(const Library& library, const Callable& callable, const Kernel& kernel) {
+  const std::vector<std::string> lines = titled(callable);
+  std::string text = comment(upper_case(callable.name) + "  " + lines.front());
+  for (std::size_t i = 1; i < lines.size(); ++i) text += comment("  " + lines[i]);
+  text += "%\n" + arguments(callable, kernel) + results(library, callable.longest());
+  return text + comment(counts(callable.longest().program));
+}
+
+std::string origin(const Library& library) {
+  const std::string what = library.has_robot() ? "robot " : "model ";
+  return comment(
+      "Generated by robcogen from " + library.model_file + " (model " + library.model_hash + "), " + what +
+          library.robot + ": edit the model, not this file.",
+      0, 0);
+}
+
+}  // namespace robcogen::backend::matlab

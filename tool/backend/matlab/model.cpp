@@ -1,0 +1,138 @@
+// The structs of constants and of parameters, and the overview of a package.
+#include <algorithm>
+
+#include "backend/matlab/dialect.h"
+#include "backend/matlab/printers.h"
+
+namespace robcogen::backend::matlab {
+namespace {
+
+template <class Items, class Text>
+std::vector<std::string> texts(const Items& items, Text text) {
+  std::vector<std::string> result;
+  for (const auto& item : items) result.push_back(text(item));
+  return result;
+}
+
+// `model.<field> = [a; b];`
+std::string column(const std::string& field, const std::vector<std::string>& items) {
+  if (items.empty()) return "  model." + field + " = zeros(0, 1);\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& item : items) rows.push_back({item});
+  return matrix("model." + field, rows);
+}
+
+// `model.<field> = {'a'; 'b'};`
+std::string names(const std::string& field, const std::vector<std::string>& items) {
+  if (items.empty()) return "  model." + field + " = cell(0, 1);\n";
+  return wrapped("  model." + field + " = {", items, "};", ";");
+}
+
+// `model.<field> = […];`, a column for each item.
+template <class Items, class Column>
+std::string columns(const std::string& field, const Items& items, std::size_t rows, Column column) {
+  if (items.empty()) return "  model." + field + " = zeros(" + std::to_string(rows) + ", 0);\n";
+  std::vector<std::vector<std::string>> cells(rows);
+  for (const auto& item : items)
+    for (std::size_t r = 0; r < rows; ++r) cells[r].push_back(number(column(item)[r]));
+  return matrix("model." + field, cells);
+}
+
+std::string joint_fields(const std::vector<JointData>& joints) {
+  std::string text = names("joints", texts(joints, [](const JointData& j) { return quoted(j.name); }));
+  const auto field = [&](const std::string& name, auto value) { text += column(name, texts(joints, value)); };
+  field("is_revolute", [](const JointData& j) { return std::string(j.revolute ? "true" : "false"); });
+  field("parent_link", [](const JointData& j) { return std::to_string(j.parent + 1); });
+  field("child_link", [](const JointData& j) { return std::to_string(j.child + 1); });
+  field("lower_limit", [](const JointData& j) { return number(j.limits.lower); });
+  field("upper_limit", [](const JointData& j) { return number(j.limits.upper); });
+  field("velocity_limit", [](const JointData& j) { return number(j.limits.velocity); });
+  field("effort_limit", [](const JointData& j) { return number(j.limits.effort); });
+  text += columns("joint_translation", joints, 3, [](const JointData& j) { return j.translation; });
+  return text + columns("joint_rotation", joints, 3, [](const JointData& j) { return j.rotation; });
+}
+
+std::string link_fields(const std::vector<LinkData>& links) {
+  std::string text = names("links", texts(links, [](const LinkData& l) { return quoted(l.name); }));
+  text += column("parent_joint", texts(links, [](const LinkData& l) { return std::to_string(l.parent_joint + 1); }));
+  text += column("mass", texts(links, [](const LinkData& l) { return number(l.mass); }));
+  text += columns("com", links, 3, [](const LinkData& l) { return l.com; });
+  return text + columns("inertia", links, 6, [](const LinkData& l) { return l.inertia; });
+}
+
+std::string frame_fields(const std::vector<FrameData>& frames) {
+  std::string text = names("frames", texts(frames, [](const FrameData& f) { return quoted(f.name); }));
+  text += column("frame_link", texts(frames, [](const FrameData& f) { return std::to_string(f.link + 1); }));
+  text += columns("frame_translation", frames, 3, [](const FrameData& f) { return f.translation; });
+  return text + columns("frame_rotation", frames, 3, [](const FrameData& f) { return f.rotation; });
+}
+
+// `hyl.transforms.homogeneous.`
+std::string dotted(const Library& library, const std::string& scope, const std::string& end = ".") {
+  std::string text;
+  for (const std::string& packages : {library.enclosing, library.name, scope})
+    if (!packages.empty()) text += (text.empty() ? "" : "::") + packages;
+  for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::")) text.replace(at, 2, ".");
+  return text + end;
+}
+
+}  // namespace
+
+std::string print_model(const Library& library) {
+  std::string text = "function model = model()\n";
+  text += comment("MODEL  Constants of robot " + library.robot + ".");
+  text += comment("  Units are SI; indices count from 1, parent_joint of the base is 0. The base is the first link.");
+  text += comment("  A row each, or a column each where an item has several numbers:");
+  text += comment(
+      "  joints: is_revolute, parent_link, child_link, limits of position, velocity and effort, and the placement of "
+      "the joint frame in the frame of the parent link: translation, then rotation about the axes x, y', z''.");
+  text += comment(
+      "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
+      "products xy, xz, yz of positive sign.");
+  text += comment("  frames: frame_link, the link that it moves with, and its placement in the frame of this link.");
+  if (!library.parameters.empty())
+    text += comment("  What depends on parameters is for their declared values; NaN where one has none.");
+  text += "\n" + origin(library) + "\n";
+  text += "  model.name = " + quoted(library.robot) + ";\n";
+  text += "  model.dof = " + std::to_string(library.joints.size()) + ";\n";
+  text += std::string("  model.floating_base = ") + (library.floating_base ? "true" : "false") + ";\n";
+  text += "\n" + joint_fields(library.joints) + "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
+  return text + "end\n";
+}
+
+std::string print_parameters(const Library& library) {
+  std::string text = "function parameters = parameters()\n";
+  text += comment("PARAMETERS  Values of the parameters as the document declares them.");
+  text += comment("  A parameter without a value is NaN: give it one before any function takes the struct.");
+  text += "\n" + origin(library) + "\n";
+  const std::vector<std::string> members =
+      fields(texts(library.parameters, [](const ParameterData& p) { return p.name; }));
+  for (std::size_t i = 0; i < members.size(); ++i)
+    text += "  parameters." + members[i] + " = " + number(library.parameters[i].default_value) + ";\n";
+  return text + "end\n";
+}
+
+std::string print_contents(const Library& library, const std::vector<Callable>& callables) {
+  const std::string what = library.has_robot() ? "robot " : "model ";
+  std::string text = comment("Functions of " + what + library.robot + ".") + "%\n";
+  const auto entry = [&](const std::string& name, const std::string& line) {
+    text += comment("  " + name + " - " + line, 0, 6);
+  };
+  const std::string top = dotted(library, "");
+  if (library.has_robot()) entry(top + "model", "Constants of the robot.");
+  if (!library.parameters.empty()) entry(top + "parameters", "Values of the parameters as the document declares them.");
+  std::vector<std::string> scopes;
+  for (const Callable& callable : callables) {
+    if (callable.scope.empty()) entry(top + callable.name, first_line(callable));
+    if (std::find(scopes.begin(), scopes.end(), callable.scope) == scopes.end()) scopes.push_back(callable.scope);
+  }
+  for (const std::string& scope : scopes) {
+    if (scope.empty()) continue;
+    text += "%\n" + comment("In package " + dotted(library, scope, ":"));
+    for (const Callable& callable : callables)
+      if (callable.scope == scope) text += comment("  " + callable.name);
+  }
+  return text + "\n" + origin(library);
+}
+
+}  // namespace robcogen::backend::matlab
