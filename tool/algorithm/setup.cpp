@@ -45,9 +45,10 @@ bool Setup::parent_matters(int link) const {
 }
 
 LoadInputs::LoadInputs(Trace& trace, Loads loads) {
-  gravity = loads == Loads::standard_gravity
-                ? Vector3{Expression(), Expression(), trace.graph.constant(-kStandardGravity)}
-                : trace.vector_input("gravity", Role::gravity);
+  // As the decimal that it is: products with exact numbers of the model stay exact.
+  const Number g = *Number::parse(print_double(kStandardGravity));
+  gravity = loads == Loads::standard_gravity ? Vector3{Expression(), Expression(), trace.graph.constant(-g)}
+                                             : trace.vector_input("gravity", Role::gravity);
   if (loads == Loads::gravity_and_external) external = trace.link_wrench_input();
 }
 
