@@ -3,6 +3,8 @@
 // The self-check and the benchmark of a robot are written once over these tables. No Eigen, no allocation.
 #pragma once
 
+#include <cstddef>
+
 namespace robcogen::reflection {
 
 struct Joint {
@@ -37,6 +39,7 @@ class MatrixKernel {
   using Constant = void (*)(const double* q, double* X) noexcept;
   using Parametric = void (*)(const double* parameters, const double* q, double* X) noexcept;
 
+  constexpr MatrixKernel(std::nullptr_t) {}  // none: not to be called
   constexpr MatrixKernel(Constant kernel) : constant_(kernel) {}
   constexpr MatrixKernel(Parametric kernel) : parametric_(kernel) {}
 
@@ -56,7 +59,7 @@ class MatrixKernel {
 // left_X_right, three forms.
 struct Transform {
   const char* name;
-  int left;   // frame indices
+  int left;  // frame indices
   int right;
   MatrixKernel homogeneous;  // 4 x 4
   MatrixKernel motion;       // 6 x 6, angular first
