@@ -30,5 +30,6 @@ install(
         cmake/Robcogen.cmake
         cmake/RobcogenArguments.cmake
         cmake/RobcogenTool.cmake
+        cmake/RobcogenRealTime.cmake
         cmake/RobcogenTransforms.cmake
   DESTINATION ${package_dir})

@@ -18,6 +18,8 @@
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
+#       [TEST_STACK_LIMIT bytes]    # of the frame of any function; without it, 65536: half of the smallest default stack
+#                                   # of a thread (musl's)
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
@@ -27,6 +29,8 @@
 #     hyl_codegen    the generated files only
 #     hyl_selfcheck  compares the compiled code with an independent recursion; ctest hyl.selfcheck, label `robot`
 #                    (where BUILD_TESTING is on)
+#     hyl_allocations  runs every function where allocation aborts; ctest hyl.allocations. Beside it, the ctest
+#                    hyl.real_time of what can be seen in the files (RobcogenRealTime.cmake)
 #     hyl_bench      times the functions (where Google Benchmark is found)
 # and the umbrellas robcogen_codegen and robcogen_bench. Anything wrong in the call ends the configuration.
 #
@@ -47,7 +51,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
-  set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
+  set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
@@ -77,6 +81,8 @@ function(robcogen_add_robot)
   _robcogen_add_library(${library_TARGET})
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_selfcheck(${library_TARGET}_selfcheck)
+    _robcogen_add_allocations(${library_TARGET}_allocations)
+    _robcogen_add_real_time_check(robot)
   endif()
   if(NOT library_NO_BENCH)
     _robcogen_add_bench(${library_TARGET}_bench)
@@ -237,10 +243,19 @@ function(_robcogen_add_selfcheck target)
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 
+# Sets `result` to whether ctest can run the programs of this library: a cross-built one needs an emulator, and one
+# outside of `all` is not built before ctest runs.
+function(_robcogen_can_run result)
+  set(${result} ON PARENT_SCOPE)
+  if(library_EXCLUDE_FROM_ALL OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))
+    set(${result} OFF PARENT_SCOPE)
+  endif()
+endfunction()
+
 # The ctest of a self-check, of this label.
 function(_robcogen_run_selfcheck target label)
-  # A cross-built program needs an emulator; a robot outside of `all` is not built before ctest runs.
-  if(library_EXCLUDE_FROM_ALL OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))
+  _robcogen_can_run(can_run)
+  if(NOT can_run)
     return()
   endif()
   set(arguments "")
@@ -252,6 +267,38 @@ function(_robcogen_run_selfcheck target label)
   endif()
   add_test(NAME ${library_TARGET}.selfcheck COMMAND ${target} ${arguments})
   set_tests_properties(${library_TARGET}.selfcheck PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77)
+endfunction()
+
+function(_robcogen_add_allocations target)
+  _robcogen_exclusion(exclusion)
+  add_executable(${target} ${exclusion})
+  _robcogen_link_harness(${target} robcogen::allocations_harness)
+  _robcogen_can_run(can_run)
+  if(can_run)
+    add_test(NAME ${library_TARGET}.allocations COMMAND ${target})
+    set_tests_properties(${library_TARGET}.allocations PROPERTIES LABELS robot)
+  endif()
+endfunction()
+
+# The ctest of what can be seen without running anything, of this label.
+function(_robcogen_add_real_time_check label)
+  if(library_EXCLUDE_FROM_ALL OR NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$")
+    return()
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    target_compile_options(${library_TARGET} PRIVATE -fstack-usage)
+  endif()
+  set(limit 65536)
+  if(NOT "${library_TEST_STACK_LIMIT}" STREQUAL "")
+    set(limit ${library_TEST_STACK_LIMIT})
+  endif()
+  add_test(
+    NAME ${library_TARGET}.real_time
+    COMMAND
+      ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:${library_TARGET}> -DKERNELS=${library_OUTPUT_DIR}/${library_NAME}/kernel
+      "-DOBJECTS=$<JOIN:$<TARGET_OBJECTS:${library_TARGET}>,,>" -DNM=${CMAKE_NM} -DSTACK_LIMIT=${limit} -P
+      ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/RobcogenRealTime.cmake)
+  set_tests_properties(${library_TARGET}.real_time PROPERTIES LABELS ${label})
 endfunction()
 
 function(_robcogen_add_bench target)

@@ -14,7 +14,7 @@
 #     euler            the static library; #include <euler/euler.h>
 #     euler_codegen    the generated files only
 #     euler_selfcheck  compares every transform with its product of primitives, multiplied out in long double; ctest
-#                      euler.selfcheck, label `transforms` (where BUILD_TESTING is on)
+#                      euler.selfcheck, label `transforms` (where BUILD_TESTING is on), and with it euler.real_time
 include_guard(GLOBAL)
 
 function(robcogen_add_transforms)
@@ -43,6 +43,7 @@ function(robcogen_add_transforms)
   _robcogen_add_library(${library_TARGET})
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_transforms_selfcheck(${library_TARGET}_selfcheck)
+    _robcogen_add_real_time_check(transforms)
   endif()
   if(library_EXPORT_FILES)
     set(${library_EXPORT_FILES} ${headers} ${sources} PARENT_SCOPE)

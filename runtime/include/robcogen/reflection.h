@@ -89,6 +89,10 @@ struct OperationCount {
 struct Function {
   const char* name;  // the kernel's name
   OperationCount count;
+  // Scalars that it reads and writes; `call` takes the kernel's arrays one after another, in the kernel's order.
+  int inputs;
+  int outputs;
+  void (*call)(const double* inputs, double* outputs) noexcept;
 };
 
 struct Parameter {

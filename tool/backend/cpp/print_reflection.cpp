@@ -106,14 +106,64 @@ Table jacobians(const Api& api) {
   return result;
 }
 
+// All kernels of robots with parameters, those that fill their cache too.
+std::vector<Callable> all_callables(const Api& api) {
+  std::vector<Callable> result = api.callables;
+  result.insert(result.end(), api.updates.begin(), api.updates.end());
+  return result;
+}
+
+int input_count(const symbolic::Program& program) {
+  std::size_t count = 0;
+  for (const symbolic::InputArray& input : program.inputs) count += input.elements.size();
+  return static_cast<int>(count);
+}
+
+int output_count(const symbolic::Program& program) {
+  int count = 0;
+  for (const symbolic::OutputArray& output : program.outputs) count += output.rows * output.columns;
+  return count;
+}
+
+// A kernel under one signature for all: its arrays stand one after another.
+std::string flat_function(const Callable& c) {
+  const symbolic::Program& program = c.function->program;
+  std::vector<std::string> arguments;
+  const auto append = [&](const std::string& array, std::size_t offset) {
+    arguments.push_back(offset == 0 ? array : array + " + " + std::to_string(offset));
+  };
+  std::size_t offset = 0;
+  for (const symbolic::InputArray& input : program.inputs) {
+    append("in", offset);
+    offset += input.elements.size();
+  }
+  offset = 0;
+  for (const symbolic::OutputArray& output : program.outputs) {
+    append("out", offset);
+    offset += static_cast<std::size_t>(output.rows) * static_cast<std::size_t>(output.columns);
+  }
+  const std::string in = program.inputs.empty() ? "const double*" : "const double* in";
+  const std::string out = program.outputs.empty() ? "double*" : "double* out";
+  return declaration("inline void " + c.kernel, {in, out}, " noexcept {") +
+         call("kernel::" + c.kernel + "<double>", arguments, 2) + "}\n";
+}
+
+std::string flat_functions(const Api& api) {
+  std::vector<std::string> functions;
+  for (const Callable& c : all_callables(api)) functions.push_back(flat_function(c));
+  return in_namespace("flat", paragraphs(functions));
+}
+
 Table functions(const Api& api) {
   std::vector<std::vector<Field>> rows;
-  for (const Callable& c : api.callables) {
+  for (const Callable& c : all_callables(api)) {
     const symbolic::OperationCount n = symbolic::count(c.function->program);
     std::vector<std::string> counts;
     for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
       counts.push_back(std::to_string(k));
-    rows.push_back({quoted(c.kernel), counts});
+    rows.push_back(
+        {quoted(c.kernel), counts, input_count(c.function->program), output_count(c.function->program),
+         "&flat::" + c.kernel});
   }
   return table("Function", "kFunctions", rows);
 }
@@ -130,8 +180,7 @@ Table parameters(const Library& library) {
 std::string print_reflection(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   std::vector<std::string> kernels;
-  for (const Callable& c : api.callables)
-    if (c.function->left_frame >= 0) kernels.push_back(kernel_declaration(c));
+  for (const Callable& c : all_callables(api)) kernels.push_back(kernel_declaration(c));
   std::vector<Table> tables = {links(library),  joints(library), frames(library),
                                transforms(api), jacobians(api),  functions(api)};
   std::vector<std::string> remarks = {"name",   "floating base", "links",     "joints",
@@ -141,7 +190,8 @@ std::string print_reflection(const Api& api, const std::string& path) {
     remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
     for (const Callable& c : api.numbers) kernels.push_back(kernel_declaration(c));
   }
-  std::vector<std::string> parts, fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
+  std::vector<std::string> parts = {flat_functions(api)};
+  std::vector<std::string> fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
   for (const Table& t : tables) {
     parts.push_back(t.definition);
     fields.push_back(t.reference);

@@ -1,0 +1,50 @@
+// Generic code allocates no more than what it calls: nothing.
+#include "allocation_hook.h"
+#include "robcogen/generic/computed_torque.h"
+#include "robcogen/generic/inverse_kinematics.h"
+#include "robcogen/generic/simulation.h"
+#include "robots.h"
+
+namespace robcogen::test {
+namespace {
+
+template <class Case>
+class Allocation : public ::testing::Test {};
+TYPED_TEST_SUITE(Allocation, AllRobots);
+
+TYPED_TEST(Allocation, OfControlAndSimulation) {
+  using R = typename TypeParam::Robot;
+  const R robot;
+  std::mt19937_64 engine(3);
+  State<R> state = moving_state<R>(engine);
+  const auto controlled = [&](const State<R>& s) {
+    return acceleration(robot, s, computed_torque(robot, s, Setpoint<R>(), critically_damped<R>(5)));
+  };
+  {
+    const NoAllocation during("a loop of control and simulation");
+    for (int i = 0; i < 10; ++i)
+      state = semi_implicit_euler_step(runge_kutta_step(state, 1e-3, controlled), 1e-3, controlled);
+  }
+  EXPECT_TRUE(state.q.allFinite() && state.qd.allFinite());
+}
+
+struct Palms {
+  using JointState = centaur::JointState;
+  static auto pose(const JointState& q) { return centaur::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
+  static auto jacobian(const JointState& q) { return centaur::jacobians::fr_left_palm_J_fr_right_palm(q); }
+  static constexpr auto kColumns = centaur::jacobians::fr_left_palm_J_fr_right_palm_columns;
+};
+
+TEST(Allocation, OfInverseKinematics) {
+  const centaur::JointState q = centaur::JointState::Constant(0.3);
+  const Eigen::Matrix4d target = Palms::pose(centaur::JointState::Constant(0.4));
+  centaur::JointState next;
+  {
+    const NoAllocation during("inverse kinematics");
+    next = inverse_kinematics_step(Palms(), q, target, 1e-6);
+  }
+  EXPECT_GT((next - q).norm(), 0);
+}
+
+}  // namespace
+}  // namespace robcogen::test
