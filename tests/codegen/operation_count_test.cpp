@@ -28,7 +28,8 @@ void add_operators(const std::string& line, Counts& counts) {
   counts[1] += occurrences(line, " + ") + occurrences(line, " - ");
   counts[2] += occurrences(line, " / ");
   counts[3] += occurrences(line, "sqrt(");
-  counts[4] += occurrences(line, "sincos(") + occurrences(line, " = sin(") + occurrences(line, " = cos(");
+  counts[4] += occurrences(line, "sincos(") + occurrences(line, "] = trig[") + occurrences(line, " = sin(") +
+               occurrences(line, " = cos(");
 }
 
 // `// 26 mul, 19 add, 1 div, 2 sincos: …`

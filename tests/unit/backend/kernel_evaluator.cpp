@@ -12,11 +12,28 @@ void KernelEvaluator::run(const std::string& line) {
     const std::string sine = word();
     expect(", ");
     const std::string cosine = word();
-    expect("] = robcogen::sincos(");
-    const double angle = argument();
+    expect("] = ");
+    double angle;
+    if (accept("robcogen::sincos(")) {
+      angle = argument();
+    } else {
+      angle = values_.at(angles_.at(word()));
+    }
     ++count_.sincos;
     define(sine, std::sin(angle));
     define(cosine, std::cos(angle));
+  } else if (accept("const robcogen::SinCosOf<Scalar, ")) {
+    const int count = std::stoi(word());
+    expect("> ");
+    const std::string name = word();
+    expect("(&");
+    std::string first = word();
+    const std::size_t bracket = first.find('[');
+    const int begin = std::stoi(first.substr(bracket + 1));
+    first.erase(bracket);
+    for (int k = 0; k < count; ++k)
+      angles_[name + "[" + std::to_string(k) + "]"] = first + "[" + std::to_string(begin + k) + "]";
+    expect(")");
   } else if (accept("const Scalar ")) {
     const std::string name = word();
     expect(" = ");

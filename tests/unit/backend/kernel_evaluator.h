@@ -27,6 +27,7 @@ class KernelEvaluator {
 
  private:
   Values values_;
+  std::map<std::string, std::string> angles_;  // `trig[1]`: the element that it is of
   symbolic::OperationCount count_;
   std::string text_;
   std::size_t at_ = 0;

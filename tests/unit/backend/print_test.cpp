@@ -109,7 +109,7 @@ TEST(Print, Kernels) {
 
 #include <cmath>
 
-#include "robcogen/sincos.h"
+#include "robcogen/sincos_of.h"
 #include "robcogen/version.h"
 
 static_assert(robcogen::kAbi == 1, "leg was generated for another runtime of robcogen: generate it again");

@@ -62,6 +62,7 @@ class Lowering {
     declare_parameters();
     find_uses();
     if (dialect_.binds_parameters) bind_parameters();
+    find_angles_together();
     name_values();
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (places_[i] != Place::nowhere && places_[i] != Place::angle) fit(i);
@@ -88,7 +89,9 @@ class Lowering {
   std::vector<Spelling> spellings_;         // how a user reads the statement, unless it stands inside
   std::vector<std::vector<Store>> stores_;  // by statement
   std::map<AngleKey, Angle> angles_;
-  std::string section_;  // title of the section that the last line belongs to
+  int first_together_ = 0;    // input element
+  std::size_t together_ = 0;  // how many from it on have their sines and cosines computed together; 0: none
+  std::string section_;       // title of the section that the last line belongs to
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
@@ -195,6 +198,26 @@ class Lowering {
     Angle& angle = angles_[{s.a.kind, s.a.index}];
     angle.first = static_cast<int>(i);  // statements come last to first
     (s.op == Op::sine ? angle.sine : angle.cosine) = true;
+  }
+
+  // Decides whether sines and cosines of inputs are computed together: of one array, and most of the elements between
+  // the first and the last.
+  void find_angles_together() {
+    std::vector<int> angles;
+    for (const auto& [key, angle] : angles_)
+      if (key.first == Operand::Kind::input) angles.push_back(key.second);
+    if (dialect_.angles_together == 0 || angles.size() < dialect_.angles_together) return;
+    const std::size_t count = at(angles.back() - angles.front()) + 1;
+    std::size_t end = 0;
+    for (const symbolic::InputArray& array : program_.inputs) {
+      end += array.elements.size();
+      if (at(angles.front()) < end) break;
+    }
+    if (at(angles.back()) >= end || count > 2 * angles.size()) return;
+    first_together_ = angles.front();
+    together_ = count;
+    for (auto& [key, angle] : angles_)
+      if (key.first == Operand::Kind::input) angle.sine = angle.cosine = true;
   }
 
   void name_values() {
@@ -309,6 +332,16 @@ class Lowering {
   }
 
   void emit_input_angles() {
+    if (together_ > 0) {
+      const std::string all = scope_.claim("trig");
+      add({Line::Kind::sincos_of, {all}, input_names_[at(first_together_)], together_});
+      for (const auto& [key, angle] : angles_) {
+        if (key.first != Operand::Kind::input) continue;
+        const std::string element = dialect_.element(all, at(key.second - first_together_));
+        add({Line::Kind::pick, {angle.sine_name, angle.cosine_name}, element});
+      }
+      return;
+    }
     for (const auto& [key, angle] : angles_)
       if (key.first == Operand::Kind::input) emit_angle(key, angle);
   }

@@ -26,12 +26,15 @@ struct Line {
     section,     // a comment: `expression` is its text
     binding,     // targets: the name of `expression`, an element of the parameters
     sincos,      // targets: sine and cosine of `expression`
+    sincos_of,   // targets: the name that stands for sines and cosines of `count` elements, from `expression` on
+    pick,        // targets: sine and cosine of one of them, `expression`
     definition,  // targets: the one name that is defined
     store,       // targets: elements of outputs that get the same value
   };
   Kind kind = Kind::definition;
   std::vector<std::string> targets;
   std::string expression;
+  std::size_t count = 0;  // of sincos_of
 };
 
 struct Kernel {
@@ -50,6 +53,9 @@ struct Dialect {
   std::size_t name_limit = 30;
   // One line defines the sine and the cosine of an argument. Otherwise these are two definitions.
   bool pairs_angles = true;
+  // Where that many elements of one input have sines and cosines, these are computed together; 0: never. Elements
+  // between them are computed too.
+  std::size_t angles_together = 0;
   // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each is a name, an
   // element of an input or a number, and the printer puts the outputs together at the end.
   bool stores = true;

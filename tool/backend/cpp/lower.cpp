@@ -19,6 +19,7 @@ const Dialect& dialect() {
     d.used_names = {"Scalar", "cos", "robcogen", "sin", "sincos", "sqrt", "std"};
     d.line_limit = 118;  // 120 columns less the indentation
     d.name_limit = 30;   // three such operands and their operators fit in one line
+    d.angles_together = 4;
     d.binds_parameters = true;
     d.literal = [](const Number& value) { return literal(value.value()); };
     d.element = element;
@@ -51,6 +52,11 @@ std::string text(const Line& line) {
     case Line::Kind::sincos:
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = robcogen::sincos(" + line.expression +
              ");";
+    case Line::Kind::sincos_of:
+      return "const robcogen::SinCosOf<Scalar, " + std::to_string(line.count) + "> " + line.targets[0] + "(&" +
+             line.expression + ");";
+    case Line::Kind::pick:
+      return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = " + line.expression + ";";
     case Line::Kind::definition:
       return "const Scalar " + line.targets[0] + " = " + line.expression + ";";
     case Line::Kind::store:

@@ -112,7 +112,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   for (const Callable& c : callables_of(api, group)) kernels.push_back(print_kernel(*api.library, c));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
-       "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos.h\"", "\"robcogen/version.h\""}),
+       "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}),
        runtime_check(api), in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }
 

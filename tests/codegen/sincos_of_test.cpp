@@ -1,0 +1,147 @@
+// Sines and cosines of many angles at once, against those of long double.
+#include "robcogen/sincos_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <complex>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace robcogen {
+namespace {
+
+constexpr long double kHalfPi = 1.57079632679489661923132169163975144L;
+constexpr int kMultiples = 63661;  // of pi / 2 below 1e5
+
+// Distance to the next number of larger magnitude.
+template <class Scalar>
+double ulp(Scalar x) {
+  const Scalar size = std::abs(x);
+  return static_cast<double>(std::nextafter(size, std::numeric_limits<Scalar>::infinity()) - size);
+}
+
+template <class Scalar>
+double error_in_ulp(Scalar found, long double exact) {
+  const auto error = static_cast<double>(std::abs(static_cast<long double>(found) - exact));
+  return error / ulp(static_cast<Scalar>(exact));
+}
+
+// The largest errors of all angles that were added, computed seven at a time, so that vectors have unused lanes.
+template <class Scalar>
+class Errors {
+ public:
+  void add(Scalar x) {
+    angles_[count_++] = x;
+    if (count_ < 7) return;
+    count_ = 0;
+    const SinCosOf<Scalar, 7> found(angles_);
+    for (int i = 0; i < 7; ++i) {
+      const auto exact = static_cast<long double>(angles_[i]);
+      worst =
+          std::max({worst, error_in_ulp(found[i].sin, std::sin(exact)), error_in_ulp(found[i].cos, std::cos(exact))});
+    }
+  }
+
+  double worst = 0;
+
+ private:
+  Scalar angles_[7];
+  int count_ = 0;
+};
+
+int volume() {
+  const char* wanted = std::getenv("ROBCOGEN_TEST_ANGLES");
+  return wanted != nullptr ? std::atoi(wanted) : 2'000'000;
+}
+
+template <class Scalar>
+double worst_of_random() {
+  std::mt19937_64 generator(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Errors<Scalar> errors;
+  const double ranges[] = {1e5, 1000, 6.3, 1, 1e-3, 1e-9};
+  for (int i = 0; i < volume(); ++i) errors.add(static_cast<Scalar>(ranges[i % 6] * unit(generator)));
+  return errors.worst;
+}
+
+// Eight neighbours of each multiple of pi / 2, where sine or cosine is small and reduction loses most.
+template <class Scalar>
+double worst_of_multiples() {
+  Errors<Scalar> errors;
+  for (int k = 0; k < kMultiples; ++k) {
+    const auto center = static_cast<Scalar>(k * kHalfPi);
+    for (const Scalar to : {-std::numeric_limits<Scalar>::infinity(), std::numeric_limits<Scalar>::infinity()}) {
+      Scalar x = center;
+      for (int i = 0; i < 4; ++i, x = std::nextafter(x, to)) errors.add(x);
+    }
+  }
+  return errors.worst;
+}
+
+class SinCosOfManyAngles : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (LDBL_MANT_DIG < 64) GTEST_SKIP() << "long double has no more digits than double";
+  }
+};
+
+TEST_F(SinCosOfManyAngles, IsWithinOneUlp) {
+  EXPECT_LT(worst_of_random<double>(), 0.9);
+  EXPECT_GT(worst_of_random<double>(), 0.4);  // the measure measures
+}
+
+TEST_F(SinCosOfManyAngles, IsWithinOneUlpAtMultiplesOfARightAngle) {
+  EXPECT_LT(worst_of_multiples<double>(), 0.9);
+}
+
+TEST_F(SinCosOfManyAngles, IsRoundedForFloat) {
+  EXPECT_LT(worst_of_random<float>(), 0.51);
+  EXPECT_LT(worst_of_multiples<float>(), 0.51);
+}
+
+template <class Scalar>
+void expect_as_the_library(const std::vector<Scalar>& angles) {
+  for (const Scalar x : angles) {
+    const Scalar all[5] = {1, x, 2, -x, 3};
+    const SinCosOf<Scalar, 5> found(all);
+    for (int i = 0; i < 5; ++i) {
+      if (std::isfinite(all[i])) {
+        EXPECT_NEAR(found[i].sin, std::sin(all[i]), std::numeric_limits<Scalar>::epsilon()) << all[i];
+        EXPECT_NEAR(found[i].cos, std::cos(all[i]), std::numeric_limits<Scalar>::epsilon()) << all[i];
+      } else {
+        EXPECT_TRUE(std::isnan(found[i].sin) && std::isnan(found[i].cos)) << all[i];
+      }
+    }
+  }
+}
+
+TEST(SinCosOf, LeavesLargeAnglesToTheLibrary) {
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  expect_as_the_library<double>({1e5, std::nextafter(1e5, 2e5), 123456.789, 1e15, 1e300, infinity, nan});
+  expect_as_the_library<float>(
+      {1e5f, 123456.789f, 1e15f, 1e38f, static_cast<float>(infinity), static_cast<float>(nan)});
+}
+
+TEST(SinCosOf, OfTheSmallestIsTheAngle) {
+  const double angles[4] = {0.0, -0.0, std::numeric_limits<double>::denorm_min(), -DBL_MIN};
+  const SinCosOf<double, 4> found(angles);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(found[i].sin, angles[i]);
+    EXPECT_EQ(std::signbit(found[i].sin), std::signbit(angles[i]));
+    EXPECT_EQ(found[i].cos, 1);
+  }
+}
+
+TEST(SinCosOf, AnyScalarUsesItsOwn) {
+  const std::complex<double> z[2] = {{0.5, 0.25}, {-1, 2}};
+  const SinCosOf<std::complex<double>, 2> found(z);
+  EXPECT_EQ(found[1].sin, std::sin(z[1]));
+  EXPECT_EQ(found[1].cos, std::cos(z[1]));
+}
+
+}  // namespace
+}  // namespace robcogen
