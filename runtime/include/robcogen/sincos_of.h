@@ -20,14 +20,12 @@
 namespace robcogen {
 namespace lanes {
 
-// Functions of this namespace have internal linkage, for files of one program may be compiled for different processors.
+// Four lanes at most: putting eight angles into one vector costs more than computing two vectors. Functions of this
+// namespace have internal linkage, for files of one program may be compiled for different processors.
 
 #if !defined(__GNUC__)
 using Doubles = double;
 using Bits = std::int64_t;
-#elif defined(__AVX512F__)
-typedef double Doubles __attribute__((vector_size(64)));
-typedef std::int64_t Bits __attribute__((vector_size(64)));
 #elif defined(__AVX2__)
 typedef double Doubles __attribute__((vector_size(32)));
 typedef std::int64_t Bits __attribute__((vector_size(32)));
