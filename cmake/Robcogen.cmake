@@ -8,9 +8,10 @@
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
 #       [NAMESPACE a::b]            # enclosing namespace
-#       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia centroidal
-#                                   # energy transforms jacobians, which a robot gets without it, and coriolis_matrix
-#                                   # jacobian_references jacobian_derivatives velocities accelerations; or `all`
+#       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia
+#                                   # joint_space_inertia_factor centroidal energy transforms jacobians, which a robot
+#                                   # gets without it, and coriolis_matrix jacobian_references jacobian_derivatives
+#                                   # velocities accelerations; or `all`
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [IMPORT_DIRS dir…]          # where the documents' imports are looked for, before ROBCOGEN_IMPORT_DIRS
@@ -43,11 +44,12 @@ include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
 
 set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
 set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
-                                             coriolis_matrix centroidal energy transforms jacobians
-                                             jacobian_references jacobian_derivatives velocities accelerations)
+                                             joint_space_inertia_factor coriolis_matrix centroidal energy transforms
+                                             jacobians jacobian_references jacobian_derivatives velocities
+                                             accelerations)
 # Those that a robot gets that names none: what most programs need, and little to compile.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
-                                                     centroidal energy transforms jacobians)
+                                                     joint_space_inertia_factor centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)

@@ -111,6 +111,10 @@ TEST(Compiled, FixedBaseDynamics) {
     expect(gravity_forces(q, g), "gravity_forces_gravity", "tau");
     expect(coriolis_forces(q, qd), "coriolis_forces", "tau");
     expect_near(joint_space_inertia(q), in.run(library, "joint_space_inertia").at("H"));
+    const InertiaFactor factor = joint_space_inertia_factor(q);
+    const Arrays factored = in.run(library, "joint_space_inertia_factor");
+    expect_near(factor.L(), factored.at("L"));
+    expect_near(factor.inverse_diagonal(), factored.at("inverse_diagonal"));
     expect_near(transforms::homogeneous::fr_base_X_fr_tip(q), in.run(library, "homogeneous_fr_base_X_fr_tip").at("X"));
     expect_near(transforms::motion::fr_base_X_fr_tip(q), in.run(library, "motion_fr_base_X_fr_tip").at("X"));
     expect_near(transforms::force::fr_base_X_fr_tip(q), in.run(library, "force_fr_base_X_fr_tip").at("X"));
@@ -127,6 +131,11 @@ TEST(Compiled, FunctionsOfOneRobotAgree) {
     const JointState tau = inverse_dynamics(q, qd, qdd);
     EXPECT_TRUE(forward_dynamics(q, qd, tau).isApprox(qdd, 1e-12));
     EXPECT_TRUE((joint_space_inertia(q) * qdd + bias_forces(q, qd)).isApprox(tau, 1e-12));
+    const InertiaFactor factor = joint_space_inertia_factor(q);
+    EXPECT_TRUE((factor.L().transpose() * factor.L()).isApprox(joint_space_inertia(q), 1e-12));
+    EXPECT_TRUE((factor.inverse() * joint_space_inertia(q)).isIdentity(1e-12));
+    EXPECT_TRUE((factor.inverse_L() * factor.L()).isIdentity(1e-12));
+    EXPECT_TRUE(factor.solve(tau - bias_forces(q, qd)).isApprox(qdd, 1e-12));
     EXPECT_TRUE((gravity_forces(q) + coriolis_forces(q, qd)).isApprox(bias_forces(q, qd), 1e-12));
     const Eigen::Matrix<double, 6, 6> identity =
         transforms::force::fr_base_X_fr_tip(q).transpose() * transforms::motion::fr_base_X_fr_tip(q);
@@ -193,6 +202,10 @@ TEST(Compiled, SinglePrecisionAgreesWithDouble) {
         q.cast<float>(), qd.cast<float>(), tau.cast<float>(), cart_pole::f32::Gravity(g.cast<float>()));
     const cart_pole::JointState exact = cart_pole::forward_dynamics(q, qd, tau, Gravity(g));
     EXPECT_TRUE(single.cast<double>().isApprox(exact, kFloatRounding)) << single << " for " << exact;
+    EXPECT_TRUE(cart_pole::f32::joint_space_inertia_factor(q.cast<float>())
+                    .solve(tau.cast<float>())
+                    .cast<double>()
+                    .isApprox(cart_pole::joint_space_inertia_factor(q).solve(tau), kFloatRounding));
     EXPECT_TRUE(cart_pole::f32::transforms::motion::fr_base_X_fr_tip(q.cast<float>())
                     .cast<double>()
                     .isApprox(cart_pole::transforms::motion::fr_base_X_fr_tip(q), kFloatRounding));
@@ -209,6 +222,8 @@ TEST(Compiled, RobotsWithoutJoints) {
   EXPECT_EQ(plinth::inverse_dynamics(none, none, none).size(), 0);
   EXPECT_EQ(plinth::forward_dynamics(none, none, none).size(), 0);
   EXPECT_EQ(plinth::joint_space_inertia(none).size(), 0);
+  EXPECT_EQ(plinth::joint_space_inertia_factor(none).L().size(), 0);
+  EXPECT_EQ(plinth::joint_space_inertia_factor(none).solve(none).size(), 0);
   EXPECT_EQ(cart_pole::jacobians::fr_base_J_fr_base(cart_pole::JointState::Zero()).cols(), 0);
 }
 

@@ -62,6 +62,23 @@ TEST(Interface, ResultsHaveTheirTypes) {
   EXPECT_EQ(base_acceleration.vector().size(), 6);
 }
 
+// Made from a position only, of its own type in either precision; nothing in it allocates or throws.
+TEST(Interface, FactorOfTheInertiaMatrix) {
+  using namespace cart_pole;
+  const JointState q(0.3, -0.4);
+  const InertiaFactor factor = cart_pole::Robot::joint_space_inertia_factor(q);
+  static_assert(std::is_same_v<cart_pole::Robot::InertiaFactor, InertiaFactor>);
+  static_assert(std::is_same_v<decltype(factor.L()), const InertiaMatrix&>);
+  static_assert(std::is_same_v<decltype(factor.inverse_diagonal()), const JointState&>);
+  static_assert(std::is_same_v<decltype(factor.solve(q)), JointState>);
+  static_assert(std::is_same_v<decltype(f32::joint_space_inertia_factor({}).inverse()), Eigen::Matrix2f>);
+  static_assert(noexcept(joint_space_inertia_factor(q))&& noexcept(InertiaFactor(q)));
+  static_assert(noexcept(factor.L())&& noexcept(factor.solve(q)));
+  static_assert(noexcept(factor.inverse())&& noexcept(factor.inverse_L()));
+  static_assert(!std::is_convertible_v<JointState, InertiaFactor>);
+  EXPECT_EQ(factor.solve(q + q), factor.solve(2 * q));
+}
+
 // Expressions of Eigen are accepted as arguments, in either precision.
 TEST(Interface, TakesExpressions) {
   const cart_pole::JointState q(0.1, 0.2);

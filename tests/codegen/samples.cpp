@@ -263,7 +263,7 @@ Function mixed_function(
     all.insert(all.end(), values.begin(), values.end());
   }
   for (const Array& output : outputs) {
-    const bool matrix = output.role == Role::inertia_matrix;
+    const bool matrix = output.role == Role::inertia_matrix || output.role == Role::inertia_factor;
     const bool base = output.role == Role::base_wrench || output.role == Role::base_acceleration;
     const int rows = matrix ? n + (library.floating_base ? 6 : 0) : base ? 6 : n;
     const int columns = matrix ? rows : 1;
@@ -278,6 +278,38 @@ const Array kAcceleration{"base_acceleration", Role::base_acceleration}, kWrench
 const Array kGravity{"gravity", Role::gravity}, kExternal{"external", Role::link_wrenches};
 const Array kInertia{"H", Role::inertia_matrix};
 
+const Array kFactor{"L", Role::inertia_factor}, kDiagonal{"inverse_diagonal", Role::inverse_diagonal};
+const std::string kFactorGroup = "joint_space_inertia_factor";
+
+// H = L^T L of the cart and the pole, and what goes on from it, given (L00, L10, L01, L11).
+std::vector<Function> cart_pole_factor() {
+  CartPole p;
+  p.take_position();
+  p.inertia();
+  const Expression l11 = sqrt(p.h[2]), l10 = p.h[1] / l11, l00 = sqrt(p.h[0] - l10 * l10), one = p.sketch.constant(1);
+  p.sketch.output("L", Role::inertia_factor, 2, 2, {l00, l10, Expression(), l11});
+  p.sketch.output("inverse_diagonal", Role::inverse_diagonal, 2, 1, {one / l00, one / l11});
+  std::vector<Function> result = {function(kFactorGroup, "", kFactorGroup, kFactorGroup, p.sketch)};
+  const auto add = [&](const std::string& name, const auto& build) {
+    Sketch sketch;
+    const Values L = sketch.input("L", Role::inertia_factor, {"L00", "L10", "L01", "L11"});
+    const Values r = sketch.input("inverse_diagonal", Role::inverse_diagonal, {"CART", "POLE"});
+    build(sketch, Values{r[0], -(L[1] * r[0] * r[1]), Expression(), r[1]});
+    result.push_back(function(kFactorGroup, "inertia_factor", name, "inertia_factor_" + name, sketch));
+  };
+  add("solve", [](Sketch& sketch, const Values& m) {
+    const Values x = sketch.input("x", Role::value, {"CART", "POLE"});
+    const Expression y0 = m[0] * x[0] + m[1] * x[1], y1 = m[3] * x[1];
+    sketch.output("y", Role::value, 2, 1, {m[0] * y0, m[1] * y0 + m[3] * y1});
+  });
+  add("inverse", [](Sketch& sketch, const Values& m) {
+    const Expression coupled = m[0] * m[1];
+    sketch.output("inverse", Role::inertia_matrix, 2, 2, {m[0] * m[0], coupled, coupled, m[1] * m[1] + m[3] * m[3]});
+  });
+  add("inverse_L", [](Sketch& sketch, const Values& m) { sketch.output("inverse", Role::matrix, 2, 2, m); });
+  return result;
+}
+
 }  // namespace
 
 Library cart_pole() {
@@ -288,7 +320,7 @@ Library cart_pole() {
   result.joints[0].limits = {-0.1, 2.5, 3, std::numeric_limits<double>::infinity()};
   result.frames = {{"fr_base", 0}, {"fr_tip", 2, {0, 0, -kLength}}};
   result.groups = kDynamics;
-  result.groups.insert(result.groups.end(), {"transforms", "jacobians"});
+  result.groups.insert(result.groups.end(), {kFactorGroup, "transforms", "jacobians"});
   for (const std::string name : {"inverse_dynamics", "bias_forces", "gravity_forces", "forward_dynamics"})
     for (const Loads& loads : kLoads)
       if (name != "gravity_forces" || !loads.external)
@@ -301,6 +333,8 @@ Library cart_pole() {
   p.sketch.output("H", Role::inertia_matrix, 2, 2, {p.h[0], p.h[1], p.h[1], p.h[2]});
   result.functions.push_back(
       function("joint_space_inertia", "", "joint_space_inertia", "joint_space_inertia", p.sketch));
+
+  for (Function& f : cart_pole_factor()) result.functions.push_back(std::move(f));
 
   result.functions.push_back(tip_transform("homogeneous", Role::homogeneous));
   result.functions.push_back(tip_transform("motion", Role::spatial_motion));
@@ -340,10 +374,15 @@ Library plinth() {
   Library result = library("plinth", false);
   result.links = {{"base", -1}};
   result.groups = kDynamics;
+  result.groups.push_back(kFactorGroup);
   result.functions = {
       mixed_function(result, "inverse_dynamics", "inverse_dynamics", "inverse_dynamics", {kQ, kQd, kQdd}, {kTau}),
       mixed_function(result, "forward_dynamics", "forward_dynamics", "forward_dynamics", {kQ, kQd, kTau}, {kQdd}),
-      mixed_function(result, "joint_space_inertia", "joint_space_inertia", "joint_space_inertia", {kQ}, {kInertia})};
+      mixed_function(result, "joint_space_inertia", "joint_space_inertia", "joint_space_inertia", {kQ}, {kInertia}),
+      mixed_function(result, kFactorGroup, kFactorGroup, kFactorGroup, {kQ}, {kFactor, kDiagonal}),
+      mixed_function(
+          result, kFactorGroup, "solve", "inertia_factor_solve", {kFactor, kDiagonal, {"x", Role::value}},
+          {{"y", Role::value}})};
   return result;
 }
 

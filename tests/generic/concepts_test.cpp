@@ -9,6 +9,7 @@ namespace {
 static_assert(FixedBaseRobot<hyl::Robot> && FixedBaseRobot<puma560::Robot>);
 static_assert(FloatingBaseRobot<quadruped::Robot> && FloatingBaseRobot<centaur::Robot>);
 static_assert(!FloatingBaseRobot<hyl::Robot> && !FixedBaseRobot<quadruped::Robot>);
+static_assert(HasJointSpaceInertiaFactor<hyl::Robot> && HasJointSpaceInertiaFactor<quadruped::f32::Robot>);
 static_assert(HasEnergy<hyl::Robot> && HasEnergy<quadruped::Robot>);
 static_assert(HasCentroidal<hyl::Robot> && HasCentroidal<quadruped::Robot>);
 
@@ -19,6 +20,7 @@ static_assert(FixedBaseRobot<hyl::f32::Robot> && FloatingBaseRobot<quadruped::f3
 static_assert(RobotTraits<generic_lean::Robot> && FixedBase<generic_lean::Robot>);
 static_assert(HasInverseDynamics<generic_lean::Robot> && HasEnergy<generic_lean::Robot>);
 static_assert(!HasForwardDynamics<generic_lean::Robot> && !HasJointSpaceInertia<generic_lean::Robot>);
+static_assert(!HasJointSpaceInertiaFactor<generic_lean::Robot>);
 static_assert(!HasBiasForces<generic_lean::Robot> && !HasCentroidal<generic_lean::Robot>);
 static_assert(!FixedBaseRobot<generic_lean::Robot>);
 

@@ -144,6 +144,19 @@ Matrix<double> InterpretedRobot::joint_space_inertia(const Vector<double>& q) co
   return matrix(run("joint_space_inertia", {}, {{"q", q.values()}}).at("H"), floating_ ? 6 + dof_ : dof_);
 }
 
+reference::FactorResults InterpretedRobot::inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
+  symbolic::Arrays<double> inputs = run("joint_space_inertia_factor", {}, {{"q", q.values()}});
+  const int n = x.rows();
+  const std::vector<double> L = inputs.at("L");
+  const auto result = [&](const std::string& function, const char* output) {
+    return run("inertia_factor_" + function, {}, inputs).at(output);
+  };
+  inputs["x"] = x.values();
+  return {
+      matrix(L, n), matrix(result("inverse_L", "inverse"), n), matrix(result("inverse", "inverse"), n),
+      vector(result("solve", "y"))};
+}
+
 Matrix<double> InterpretedRobot::coriolis_matrix(const State& m) const {
   return matrix(run("coriolis_matrix", {}, inputs_of(m)).at("C"), floating_ ? 6 + dof_ : dof_);
 }
@@ -197,6 +210,8 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inertia_columns(robot, c, checks);
     check_energy(robot, c, checks);
     check_power(robot, c, checks);
+    check_inertia_factor(robot, c, checks);
+    check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
     check_center_of_mass(robot, c, checks);
     check_centroidal_momentum(robot, c, checks);

@@ -9,6 +9,7 @@
 #include "pass/passes.h"
 #include "reference_tables.h"
 #include "robcogen/reference/check_control.h"
+#include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "symbolic/interpret.h"
@@ -44,6 +45,7 @@ class InterpretedRobot {
   Vector<double> gravity_forces(const Vector<double>& q, const reference::Arguments& arguments) const;
   Vector<double> coriolis_forces(const State& m) const;
   reference::Matrix<double> joint_space_inertia(const Vector<double>& q) const;
+  reference::FactorResults inertia_factor(const reference::Vector<double>& q, const reference::Vector<double>& x) const;
   reference::Matrix<double> coriolis_matrix(const State& m) const;
   Vector<double> center_of_mass(const Vector<double>& q) const;
   reference::Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const;

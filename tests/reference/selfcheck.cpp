@@ -12,6 +12,7 @@
 #include ROBCOGEN_REFLECTION_HEADER
 
 #include "robcogen/reference/check_control.h"
+#include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_parameters.h"
@@ -25,6 +26,7 @@ constexpr bool kHasInverseDynamics = ROBCOGEN_HAS_INVERSE_DYNAMICS;
 constexpr bool kHasBiasForces = ROBCOGEN_HAS_BIAS_FORCES;
 constexpr bool kHasForwardDynamics = ROBCOGEN_HAS_FORWARD_DYNAMICS;
 constexpr bool kHasInertia = ROBCOGEN_HAS_JOINT_SPACE_INERTIA;
+constexpr bool kHasFactor = ROBCOGEN_HAS_JOINT_SPACE_INERTIA_FACTOR;
 constexpr bool kHasCoriolisMatrix = ROBCOGEN_HAS_CORIOLIS_MATRIX;
 constexpr bool kHasCentroidal = ROBCOGEN_HAS_CENTROIDAL;
 constexpr bool kHasEnergy = ROBCOGEN_HAS_ENERGY;
@@ -44,6 +46,8 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     if constexpr (kHasInertia) check_energy(subject, c, checks);
     if constexpr (kHasInertia && kHasInverseDynamics) check_inertia_columns(subject, c, checks);
     if constexpr (kHasInertia && kHasBiasForces) check_power(subject, c, checks);
+    if constexpr (kHasFactor) check_inertia_factor(subject, c, checks);
+    if constexpr (kHasFactor && kHasBiasForces && kHasForwardDynamics) check_factor_dynamics(subject, c, checks);
     if constexpr (kHasCoriolisMatrix) check_coriolis_matrix(subject, c, checks);
     if constexpr (kHasCentroidal) check_center_of_mass(subject, c, checks);
     if constexpr (kHasCentroidal) check_centroidal_momentum(subject, c, checks);

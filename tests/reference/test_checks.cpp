@@ -2,7 +2,10 @@
 // fails the checks that are there to find it.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "robcogen/reference/check_control.h"
+#include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "sample_robots.h"
@@ -39,6 +42,34 @@ class Right {
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
     const Matrix<double> H = reference::joint_space_inertia(robot_, q);
     return 0.5 * (H + transpose(H));  // generated code writes each element of a pair from one value
+  }
+  // Elimination from the deepest coordinates up.
+  FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
+    const Matrix<double> H = joint_space_inertia(q);
+    const int n = H.rows();
+    const auto depth = [&](int i) {
+      int count = 0;
+      for (int k = 0; k < n; ++k) count += carries(robot_, k, i);
+      return count;
+    };
+    std::vector<int> order(static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return depth(a) > depth(b); });
+    Matrix<double> rest = H, L(n, n);
+    for (const int i : order) {
+      for (int j = 0; j < n; ++j)
+        if (carries(robot_, j, i)) L(i, j) = rest(i, j) / std::sqrt(rest(i, i));
+      for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n; ++k) rest(j, k) -= L(i, j) * L(i, k);
+    }
+    const Matrix<double> unit = Matrix<double>::identity(n);
+    Matrix<double> inverse = solve(H, unit), inverse_L = solve(L, unit);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < i; ++j) inverse(i, j) = inverse(j, i);
+      for (int j = 0; j < n; ++j)
+        if (!carries(robot_, j, i)) inverse_L(i, j) = 0;  // where pivoting left rounding
+    }
+    return {L, inverse_L, inverse, solve(H, x)};
   }
   // Column by column, from unit velocities.
   Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
@@ -141,6 +172,8 @@ std::string failures(bool floating) {
     check_inertia_columns(subject, c, checks);
     check_energy(subject, c, checks);
     check_power(subject, c, checks);
+    check_inertia_factor(subject, c, checks);
+    check_factor_dynamics(subject, c, checks);
     check_coriolis_matrix(subject, c, checks);
     check_center_of_mass(subject, c, checks);
     check_centroidal_momentum(subject, c, checks);
@@ -270,6 +303,53 @@ TEST(Checks, FindAnIndefiniteInertiaMatrix) {
   };
   expect_found<Wrong>(
       {"joint_space_inertia", "P2: H positive definite", "P2: columns of H", "P3: v'Hv/2 = kinetic energy"});
+}
+
+// The subject with one of the results changed.
+template <class Change>
+struct WrongFactor : Right {
+  using Right::Right;
+  FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
+    FactorResults results = Right::inertia_factor(q, x);
+    Change()(results);
+    return results;
+  }
+};
+
+TEST(Checks, FindTheFactorOfTheOtherProduct) {
+  struct Change {
+    void operator()(FactorResults& f) const { f.L = transpose(f.L); }
+  };
+  expect_found<WrongFactor<Change>>({"L'L = H", "structural zeros of L", "L^-1 L = 1"});
+}
+
+TEST(Checks, FindAFactorOfTheWrongSign) {
+  struct Change {
+    void operator()(FactorResults& f) const { f.L = -f.L; }
+  };
+  expect_found<WrongFactor<Change>>({"diagonal of L is positive", "L^-1 L = 1"});
+}
+
+TEST(Checks, FindWhatFillsInBetweenBranches) {
+  struct Change {
+    void operator()(FactorResults& f) const {
+      const int a = f.L.rows() - 1, b = f.L.rows() - 2;  // joints B1 and A3
+      f.L(a, b) = 1e-17;
+      f.inverse(a, b) = 1e-17;
+    }
+  };
+  expect_found<WrongFactor<Change>>({"structural zeros of L", "H^-1 is symmetric"});
+  expect_found<WrongFactor<Change>>({"structural zeros of H^-1"}, {false});
+}
+
+TEST(Checks, FindASolutionOfHalfTheWay) {
+  struct Change {
+    void operator()(FactorResults& f) const {
+      f.solution = f.L * f.solution;  // the substitution with L^T alone
+      f.inverse = f.inverse_L;
+    }
+  };
+  expect_found<WrongFactor<Change>>({"H^-1 x", "inverse of H", "H^-1 (tau - bias forces) = forward_dynamics"});
 }
 
 TEST(Checks, FindSwappedForms) {

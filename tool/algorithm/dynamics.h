@@ -72,6 +72,30 @@ symbolic::Program joint_space_inertia(
     const std::string& name,
     const Formulation& formulation = {});
 
+// L of H = L^T L with the sparsity that branches induce (Featherstone 2008, sec. 6.5): q -> L, of the size of H, and
+// the reciprocals of its diagonal. L(i, j) is a literal zero unless j is i or an ancestor of i; so L is lower
+// triangular where the document declares joints after the ones that carry them. H must be positive definite: results
+// are not finite otherwise.
+symbolic::Program joint_space_inertia_factor(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
+// What goes on from a factor; `factor` is the program above: L, inverse_diagonal, x -> y = H^-1 x.
+symbolic::Program inertia_factor_solve(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+// L, inverse_diagonal -> L^-1, as sparse as L.
+symbolic::Program inertia_factor_inverse_L(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+// L, inverse_diagonal -> H^-1: zero where no coordinate is an ancestor of both.
+symbolic::Program inertia_factor_inverse(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+
 // A factorisation of the Coriolis forces that makes dH/dt - 2 C skew symmetric (Niemeyer and Slotine 1991; recursive
 // with composite bodies: Echeandia and Wensing 2021): q, qd [, base_velocity] -> C, of the size of H. C v plus the
 // gravity forces are the bias forces.

@@ -1,4 +1,6 @@
 // Composite-rigid-body algorithm with mass, first moment and pseudo-inertia.
+#include "algorithm/joint_space_inertia.h"
+
 #include "algorithm/composite.h"
 #include "algorithm/dynamics.h"
 
@@ -26,19 +28,15 @@ class SymmetricMatrix {
 
 }  // namespace
 
-Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
-  Trace trace(tree);
-  const auto q = trace.joint_input("q", Role::joint_position);
-  const Setup setup(trace, q, formulation);
+std::vector<Expression> joint_space_inertia(const Setup& setup) {
+  const model::KinematicTree& tree = setup.tree();
   const std::vector<MassProperties> composite = composite_bodies(setup);
-
   const int base = tree.floating_base ? 6 : 0;
-  const int size = base + tree.dof();
-  SymmetricMatrix h(size);
+  SymmetricMatrix h(base + tree.dof());
   for (int j = 0; j < tree.dof(); ++j) {
     const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
     const std::string& link = setup.link_name(joint.child);
-    trace.section(link, "link " + link + ": column of joint " + joint.name);
+    setup.trace.section(link, "link " + link + ": column of joint " + joint.name);
     Spatial wrench =
         unit_wrench(composite[static_cast<std::size_t>(joint.child)], joint.type == model::JointType::revolute);
     int i = j;
@@ -47,7 +45,7 @@ Program joint_space_inertia(const model::KinematicTree& tree, const std::string&
       h.set(base + i, base + j, here.type == model::JointType::revolute ? wrench.angular[2] : wrench.linear[2]);
       if (!setup.parent_matters(here.child)) break;
       wrench = to_parent(setup.pose(i), wrench);
-      i = tree.links[static_cast<std::size_t>(here.parent)].parent_joint;
+      i = tree.parent_joint_of(i);
       if (i < 0) break;
     }
     if (!tree.floating_base) continue;
@@ -68,7 +66,14 @@ Program joint_space_inertia(const model::KinematicTree& tree, const std::string&
       }
     }
   }
-  trace.output("H", Role::inertia_matrix, size, size, h.columns());
+  return h.columns();
+}
+
+Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
+  Trace trace(tree);
+  const auto q = trace.joint_input("q", Role::joint_position);
+  const int size = tree.dof() + (tree.floating_base ? 6 : 0);
+  trace.output("H", Role::inertia_matrix, size, size, joint_space_inertia(Setup(trace, q, formulation)));
   return trace.program(name);
 }
 

@@ -121,6 +121,31 @@ std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree, 
        joint_space_inertia(tree, "joint_space_inertia", formulation)}};
 }
 
+std::vector<RobotFunction> joint_space_inertia_factor_group(const KinematicTree& tree, const Formulation& formulation) {
+  const std::string group = "joint_space_inertia_factor";
+  const symbolic::Program factor = joint_space_inertia_factor(tree, group, formulation);
+  const auto of_factor = [&](const std::string& name, std::vector<std::string> summary, const auto& build) {
+    return RobotFunction{
+        group, "inertia_factor", name, std::move(summary), {}, {}, build(tree, factor, "inertia_factor_" + name)};
+  };
+  const std::string rows = tree.floating_base ? "(6 + n) rows: base first, in base coordinates, angular first."
+                                              : "n rows, joints in the order of the model.";
+  return {
+      {group,
+       "",
+       group,
+       {"Factor L of the joint-space inertia matrix H = L^T L: zero but for the diagonal and the ancestors of each "
+        "coordinate; with the reciprocals of its diagonal (Featherstone 2008, sec. 6.5).",
+        rows},
+       {},
+       {},
+       factor},
+      of_factor(
+          "solve", {"y = H^-1 x, by substitution along the ancestors of each coordinate.", rows}, inertia_factor_solve),
+      of_factor("inverse", {"H^-1, symmetric; structural zeros are literal.", rows}, inertia_factor_inverse),
+      of_factor("inverse_L", {"L^-1, with the zeros of L.", rows}, inertia_factor_inverse_L)};
+}
+
 std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, const Formulation& formulation) {
   return {
       {"coriolis_matrix",
@@ -313,17 +338,34 @@ std::vector<RobotFunction> accelerations_group(const KinematicTree& tree, const 
 }  // namespace
 
 const std::vector<std::string>& groups() {
-  static const std::vector<std::string> names = {
-      "inverse_dynamics",     "bias_forces", "forward_dynamics", "joint_space_inertia", "coriolis_matrix",
-      "centroidal",           "energy",      "transforms",       "jacobians",           "jacobian_references",
-      "jacobian_derivatives", "velocities",  "accelerations"};
+  static const std::vector<std::string> names = {"inverse_dynamics",
+                                                 "bias_forces",
+                                                 "forward_dynamics",
+                                                 "joint_space_inertia",
+                                                 "joint_space_inertia_factor",
+                                                 "coriolis_matrix",
+                                                 "centroidal",
+                                                 "energy",
+                                                 "transforms",
+                                                 "jacobians",
+                                                 "jacobian_references",
+                                                 "jacobian_derivatives",
+                                                 "velocities",
+                                                 "accelerations"};
   return names;
 }
 
 const std::vector<std::string>& default_groups() {
-  static const std::vector<std::string> names = {"inverse_dynamics",    "bias_forces", "forward_dynamics",
-                                                 "joint_space_inertia", "centroidal",  "energy",
-                                                 "transforms",          "jacobians"};
+  static const std::vector<std::string> names = {
+      "inverse_dynamics",
+      "bias_forces",
+      "forward_dynamics",
+      "joint_space_inertia",
+      "joint_space_inertia_factor",
+      "centroidal",
+      "energy",
+      "transforms",
+      "jacobians"};
   return names;
 }
 
@@ -336,6 +378,7 @@ std::vector<RobotFunction> functions(
   if (group == "bias_forces") return bias_forces_group(tree, formulation);
   if (group == "forward_dynamics") return forward_dynamics_group(tree, formulation);
   if (group == "joint_space_inertia") return joint_space_inertia_group(tree, formulation);
+  if (group == "joint_space_inertia_factor") return joint_space_inertia_factor_group(tree, formulation);
   if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulation);
   if (group == "centroidal") return centroidal_group(tree);
   if (group == "energy") return energy_group(tree, formulation);

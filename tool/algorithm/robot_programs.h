@@ -12,9 +12,9 @@ namespace robcogen::algorithm {
 
 // One function of the API. Overloads share `scope` and `name` and differ in inputs.
 struct RobotFunction {
-  std::string group;  // one of groups()
-  std::string scope;  // "", transforms::homogeneous, transforms::motion, transforms::force, jacobians, …
-  std::string name;   // `inverse_dynamics`, `fr_base_X_fr_foot`
+  std::string group;                 // one of groups()
+  std::string scope;                 // "", inertia_factor, transforms::homogeneous, transforms::motion, jacobians, …
+  std::string name;                  // `inverse_dynamics`, `fr_base_X_fr_foot`
   std::vector<std::string> summary;  // what, frames, units, source
   std::vector<int> columns;          // jacobians: the joint of each column
   model::FramePair frames;           // of what is about two frames

@@ -76,8 +76,8 @@ symbolic::Program program_of(const Robot& robot, const Options& options) {
   const algorithm::Formulation formulation = algorithm::take_formulation(passes);
   for (const std::string& group : algorithm::groups()) {
     for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, {}, group, formulation)) {
-      if (f.name == options.function) found = std::move(f.program);
-      names.push_back(f.name);
+      names.push_back(f.scope.empty() ? f.name : f.scope + "." + f.name);
+      if (names.back() == options.function) found = std::move(f.program);
     }
   }
   if (found) return pass::run(std::move(*found), passes);
@@ -99,6 +99,19 @@ std::vector<double> numbers(const json& value, const std::string& name, std::siz
     result.push_back(element.get<double>());
   }
   return result;
+}
+
+// A square matrix as nested rows.
+std::vector<double> square_matrix(const json& value, const std::string& name, std::size_t length) {
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(length))));
+  if (!value.is_array() || value.size() != size)
+    refuse(fmt::format("'{}' must be an array of {} rows of {} numbers", name, size, size));
+  std::vector<double> columns(length);
+  for (std::size_t r = 0; r < size; ++r) {
+    const std::vector<double> row = numbers(value[r], fmt::format("{}[{}]", name, r), size);
+    for (std::size_t c = 0; c < size; ++c) columns[r + c * size] = row[c];
+  }
+  return columns;
 }
 
 std::vector<double> parameter_values(const json& given, const model::KinematicTree& tree) {
@@ -137,7 +150,18 @@ std::vector<double> link_wrenches(const json& given, const model::KinematicTree&
 symbolic::Arrays<double> arguments(const json& given, const Robot& robot, const symbolic::Program& program) {
   // A name that no function knows is a slip; one that this function has no use for is welcome.
   static const std::vector<std::string> known = {
-      "q", "qd", "qdd", "tau", "gravity", "base_velocity", "base_acceleration", "external", "parameters"};
+      "q",
+      "qd",
+      "qdd",
+      "tau",
+      "gravity",
+      "base_velocity",
+      "base_acceleration",
+      "external",
+      "parameters",
+      "L",
+      "inverse_diagonal",
+      "x"};
   for (const auto& [name, value] : given.items())
     if (std::find(known.begin(), known.end(), name) == known.end())
       refuse(fmt::format("'{}' is no argument; arguments are {}", name, fmt::join(known, ", ")));
@@ -151,6 +175,8 @@ symbolic::Arrays<double> arguments(const json& given, const Robot& robot, const 
       inputs[name] = parameters;
     else if (array.role == Role::link_wrenches)
       inputs[name] = link_wrenches(given.value("external", json::object()), robot.tree);
+    else if (array.role == Role::inertia_factor && given.contains(name))
+      inputs[name] = square_matrix(given[name], name, array.elements.size());
     else if (given.contains(name))
       inputs[name] = numbers(given[name], name, array.elements.size());
     else if (array.role == Role::gravity)
@@ -165,8 +191,8 @@ std::string number_text(double value) {
 
 // A column as a flat array, a matrix as nested rows.
 std::string array_text(const symbolic::OutputArray& array, const std::vector<double>& values) {
-  const bool matrix = array.role == Role::inertia_matrix || array.role == Role::jacobian ||
-                      array.role == Role::matrix || array.role == Role::homogeneous ||
+  const bool matrix = array.role == Role::inertia_matrix || array.role == Role::inertia_factor ||
+                      array.role == Role::jacobian || array.role == Role::matrix || array.role == Role::homogeneous ||
                       array.role == Role::spatial_motion || array.role == Role::spatial_force;
   const auto row_text = [&](int row) {
     std::vector<std::string> cells;

@@ -46,7 +46,9 @@ enum class Role {
   base_acceleration,   // 6: spatial acceleration, base coordinates, gravity not included
   base_wrench,         // 6: about the base origin, base coordinates
   link_wrenches,       // 6 per link (base first): about the link origin, link coordinates
-  inertia_matrix,      // symmetric, base rows first for a floating base
+  inertia_matrix,      // symmetric, base rows first for a floating base; or its inverse
+  inertia_factor,      // square: L of such a matrix H = L^T L
+  inverse_diagonal,    // the reciprocals of that factor's diagonal
   homogeneous,         // 4 x 4
   spatial_motion,      // 6 x 6, angular first
   spatial_force,       // 6 x 6, angular first

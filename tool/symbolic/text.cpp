@@ -36,6 +36,8 @@ constexpr std::array kRoles = {
     RoleName{Role::base_wrench, "base_wrench"},
     RoleName{Role::link_wrenches, "link_wrenches"},
     RoleName{Role::inertia_matrix, "inertia_matrix"},
+    RoleName{Role::inertia_factor, "inertia_factor"},
+    RoleName{Role::inverse_diagonal, "inverse_diagonal"},
     RoleName{Role::homogeneous, "homogeneous"},
     RoleName{Role::spatial_motion, "spatial_motion"},
     RoleName{Role::spatial_force, "spatial_force"},

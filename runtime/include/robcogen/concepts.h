@@ -105,6 +105,25 @@ concept HasJointSpaceInertia = RobotTraits<R> && requires(const R& robot, const 
   noexcept->std::same_as<typename R::InertiaMatrix>;
 };
 
+// joint_space_inertia_factor(q): L of H = L^T L, and what goes on from it; x has the coordinates of H.
+template <class R>
+concept HasJointSpaceInertiaFactor = RobotTraits<R> && requires(
+    const R& robot,
+    const typename R::JointState& q,
+    const typename R::InertiaFactor& factor,
+    const Eigen::Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>& x) {
+  { robot.joint_space_inertia_factor(q) }
+  noexcept->std::same_as<typename R::InertiaFactor>;
+  { factor.L() }
+  noexcept->std::same_as<const typename R::InertiaMatrix&>;
+  { factor.solve(x) }
+  noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>>;
+  { factor.inverse() }
+  noexcept->std::same_as<typename R::InertiaMatrix>;
+  { factor.inverse_L() }
+  noexcept->std::same_as<typename R::InertiaMatrix>;
+};
+
 // bias_forces(q, qd) = coriolis_forces(q, qd) + gravity_forces(q); with a floating base they take its velocity and hold
 // the wrench on it.
 template <class R>

@@ -26,6 +26,8 @@ Argument argument(const backend::Library& library, const InputArray& array) {
     result.columns = static_cast<int>(library.links.size());
   }
   if (array.role == Role::variables) result.kind = "scalars";
+  if (array.role == Role::inertia_factor)
+    result.rows = result.columns = static_cast<int>(std::lround(std::sqrt(static_cast<double>(result.rows))));
   if (array.role == Role::parameters) {
     result.kind = "struct";
     for (const backend::ParameterData& p : library.parameters) {

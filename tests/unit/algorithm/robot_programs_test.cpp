@@ -66,6 +66,13 @@ TEST(RobotPrograms, OfAFixedBase) {
           "forward_dynamics: q qd tau -> qdd 2x1", "forward_dynamics_gravity: q qd tau gravity -> qdd 2x1",
           "forward_dynamics_external: q qd tau gravity external -> qdd 2x1"}));
   EXPECT_EQ(signatures(tree, "joint_space_inertia"), (List{"joint_space_inertia: q -> H 2x2"}));
+  EXPECT_EQ(
+      signatures(tree, "joint_space_inertia_factor"),
+      (List{
+          "joint_space_inertia_factor: q -> L 2x2 inverse_diagonal 2x1",
+          "inertia_factor_solve: L inverse_diagonal x -> y 2x1",
+          "inertia_factor_inverse: L inverse_diagonal -> inverse 2x2",
+          "inertia_factor_inverse_L: L inverse_diagonal -> inverse 2x2"}));
   EXPECT_EQ(signatures(tree, "coriolis_matrix"), (List{"coriolis_matrix: q qd -> C 2x2"}));
   EXPECT_EQ(
       signatures(tree, "centroidal"), (List{
@@ -95,6 +102,13 @@ TEST(RobotPrograms, OfAFloatingBase) {
           "forward_dynamics: q qd tau base_velocity gravity -> qdd 2x1 base_acceleration 6x1",
           "forward_dynamics_external: q qd tau base_velocity gravity external -> qdd 2x1 base_acceleration 6x1"}));
   EXPECT_EQ(signatures(tree, "joint_space_inertia"), (List{"joint_space_inertia: q -> H 8x8"}));
+  EXPECT_EQ(
+      signatures(tree, "joint_space_inertia_factor"),
+      (List{
+          "joint_space_inertia_factor: q -> L 8x8 inverse_diagonal 8x1",
+          "inertia_factor_solve: L inverse_diagonal x -> y 8x1",
+          "inertia_factor_inverse: L inverse_diagonal -> inverse 8x8",
+          "inertia_factor_inverse_L: L inverse_diagonal -> inverse 8x8"}));
   EXPECT_EQ(signatures(tree, "coriolis_matrix"), (List{"coriolis_matrix: q qd base_velocity -> C 8x8"}));
   EXPECT_EQ(
       signatures(tree, "centroidal"), (List{
@@ -191,6 +205,7 @@ TEST(RobotPrograms, ParametersAreTheFirstInput) {
   tree.links[1].inertia->mass = model::Quantity::parameter(0);
   for (const RobotFunction& f : all(tree)) {
     ASSERT_FALSE(f.program.inputs.empty());
+    if (f.program.inputs[0].role == symbolic::Role::inertia_factor) continue;  // all that parameters mean is in it
     EXPECT_EQ(f.program.inputs[0].role, symbolic::Role::parameters) << f.program.name;
     EXPECT_EQ(f.program.inputs[0].elements, std::vector<std::string>{"m"});
   }

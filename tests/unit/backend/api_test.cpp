@@ -83,6 +83,33 @@ TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
   EXPECT_THROW(result_type(dynamics("f", "f", {"q"}, {"qdd", "base_wrench"}).program), std::logic_error);
 }
 
+// A factor is kept in an object; what reads it is a member, and no free function of its scope.
+TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
+  Library library = test::leg_library();
+  const auto add = [&](const std::string& name, const std::string& text) {
+    library.functions.push_back(test::function(name, name, test::program("program " + name + "\n" + text)));
+  };
+  library.functions.clear();
+  add("factor",
+      "input q joint_position a\noutput L inertia_factor 1 1\noutput inverse_diagonal inverse_diagonal 1 1\n"
+      "return L q[0]\nreturn inverse_diagonal q[0]\n");
+  add("solve", "input L inertia_factor a\ninput x value a\noutput y value 1 1\nreturn y x[0]\n");
+  library.functions[1].scope = "inertia_factor";
+  for (Function& f : library.functions) f.group = "factor";
+  const Api names = api(library);
+  EXPECT_TRUE(returns_object(library.functions[0].program));
+  EXPECT_FALSE(returns_object(library.functions[1].program));
+  EXPECT_EQ(result_type(library.functions[0].program), "InertiaFactor");
+  EXPECT_EQ(scopes(names, "factor"), Names{""});
+  EXPECT_TRUE(overloads(names, "factor", "inertia_factor").empty());
+  const std::vector<Overload> found = members(names, "InertiaFactor");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].callable->name, "solve");
+  ASSERT_EQ(found[0].arguments.size(), 1U);
+  EXPECT_EQ(found[0].arguments[0].name, "x");
+  EXPECT_EQ(found[0].inputs, (Names{"L_.data()", "x.data()"}));
+}
+
 TEST(Api, NamespacesThatWouldHideOthersAreRenamed) {
   Library library = test::leg_library();
   library.name = "Eigen";

@@ -70,6 +70,17 @@ TEST_F(Eval, MatricesAreNestedRows) {
   for (int r = 0; r < 6; ++r) EXPECT_NEAR(j[r][0].get<double>(), column[r], kRounding);
 }
 
+// What one function returns is what the next one takes.
+TEST_F(Eval, FactorOfTheInertiaMatrix) {
+  json factor = eval("joint_space_inertia_factor", {{"q", {0.7}}});
+  EXPECT_NEAR(factor["L"][0][0], std::sqrt(0.5), kRounding);
+  factor["x"] = {3.0};
+  EXPECT_NEAR(eval("inertia_factor.solve", factor)["y"][0], 6.0, kRounding * 10);
+  EXPECT_NEAR(eval("inertia_factor.inverse", factor)["inverse"][0][0], 2.0, kRounding * 10);
+  for (const char* wrong : {"{\"L\": 1}", "{\"L\": [1]}", "{\"L\": [[1, 2]]}", "{\"L\": [[1], [2]]}"})
+    EXPECT_EQ(run("inertia_factor.solve", wrong).status, 1) << wrong;
+}
+
 TEST_F(Eval, SeventeenDigitsReadBackExactly) {
   const json result = eval("gravity_forces", {{"q", {0.1}}});
   const double value = result["tau"][0];

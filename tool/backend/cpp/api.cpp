@@ -10,6 +10,8 @@
 namespace robcogen::backend::cpp {
 namespace {
 
+constexpr const char* kFactorType = "InertiaFactor";
+
 using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Program;
@@ -77,8 +79,10 @@ std::string alias(Role role) {
   }
 }
 
-std::string matrix(int rows, int columns) {
-  return "Matrix<" + std::to_string(rows) + ", " + std::to_string(columns) + ">";
+std::string owner(const Program& program) {
+  const bool reads_kept =
+      std::any_of(program.inputs.begin(), program.inputs.end(), [](const InputArray& a) { return is_kept(a.role); });
+  return reads_kept ? kFactorType : "";
 }
 
 // A function's inputs as a signature, with or without gravity.
@@ -120,6 +124,8 @@ Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
       result.arguments.push_back({"Parameters", names[i].name, ""});
       result.packed.push_back({kParameterValues, members_of(names[i].name, api.parameters)});
       result.inputs.push_back(kParameterValues);
+    } else if (is_kept(input.role)) {
+      result.inputs.push_back(kept_name(input.name) + ".data()");
     } else {
       result.arguments.push_back({type_of(input), names[i].name, ""});
       result.inputs.push_back(names[i].name + ".data()");
@@ -189,24 +195,42 @@ Api api(const Library& library) {
     const Function& f = library.functions[i];
     const std::string& name = names.at({f.scope, f.name});
     const bool jacobian = !f.program.outputs.empty() && f.program.outputs.front().role == Role::jacobian;
-    result.callables.push_back({&f, kernel_names[i], name, jacobian ? taken[f.scope].claim(name + "_columns") : ""});
+    result.callables.push_back(
+        {&f, kernel_names[i], name, jacobian ? taken[f.scope].claim(name + "_columns") : "", owner(f.program)});
   }
   if (!library.updates.empty()) name_parameters(library, result);
-  for (const Function& f : library.updates) result.updates.push_back({&f, f.kernel, f.name, ""});
-  for (const Function& f : library.numbers) result.numbers.push_back({&f, f.kernel, f.name, ""});
+  for (const Function& f : library.updates) result.updates.push_back({&f, f.kernel, f.name, "", ""});
+  for (const Function& f : library.numbers) result.numbers.push_back({&f, f.kernel, f.name, "", ""});
   return result;
+}
+
+std::string matrix_type(int rows, int columns) {
+  return "Matrix<" + std::to_string(rows) + ", " + std::to_string(columns) + ">";
 }
 
 std::string type_of(const InputArray& input) {
   const std::string name = alias(input.role);
-  return name.empty() ? matrix(static_cast<int>(input.elements.size()), 1) : name;
+  return name.empty() ? matrix_type(static_cast<int>(input.elements.size()), 1) : name;
+}
+
+bool is_kept(Role role) {
+  return role == Role::inertia_factor || role == Role::inverse_diagonal;
+}
+
+std::string kept_name(const std::string& array) {
+  return array + "_";
+}
+
+bool returns_object(const Program& program) {
+  return !program.outputs.empty() && is_kept(program.outputs.front().role);
 }
 
 std::string result_type(const Program& program) {
+  if (returns_object(program)) return kFactorType;
   if (program.outputs.size() == 1) {
     const OutputArray& output = program.outputs.front();
     const std::string name = alias(output.role);
-    return name.empty() ? matrix(output.rows, output.columns) : name;
+    return name.empty() ? matrix_type(output.rows, output.columns) : name;
   }
   if (program.outputs.size() == 2) {
     const Role first = program.outputs[0].role, second = program.outputs[1].role;
@@ -255,7 +279,7 @@ std::vector<Overload> overloads(const Api& api, const std::string& group, const 
   std::vector<std::string> order;
   std::map<std::string, std::vector<const Callable*>> by_name;
   for (const Callable& c : api.callables) {
-    if (c.function->group != group || c.function->scope != scope) continue;
+    if (c.function->group != group || c.function->scope != scope || !c.owner.empty()) continue;
     if (!by_name.contains(c.name)) order.push_back(c.name);
     by_name[c.name].push_back(&c);
   }
@@ -265,10 +289,17 @@ std::vector<Overload> overloads(const Api& api, const std::string& group, const 
   return result;
 }
 
+std::vector<Overload> members(const Api& api, const std::string& type) {
+  std::vector<Overload> result;
+  for (const Callable& c : api.callables)
+    if (c.owner == type) result.push_back(overload(api, c, true));
+  return result;
+}
+
 std::vector<std::string> scopes(const Api& api, const std::string& group) {
   std::vector<std::string> result;
   for (const Callable& c : api.callables) {
-    if (c.function->group != group) continue;
+    if (c.function->group != group || !c.owner.empty()) continue;
     if (std::find(result.begin(), result.end(), c.function->scope) == result.end()) result.push_back(c.function->scope);
   }
   return result;

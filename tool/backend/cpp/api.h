@@ -17,6 +17,7 @@ struct Callable {
   std::string kernel;   // in namespace `kernel`
   std::string name;     // in the function's scope
   std::string columns;  // Jacobians: the constant beside it that lists the joints of its columns
+  std::string owner;    // the type whose member it is; empty: a free function
 };
 
 struct Api {
@@ -61,15 +62,24 @@ struct Overload {
 // its own does without it: then it is standard gravity.
 std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables);
 
-// The overloads of a group in this scope, in order.
+// The overloads of a group's free functions in this scope, in order.
 std::vector<Overload> overloads(const Api& api, const std::string& group, const std::string& scope);
 
-// The scopes of a group in the order of their first function.
+// The members of a type, but those that it is made by, in order.
+std::vector<Overload> members(const Api& api, const std::string& type);
+
+// The scopes of a group's free functions in the order of their first function.
 std::vector<std::string> scopes(const Api& api, const std::string& group);
 
+std::string matrix_type(int rows, int columns);
 // C++ type of an input, and of what a function returns. The names are aliases of types.h.
 std::string type_of(const symbolic::InputArray& input);
 std::string result_type(const symbolic::Program& program);
+// What such outputs make together is a type of the library's own, printed where its functions are: they are kept, and
+// functions that read them are its members.
+bool is_kept(symbolic::Role role);
+std::string kept_name(const std::string& array);  // the data member that holds the array
+bool returns_object(const symbolic::Program& program);
 // The member of the result type that holds this output; empty when the function returns the output itself.
 std::string result_member(const symbolic::Program& program, const symbolic::OutputArray& output);
 

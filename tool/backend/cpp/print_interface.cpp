@@ -2,6 +2,8 @@
 //
 // The functions are inline: compiled with the user's options, so that options of the library's own translation units
 // can never change how Eigen lays out what crosses the border.
+#include <algorithm>
+
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
@@ -23,7 +25,7 @@ bool is_scalar(const symbolic::OutputArray& output) {
   return output.role == symbolic::Role::energy;
 }
 
-std::string call_of_kernel(const Overload& overload) {
+std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
   const symbolic::Program& program = overload.callable->function->program;
   std::string arrays;
   for (const Packed& p : overload.packed) arrays += numbered_list("  const Scalar " + p.name + "[]", p.elements);
@@ -34,8 +36,9 @@ std::string call_of_kernel(const Overload& overload) {
     const std::string member = result_member(program, output);
     arguments.push_back(is_scalar(output) ? "&" + result : result + (member.empty() ? "" : "." + member) + ".data()");
   }
-  return arrays + "  " + result_type(program) + " " + result + ";\n" +
-         call("kernel::" + overload.callable->kernel, arguments, 2) + "  return " + result + ";\n";
+  const std::string margin(indent, ' ');
+  return arrays + margin + result_type(program) + " " + result + ";\n" +
+         call("kernel::" + overload.callable->kernel, arguments, indent) + margin + "return " + result + ";\n";
 }
 
 // Arguments passed on to an overload that takes gravity too, if this one does not.
@@ -58,12 +61,47 @@ std::string documentation(const Overload& overload) {
   return result;
 }
 
+std::string body(const Overload& overload) {
+  if (overload.adds_standard_gravity) return call("return " + overload.callable->name, passed_on(overload), 2);
+  if (!returns_object(overload.callable->function->program)) return call_of_kernel(overload);
+  return call("return " + overload.result, passed_on(overload), 2);
+}
+
 std::string function(const Overload& overload) {
   const std::string head = "inline " + overload.result + " " + overload.callable->name;
-  const std::string body = overload.adds_standard_gravity
-                               ? call("return " + overload.callable->name, passed_on(overload), 2)
-                               : call_of_kernel(overload);
-  return declaration(head, parameter_list(overload), " noexcept {") + body + "}\n";
+  return declaration(head, parameter_list(overload), " noexcept {") + body(overload) + "}\n";
+}
+
+// Makes the object from the arguments of the function that returns it.
+std::string constructor(const Overload& maker) {
+  std::vector<std::string> arguments = maker.inputs;
+  for (const symbolic::OutputArray& output : maker.callable->function->program.outputs)
+    arguments.push_back(kept_name(output.name) + ".data()");
+  return declaration("explicit " + maker.result, parameter_list(maker), " noexcept {", 2) +
+         call("kernel::" + maker.callable->kernel, arguments, 4) + "  }\n";
+}
+
+std::string method(const Overload& overload, bool documented) {
+  std::string text;
+  if (documented)
+    for (const std::string& line : overload.callable->function->summary) text += comment(line, 2);
+  const std::string head = overload.result + " " + overload.callable->name;
+  return text + declaration(head, parameter_list(overload), " const noexcept {", 2) + call_of_kernel(overload, 4) +
+         "  }\n";
+}
+
+// The type of what a function returns, where it has one of its own.
+std::string object_type(const Api& api, const Overload& maker, bool documented) {
+  std::string getters, data;
+  for (const symbolic::OutputArray& output : maker.callable->function->program.outputs) {
+    const std::string type = matrix_type(output.rows, output.columns), name = kept_name(output.name);
+    getters += "  const " + type + "& " + output.name + "() const noexcept { return " + name + "; }\n";
+    data += "  " + type + " " + name + ";\n";
+  }
+  std::vector<std::string> parts = {constructor(maker), getters};
+  for (const Overload& member : members(api, maker.result)) parts.push_back(method(member, documented));
+  const std::string remark = documented ? comment("What " + maker.callable->name + " returns.") : "";
+  return remark + "class " + maker.result + " {\n public:\n" + paragraphs(parts) + "\n private:\n" + data + "};\n";
 }
 
 std::string columns_constant(const Api& api, const Callable& callable) {
@@ -79,6 +117,7 @@ std::string columns_constant(const Api& api, const Callable& callable) {
 std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
   std::vector<std::string> parts;
   for (const Overload& o : overloads(api, group, scope)) {
+    if (returns_object(o.callable->function->program)) parts.push_back(object_type(api, o, !single_precision));
     if (single_precision) {
       parts.push_back(function(o));
       continue;
@@ -120,6 +159,9 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
                                     "Twist",   "Vector3",       "Wrench"};
   if (library.floating_base)
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
+  for (const Callable& c : api.callables)
+    if (returns_object(c.function->program)) names.push_back(result_type(c.function->program));
+  std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + space + "::" + name + ";\n";
   std::vector<std::string> parts = {
       types, constant("int", "kDof", std::to_string(library.joints.size())) +

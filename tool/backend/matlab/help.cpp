@@ -1,5 +1,6 @@
 // What a function says of itself: the help text.
 #include <algorithm>
+#include <cmath>
 
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
@@ -34,6 +35,10 @@ std::string meaning(Role role) {
     case Role::link_wrenches:
       return "wrench on each link (N m, N), a column a link, base first: about the link's origin in link coordinates, "
              "moment first";
+    case Role::inertia_factor:
+      return "factor of the inertia matrix H = L' * L";
+    case Role::inverse_diagonal:
+      return "reciprocals of the diagonal of L";
     case Role::parameters:
       return "struct of the parameters, as parameters() returns it";
     default:
@@ -76,6 +81,9 @@ std::string arguments(const Callable& callable, const Kernel& kernel) {
     if (i >= required_inputs(callable)) what += default_of(input);
     if (input.role == Role::link_wrenches) {
       text += line(name, 6, size / 6, what);
+    } else if (input.role == Role::inertia_factor) {
+      const int rows = static_cast<int>(std::lround(std::sqrt(size)));
+      text += line(name, rows, rows, what);
     } else if (input.role == Role::parameters) {
       text += comment("  " + name + "  " + what, 0, 6);
     } else {
@@ -98,7 +106,8 @@ std::string results(const Library& library, const Function& function) {
 std::string counts(const symbolic::Program& program) {
   const symbolic::OperationCount c = symbolic::count(program);
   return "Takes " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
-         std::to_string(c.div) + " divisions, " + std::to_string(c.sincos) + " pairs of sine and cosine.";
+         std::to_string(c.div) + " divisions, " + (c.sqrt ? std::to_string(c.sqrt) + " square roots, " : "") +
+         std::to_string(c.sincos) + " pairs of sine and cosine.";
 }
 
 // What all overloads say: the loads that distinguish them are described as arguments.

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "robcogen/link_wrenches.h"
+#include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/subject.h"
 
 namespace robcogen::reference {
@@ -99,6 +100,13 @@ class CompiledRobot {
 
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
     return matrix(robot_.joint_space_inertia(joints(q)));
+  }
+
+  FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
+    const auto factor = robot_.joint_space_inertia_factor(joints(q));
+    std::decay_t<decltype(factor.inverse_diagonal())> right;
+    std::copy(x.data(), x.data() + x.rows(), right.data());
+    return {matrix(factor.L()), matrix(factor.inverse_L()), matrix(factor.inverse()), vector(factor.solve(right))};
   }
 
   // For (base twist, qd), as H.
