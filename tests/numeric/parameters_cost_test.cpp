@@ -20,7 +20,7 @@ using model::Quantity;
 
 // Constants fold into fewer sums than values that are only known to be constant: inverse and forward dynamics, and the
 // smaller functions, where the same few sums weigh more, and where legs that are alike no longer share their products.
-constexpr double kMost = 1.12, kMostOfSmall = 1.4;
+constexpr double kMost = 1.03, kMostOfSmall = 1.1;
 
 KinematicTree robot_of(const std::string& name) {
   const auto path = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / name / (name + ".kindsl");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "pass/gather_parameters.h"
 #include "pass/statements.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
@@ -219,7 +220,10 @@ SplitPrograms split_parameters(const std::vector<Program>& programs, const std::
   Derived derived;
   std::vector<Half> halves;
   InputArray parameters = {"parameters", Role::parameters, {}};
-  for (const Program& program : programs) {
+  std::vector<Program> gathered;
+  for (const Program& program : programs)
+    gathered.push_back(parameters_of(program) ? gather_parameters(program) : program);
+  for (const Program& program : gathered) {
     Half& half = halves.emplace_back(Half{&program, parameters_of(program), {}});
     if (!half.parameters) continue;
     for (const InputArray& array : program.inputs)

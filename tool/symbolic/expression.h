@@ -78,6 +78,8 @@ class Graph {
   Expression constant(double value) { return constant(Number(value)); }
   Expression one() { return Expression(this, 1, false); }
   Expression input(int element);
+  // An operand of a node that is looked at.
+  Expression expression(int node, bool negative) { return Expression(this, node, negative); }
 
   // A checkpoint, and the way back to it: everything built since is forgotten. For trying variants by their cost.
   std::size_t mark() const { return nodes_.size(); }
