@@ -38,5 +38,9 @@ inline Dual sin(const Dual& a) {
 inline Dual cos(const Dual& a) {
   return Dual(std::cos(a.value), -std::sin(a.value) * a.derivative);
 }
+inline Dual sqrt(const Dual& a) {
+  const double root = std::sqrt(a.value);
+  return Dual(root, a.derivative / (2 * root));
+}
 
 }  // namespace autodiff

@@ -98,6 +98,20 @@ std::vector<Callable> callables_of(const Api& api, const std::string& group) {
   return result;
 }
 
+// The three updates in one.
+std::string whole_update(const Api& api) {
+  std::string result =
+      "// All of the cache, from values in the order of kParameterNames: for scalars that Parameters does not know.\n"
+      "template <class Scalar>\nvoid update(const Scalar* parameters, Scalar* cache) noexcept {\n";
+  int begin = 0;
+  for (const Callable& c : api.updates) {
+    const std::string part = begin == 0 ? "cache" : "cache + " + std::to_string(begin);
+    result += "  " + c.kernel + "(parameters, " + part + ");\n";
+    begin += c.function->program.outputs.front().rows;
+  }
+  return result + "}\n";
+}
+
 }  // namespace
 
 std::string kernel_declaration(const Callable& callable) {
@@ -110,6 +124,7 @@ std::string kernel_declaration(const Callable& callable) {
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> kernels;
   for (const Callable& c : callables_of(api, group)) kernels.push_back(print_kernel(*api.library, c));
+  if (group == kParameters && api.is_parametric()) kernels.push_back(whole_update(api));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
        "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}),

@@ -1,0 +1,54 @@
+// What must not compile: one case a run, chosen by a macro; without one, the rest compiles.
+#include <everywhere_fixed/everywhere_fixed.h>
+#include <everywhere_undeclared/everywhere_undeclared.h>
+
+namespace defaults = everywhere_fixed;
+namespace none = everywhere_undeclared;
+
+// Values for all interfaces but one getter.
+class Incomplete : public defaults::DynamicsParameters {
+  double get_trunk_mass() const noexcept override { return 1; }
+};
+
+double use() {
+  const defaults::Parameters<> parameters;
+  const none::Parameters<> given{none::ParameterValues()};
+  const Eigen::Vector4d q = Eigen::Vector4d::Zero();
+  double sum = defaults::gravity_forces(parameters, q)(0) + none::gravity_forces(given, q)(0);
+#ifdef NO_VALUES
+  none::Parameters<> missing;
+  sum += none::gravity_forces(missing, q)(0);
+#endif
+#ifdef NO_VALUES_IN_ROBOT
+  none::Robot robot;
+  sum += robot.gravity_forces(q)(0);
+#endif
+#ifdef NO_PARAMETERS
+  sum += defaults::gravity_forces(q)(0);
+#endif
+#ifdef PARAMETERS_OF_ANOTHER_ROBOT
+  sum += defaults::gravity_forces(given, q)(0);
+#endif
+#ifdef PARAMETERS_OF_ANOTHER_PRECISION
+  sum += defaults::gravity_forces(defaults::Parameters<float>(), q)(0);
+#endif
+#ifdef VALUES_FOR_PARAMETERS
+  sum += defaults::gravity_forces(defaults::ParameterValues(), q)(0);
+#endif
+#ifdef WRONG_SIZE
+  sum += defaults::gravity_forces(parameters, Eigen::Vector3d(Eigen::Vector3d::Zero()))(0);
+#endif
+#ifdef TOO_MANY_VALUES
+  sum += defaults::Parameters<>(std::array<double, 99>()).data()[0];
+#endif
+#ifdef GETTER_MISSING
+  sum += Incomplete().get_size();
+#endif
+#ifdef AMBIGUOUS_NAME
+  sum += defaults::ParameterValues().size;
+#endif
+#ifdef UPDATE_OF_SHARED
+  parameters.update(defaults::ParameterValues());
+#endif
+  return sum;
+}
