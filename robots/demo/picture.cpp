@@ -1,12 +1,15 @@
 #include "picture.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
+#include "svg.h"
+
 namespace demo {
 namespace {
+
+using svg::circle, svg::fill, svg::fixed, svg::label, svg::line, svg::Point, svg::polyline, svg::px, svg::stroke;
 
 // Layout, in pixels of the picture. A metre is as long forwards as upwards, so that the leg keeps its shape.
 constexpr double kWidth = 1060;
@@ -20,52 +23,11 @@ constexpr double kForceZero = 490;
 constexpr double kForceTop = 405;
 constexpr double kFigureInterval = 0.06;  // s between two stick figures
 
-// Middle tones: contrast at least 4 on white and on nearly black.
-constexpr const char* kInk = "#7a7a7a";
+// Middle tones, as kInk.
+using svg::kInk;
 constexpr const char* kHip = "#2a7ad8";
 constexpr const char* kFoot = "#d05a1e";
 constexpr const char* kForce = "#2b8a3e";
-
-std::string fixed(double value, int digits) {
-  char buffer[64];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, digits).ptr;
-  return {buffer, end};
-}
-
-std::string px(double value) {
-  return fixed(value, 1);
-}
-
-struct Point {
-  double x, y;
-};
-
-std::string line(Point a, Point b, const std::string& style) {
-  return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + style +
-         "/>\n";
-}
-
-std::string polyline(const std::vector<Point>& points, const std::string& style) {
-  std::string text = "<polyline points=\"";
-  for (const Point& p : points) text += px(p.x) + "," + px(p.y) + " ";
-  return text + "\" " + style + "/>\n";
-}
-
-std::string circle(Point centre, double radius, const std::string& style) {
-  return "<circle cx=\"" + px(centre.x) + "\" cy=\"" + px(centre.y) + "\" r=\"" + px(radius) + "\" " + style + "/>\n";
-}
-
-std::string label(Point at, const std::string& text, const std::string& style = "") {
-  return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" " + style + ">" + text + "</text>\n";
-}
-
-std::string stroke(const char* colour, double width, const std::string& more = "") {
-  return std::string("stroke=\"") + colour + "\" stroke-width=\"" + px(width) + "\" " + more;
-}
-
-std::string fill(const char* colour) {
-  return std::string("fill=\"") + colour + "\"";
-}
 
 // The time axis runs to the right; a leg is drawn around its time.
 struct Axes {
@@ -144,10 +106,7 @@ std::string picture(const std::vector<Instant>& instants) {
   }
 
   const double w = weight();
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(kWidth) + " " + px(kHeight) +
-                     "\" font-family=\"sans-serif\" font-size=\"13\" " + fill(kInk) + ">\n";
-  text += "<title>The HyL leg drops and hops</title>\n";
-  text += label(
+  std::string text = label(
       {kLeft, 22}, "The HyL leg drops and hops: one figure every " + fixed(1000 * kFigureInterval, 0) +
                        " ms, stronger while the foot is on the ground");
   text += scales(axes) + figures;
@@ -158,7 +117,7 @@ std::string picture(const std::vector<Instant>& instants) {
   text += label({kRight + 6, axes.at_force(0, w).y + 4}, "weight");
   text += polyline(force, "fill=\"none\" " + stroke(kForce, 1.8));
   text += label({kLeft + 6, kForceTop - 8}, "vertical force of the ground on the foot", fill(kForce));
-  return text + "</svg>\n";
+  return svg::document(kWidth, kHeight, "The HyL leg drops and hops", text);
 }
 
 }  // namespace demo
