@@ -5,8 +5,8 @@
 # - It calls nothing but the functions of the list below.
 # - Its kernels are straight-line code, with no branch and no loop: every call does the same operations.
 # - Its functions' stack frames, which the compiler reports beside the object files (-fstack-usage), are of constant size
-#   and no larger than STACK_LIMIT. They call nothing of this library, so that their frame is the stack that they use,
-#   besides that of sin and cos.
+#   and no larger than STACK_LIMIT. A kernel calls no other, so that its frame is the stack that it uses, besides that of
+#   sines, cosines and roots.
 #
 # What the program cannot see, as the compiler reports no stack use or there is no nm, it says and leaves out.
 cmake_minimum_required(VERSION 3.25)

@@ -1,0 +1,349 @@
+// A robot that a program picks at run time: one type for all generated libraries, fixed and floating base. Needs C++20.
+//
+//     #include <hyl/hyl.h>
+//     #include <hyl/reflection.h>
+//     const robcogen::AnyRobot robot = robcogen::make_any<hyl::Robot>(hyl::reflection::robot);
+//     robot.inverse_dynamics(q, v, qdd, tau);
+//
+// Vectors of positions q and joint forces tau have dof() elements. Velocities v, accelerations a and generalised forces
+// f have size() elements: with a floating base, its twist, spatial acceleration or wrench (angular first, base
+// coordinates), then the joints; otherwise the joints alone. All is SI.
+//
+// The size of every argument is compared with what it must be, and std::invalid_argument says which one is wrong.
+// Nothing else throws, and nothing allocates after construction, as long as arguments are vectors or contiguous parts
+// of them: Eigen evaluates expressions such as q + dq, and rows of matrices, into memory of its own. Calls cost a
+// virtual call and copies of the arguments. Copies of an AnyRobot share what they hold, which never changes; any number
+// of threads may use one.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "robcogen/concepts.h"
+#include "robcogen/reflection.h"
+
+namespace robcogen {
+
+namespace any {
+
+// What each robot brings, on plain arrays whose sizes are right. `external` may be null.
+class Functions {
+ public:
+  virtual ~Functions() = default;
+  struct Loads {
+    const Gravity& gravity;
+    const Wrench* external;
+  };
+  virtual SpatialAcceleration inverse_dynamics(
+      const double* q,
+      const double* v,
+      const double* qdd,
+      double* tau,
+      const Loads& loads) const noexcept = 0;
+  virtual void inverse_dynamics_fully_actuated(
+      const double* q,
+      const double* v,
+      const double* a,
+      double* f,
+      const Loads& loads) const noexcept = 0;
+  virtual void forward_dynamics(const double* q, const double* v, const double* tau, double* a, const Loads& loads)
+      const noexcept = 0;
+  virtual void bias_forces(const double* q, const double* v, double* f, const Loads& loads) const noexcept = 0;
+  virtual void gravity_forces(const double* q, double* f, const Gravity& gravity) const noexcept = 0;
+  virtual void coriolis_forces(const double* q, const double* v, double* f) const noexcept = 0;
+  virtual void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept = 0;
+  // What kernels of a robot with parameters read first; else null.
+  virtual const double* cache() const noexcept = 0;
+};
+
+template <class R>
+class FunctionsOf final : public Functions {
+ public:
+  explicit FunctionsOf(const R& robot) : robot_(robot) {}
+
+  SpatialAcceleration inverse_dynamics(
+      const double* q,
+      const double* v,
+      const double* qdd,
+      double* tau,
+      const Loads& loads) const noexcept override {
+    return with(loads, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        const auto result = robot_.inverse_dynamics(joints(q), qd_of(v), joints(qdd), Twist(base(v)), extra...);
+        Eigen::Map<JointState>{tau} = result.tau;
+        return result.base_acceleration;
+      } else {
+        Eigen::Map<JointState>{tau} = robot_.inverse_dynamics(joints(q), qd_of(v), joints(qdd), extra...);
+        return SpatialAcceleration();
+      }
+    });
+  }
+  void inverse_dynamics_fully_actuated(const double* q, const double* v, const double* a, double* f, const Loads& loads)
+      const noexcept override {
+    with(loads, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        set_forces(
+            f, robot_.inverse_dynamics_fully_actuated(
+                   joints(q), qd_of(v), qd_of(a), Twist(base(v)), SpatialAcceleration(base(a)), extra...));
+      } else {
+        set_forces(f, robot_.inverse_dynamics(joints(q), joints(v), joints(a), extra...));
+      }
+    });
+  }
+  void forward_dynamics(const double* q, const double* v, const double* tau, double* a, const Loads& loads)
+      const noexcept override {
+    with(loads, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        const auto result = robot_.forward_dynamics(joints(q), qd_of(v), joints(tau), Twist(base(v)), extra...);
+        Eigen::Map<Vector6>{a} = result.base_acceleration.vector();
+        Eigen::Map<JointState>{a + 6} = result.qdd;
+      } else {
+        Eigen::Map<JointState>{a} = robot_.forward_dynamics(joints(q), joints(v), joints(tau), extra...);
+      }
+    });
+  }
+  void bias_forces(const double* q, const double* v, double* f, const Loads& loads) const noexcept override {
+    with(loads, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        set_forces(f, robot_.bias_forces(joints(q), qd_of(v), Twist(base(v)), extra...));
+      } else {
+        set_forces(f, robot_.bias_forces(joints(q), joints(v), extra...));
+      }
+    });
+  }
+  void gravity_forces(const double* q, double* f, const Gravity& gravity) const noexcept override {
+    set_forces(f, robot_.gravity_forces(joints(q), gravity));
+  }
+  void coriolis_forces(const double* q, const double* v, double* f) const noexcept override {
+    if constexpr (R::kFloatingBase) {
+      set_forces(f, robot_.coriolis_forces(joints(q), qd_of(v), Twist(base(v))));
+    } else {
+      set_forces(f, robot_.coriolis_forces(joints(q), joints(v)));
+    }
+  }
+  void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept override {
+    H = robot_.joint_space_inertia(joints(q));
+  }
+  const double* cache() const noexcept override {
+    if constexpr (requires { robot_.parameters.data(); }) {
+      return robot_.parameters.data();
+    } else {
+      return nullptr;
+    }
+  }
+
+ private:
+  using JointState = typename R::JointState;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+  static JointState joints(const double* q) noexcept { return Eigen::Map<const JointState>(q); }
+  static JointState qd_of(const double* v) noexcept { return joints(v + (R::kFloatingBase ? 6 : 0)); }
+  static Eigen::Map<const Vector6> base(const double* v) noexcept { return Eigen::Map<const Vector6>(v); }
+
+  template <class Forces>
+  static void set_forces(double* f, const Forces& forces) noexcept {
+    if constexpr (R::kFloatingBase) {
+      Eigen::Map<Vector6>{f} = forces.base_wrench.vector();
+      Eigen::Map<JointState>{f + 6} = forces.tau;
+    } else {
+      Eigen::Map<JointState>{f} = forces;
+    }
+  }
+
+  // Calls the overload that takes these loads.
+  template <class Call>
+  static auto with(const Loads& loads, const Call& call) noexcept {
+    if (loads.external == nullptr) return call(loads.gravity);
+    typename R::LinkWrenches wrenches;
+    for (int i = 0; i < R::kLinkCount; ++i) wrenches[i] = loads.external[i];
+    return call(loads.gravity, wrenches);
+  }
+
+  R robot_;
+};
+
+}  // namespace any
+
+class AnyRobot {
+ public:
+  using In = const Eigen::Ref<const Eigen::VectorXd>&;
+  using Out = Eigen::Ref<Eigen::VectorXd>;
+  using OutMatrix = Eigen::Ref<Eigen::MatrixXd>;
+  // One wrench for each link, in link coordinates about the link's origin; or none at all.
+  using External = std::span<const Wrench>;
+
+  // The tables are those of the robot's library, and live as long as the program.
+  template <class R>
+  requires(FixedBaseRobot<R> || FloatingBaseRobot<R>) &&
+      std::same_as<typename R::Scalar, double> AnyRobot(const R& robot, const reflection::Robot& tables)
+      : tables_(&tables),
+  functions_(std::make_shared<const any::FunctionsOf<R>>(robot)) {
+    if (tables.joints.size != R::kDof || tables.links.size != R::kLinkCount || tables.floating_base != R::kFloatingBase)
+      throw std::invalid_argument("AnyRobot: the tables are of another robot");
+  }
+
+  const char* name() const noexcept { return tables_->name; }
+  int dof() const noexcept { return tables_->joints.size; }
+  int size() const noexcept { return dof() + (floating_base() ? 6 : 0); }
+  bool floating_base() const noexcept { return tables_->floating_base; }
+  // Names of joints, links and frames, transforms and Jacobians; of a robot with parameters, numbers are of the
+  // defaults.
+  const reflection::Robot& tables() const noexcept { return *tables_; }
+
+  // Joint forces for joint accelerations qdd (dof() elements). Returns the acceleration of a floating base, which
+  // nothing holds; of a fixed base, zero. Gravity (m/s^2) is in base coordinates, here as below.
+  SpatialAcceleration inverse_dynamics(
+      In q,
+      In v,
+      In qdd,
+      Out tau,
+      const Gravity& gravity = kStandardGravity,
+      External external = {}) const {
+    constexpr const char* kFunction = "inverse_dynamics";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "v", v.size(), size());
+    expect(kFunction, "qdd", qdd.size(), dof());
+    expect(kFunction, "tau", tau.size(), dof());
+    return functions_->inverse_dynamics(
+        q.data(), v.data(), qdd.data(), tau.data(), loads(kFunction, gravity, external));
+  }
+
+  // Forces f, the wrench on a floating base first, for accelerations a of base and joints.
+  void inverse_dynamics_fully_actuated(
+      In q,
+      In v,
+      In a,
+      Out f,
+      const Gravity& gravity = kStandardGravity,
+      External external = {}) const {
+    constexpr const char* kFunction = "inverse_dynamics_fully_actuated";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "v", v.size(), size());
+    expect(kFunction, "a", a.size(), size());
+    expect(kFunction, "f", f.size(), size());
+    functions_->inverse_dynamics_fully_actuated(
+        q.data(), v.data(), a.data(), f.data(), loads(kFunction, gravity, external));
+  }
+
+  // Accelerations a, of a floating base first, under joint forces tau (dof() elements).
+  void forward_dynamics(In q, In v, In tau, Out a, const Gravity& gravity = kStandardGravity, External external = {})
+      const {
+    constexpr const char* kFunction = "forward_dynamics";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "v", v.size(), size());
+    expect(kFunction, "tau", tau.size(), dof());
+    expect(kFunction, "a", a.size(), size());
+    functions_->forward_dynamics(q.data(), v.data(), tau.data(), a.data(), loads(kFunction, gravity, external));
+  }
+
+  // f = coriolis_forces(q, v) + gravity_forces(q), less what external wrenches do.
+  void bias_forces(In q, In v, Out f, const Gravity& gravity = kStandardGravity, External external = {}) const {
+    constexpr const char* kFunction = "bias_forces";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "v", v.size(), size());
+    expect(kFunction, "f", f.size(), size());
+    functions_->bias_forces(q.data(), v.data(), f.data(), loads(kFunction, gravity, external));
+  }
+  void gravity_forces(In q, Out f, const Gravity& gravity = kStandardGravity) const {
+    constexpr const char* kFunction = "gravity_forces";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "f", f.size(), size());
+    functions_->gravity_forces(q.data(), f.data(), gravity);
+  }
+  void coriolis_forces(In q, In v, Out f) const {
+    constexpr const char* kFunction = "coriolis_forces";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "v", v.size(), size());
+    expect(kFunction, "f", f.size(), size());
+    functions_->coriolis_forces(q.data(), v.data(), f.data());
+  }
+
+  // size() x size(), symmetric, base first.
+  void joint_space_inertia(In q, OutMatrix H) const {
+    constexpr const char* kFunction = "joint_space_inertia";
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "H, in rows,", H.rows(), size());
+    expect(kFunction, "H, in columns,", H.cols(), size());
+    functions_->joint_space_inertia(q.data(), H);
+  }
+
+  // Index of a transform or Jacobian by its name in the library, as in `fr_base_X_fr_foot`; -1 where there is none.
+  int find_transform(std::string_view transform) const noexcept { return find(tables_->transforms, transform); }
+  int find_jacobian(std::string_view jacobian) const noexcept { return find(tables_->jacobians, jacobian); }
+
+  // By index: 4 x 4; 6 x 6, angular first.
+  Eigen::Matrix4d homogeneous_transform(int transform, In q) const {
+    return of_kernel<4>("homogeneous_transform", transform, q, [](const auto& t) { return t.homogeneous; });
+  }
+  Eigen::Matrix<double, 6, 6> motion_transform(int transform, In q) const {
+    return of_kernel<6>("motion_transform", transform, q, [](const auto& t) { return t.motion; });
+  }
+  Eigen::Matrix<double, 6, 6> force_transform(int transform, In q) const {
+    return of_kernel<6>("force_transform", transform, q, [](const auto& t) { return t.force; });
+  }
+
+  // 6 rows, angular first, and a column for each joint of the chain, which tables().jacobians[jacobian] lists.
+  void jacobian(int jacobian, In q, OutMatrix J) const {
+    constexpr const char* kFunction = "jacobian";
+    expect_index(kFunction, jacobian, tables_->jacobians.size);
+    const reflection::Jacobian& table = tables_->jacobians[jacobian];
+    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "J, in rows,", J.rows(), 6);
+    expect(kFunction, "J, in columns,", J.cols(), table.column_count);
+    if (J.outerStride() != 6) throw std::invalid_argument("jacobian: the columns of J must stand without gaps");
+    table.kernel(functions_->cache(), q.data(), J.data());
+  }
+
+ private:
+  [[noreturn]] void refuse(const char* function, const char* what, Eigen::Index is, int must_be) const {
+    char message[200];
+    std::snprintf(
+        message, sizeof message, "%s of %s: %s has %td elements and must have %d", function, name(), what, is, must_be);
+    throw std::invalid_argument(message);
+  }
+  void expect(const char* function, const char* what, Eigen::Index is, int must_be) const {
+    if (is != must_be) refuse(function, what, is, must_be);
+  }
+  void expect_index(const char* function, int index, int count) const {
+    if (index >= 0 && index < count) return;
+    char message[200];
+    std::snprintf(message, sizeof message, "%s of %s: there is no index %d", function, name(), index);
+    throw std::invalid_argument(message);
+  }
+  any::Functions::Loads loads(const char* function, const Gravity& gravity, External external) const {
+    if (external.empty()) return {gravity, nullptr};
+    expect(function, "external", static_cast<Eigen::Index>(external.size()), tables_->links.size);
+    return {gravity, external.data()};
+  }
+
+  template <class Item>
+  static int find(const reflection::Table<Item>& table, std::string_view name) noexcept {
+    for (int i = 0; i < table.size; ++i)
+      if (name == table[i].name) return i;
+    return -1;
+  }
+
+  template <int n, class Kernel>
+  Eigen::Matrix<double, n, n> of_kernel(const char* function, int index, In q, const Kernel& kernel) const {
+    expect_index(function, index, tables_->transforms.size);
+    expect(function, "q", q.size(), dof());
+    Eigen::Matrix<double, n, n> X;
+    kernel(tables_->transforms[index])(functions_->cache(), q.data(), X.data());
+    return X;
+  }
+
+  const reflection::Robot* tables_;
+  std::shared_ptr<const any::Functions> functions_;
+};
+
+// The robot of a library: hyl::Robot with hyl::reflection::robot. One with parameters carries their values.
+template <class R>
+AnyRobot make_any(const reflection::Robot& tables, const R& robot = R()) {
+  return AnyRobot(robot, tables);
+}
+
+}  // namespace robcogen
