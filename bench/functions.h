@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <Eigen/Cholesky>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,35 @@ void add_inertia_matrix(const Robot& robot, const std::vector<State<R>>& states)
   add<R>(robot, states, "joint_space_inertia", "joint_space_inertia", [](const State<R>& s) {
     return s.robot->joint_space_inertia(s.q);
   });
+}
+
+// The factor and a solution, and what a dense factor of the same matrix takes.
+template <class R>
+void add_inertia_factor(const Robot& robot, const std::vector<State<R>>& states) {
+  using InertiaMatrix = typename R::InertiaMatrix;
+  using Vector = Eigen::Matrix<typename R::Scalar, InertiaMatrix::RowsAtCompileTime, 1>;
+  add<R>(robot, states, "joint_space_inertia_factor", "joint_space_inertia_factor", [](const State<R>& s) {
+    return s.robot->joint_space_inertia_factor(s.q);
+  });
+  add<R>(
+      robot, states, "inertia_factor::solve", "inertia_factor_solve",
+      [factor = states[0].robot->joint_space_inertia_factor(states[0].q)](const State<R>& s) {
+        Vector x = Vector::Ones();
+        x.template tail<R::kDof>() = s.tau;
+        return factor.solve(x);
+      });
+  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA && R::kDof > 0) {
+    add<R>(robot, states, "joint_space_inertia, Eigen's LLT", "", [](const State<R>& s) {
+      return Eigen::LLT<InertiaMatrix>(s.robot->joint_space_inertia(s.q));
+    });
+    add<R>(
+        robot, states, "Eigen's LLT::solve", "",
+        [dense = Eigen::LLT<InertiaMatrix>(states[0].robot->joint_space_inertia(states[0].q))](const State<R>& s) {
+          Vector x = Vector::Ones();
+          x.template tail<R::kDof>() = s.tau;
+          return Vector(dense.solve(x));
+        });
+  }
 }
 
 template <class R>

@@ -27,6 +27,7 @@ void add_functions(const Robot& robot, const std::vector<State<R>>& states) {
   if constexpr (ROBCOGEN_HAS_INVERSE_DYNAMICS) add_inverse_dynamics<R>(robot, states);
   if constexpr (ROBCOGEN_HAS_FORWARD_DYNAMICS) add_forward_dynamics<R>(robot, states);
   if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA) add_inertia_matrix<R>(robot, states);
+  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA_FACTOR) add_inertia_factor<R>(robot, states);
   if constexpr (ROBCOGEN_HAS_BIAS_FORCES) add_bias_forces<R>(robot, states);
   add_kinematics<R>(robot, states);
 }
