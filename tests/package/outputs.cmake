@@ -31,3 +31,20 @@ expect_same_outputs(all all)
 # Called like one of its own headers.
 expect_same_outputs(robot)
 expect_same_outputs(Jacobians)
+
+# The files of transforms with no robot, under this name.
+function(expect_same_transforms name)
+  _robcogen_generated_transforms(${name} headers sources)
+  set(expected ${headers} ${sources})
+  foreach(document euler.motdsl euler.ctdsl)
+    run(actual ${TOOL} generate ${document} --list-outputs --name ${name})
+    string(STRIP "${actual}" actual)
+    string(REPLACE "\n" ";" actual "${actual}")
+    list(SORT actual)
+    list(SORT expected)
+    expect_equal("outputs of ${name} (${document})" "${actual}" "${expected}")
+  endforeach()
+endfunction()
+
+expect_same_transforms(euler)
+expect_same_transforms(Transforms)

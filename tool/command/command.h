@@ -17,6 +17,23 @@ Action declare_ops(CLI::App& application);
 Action declare_eval(CLI::App& application);
 Action declare_convert(CLI::App& application);
 
+// The name of a function on the command line: `transforms.homogeneous.A_X_B`.
+std::string dotted(const std::string& scope, const std::string& name);
+
+// A function under that name.
+struct NamedProgram {
+  std::string name;
+  symbolic::Program program;
+};
+
+// All functions of a robot, or of a document of motions or transforms; overloads in the order of their arguments.
+struct Programs {
+  std::string kind;   // robot, model
+  std::string model;  // its name
+  std::string about;  // `3 joints, fixed base; …`
+  std::vector<NamedProgram> list;
+};
+
 // Options that several subcommands share.
 struct ModelOptions {
   std::string model;
@@ -31,6 +48,8 @@ struct ModelOptions {
   std::optional<Robot> load() const;
   // The same for a document of motions or transforms.
   std::optional<Transforms> load_transforms() const;
+  // Loads the one or the other, and traces it.
+  std::optional<Programs> load_programs() const;
 
  private:
   Reading reading() const;

@@ -114,17 +114,17 @@ std::vector<double> square_matrix(const json& value, const std::string& name, st
   return columns;
 }
 
-std::vector<double> parameter_values(const json& given, const model::KinematicTree& tree) {
+std::vector<double> parameter_values(const json& given, const std::vector<model::Parameter>& parameters) {
   if (!given.is_object()) refuse("'parameters' must be an object of name: number");
   std::vector<std::string> names;
-  for (const model::Parameter& p : tree.parameters) names.push_back(p.name);
+  for (const model::Parameter& p : parameters) names.push_back(p.name);
   for (const auto& [name, value] : given.items()) {
     if (std::find(names.begin(), names.end(), name) == names.end())
-      refuse(fmt::format("the robot has no parameter '{}'", name));
+      refuse(fmt::format("the model has no parameter '{}'", name));
     if (!value.is_number()) refuse(fmt::format("parameter '{}' must be a number", name));
   }
   std::vector<double> values;
-  for (const model::Parameter& p : tree.parameters) {
+  for (const model::Parameter& p : parameters) {
     if (given.contains(p.name))
       values.push_back(given[p.name].get<double>());
     else if (p.default_value)
@@ -166,7 +166,8 @@ symbolic::Arrays<double> arguments(const json& given, const Robot& robot, const 
     if (std::find(known.begin(), known.end(), name) == known.end())
       refuse(fmt::format("'{}' is no argument; arguments are {}", name, fmt::join(known, ", ")));
 
-  const std::vector<double> parameters = parameter_values(given.value("parameters", json::object()), robot.tree);
+  const std::vector<double> parameters =
+      parameter_values(given.value("parameters", json::object()), robot.tree.parameters);
 
   symbolic::Arrays<double> inputs;
   for (const symbolic::InputArray& array : program.inputs) {
@@ -206,11 +207,55 @@ std::string array_text(const symbolic::OutputArray& array, const std::vector<dou
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-Status eval(const Options& options) {
-  const std::optional<Robot> robot = options.model.load();
-  if (!robot) return wrong_input;
-  require_traceable(*robot);
-  const symbolic::Program program = program_of(*robot, options);
+// Those that are not given are zero.
+std::vector<double> variable_values(const json& given, const std::vector<std::string>& variables) {
+  if (!given.is_object()) refuse("'variables' must be an object of name: number");
+  for (const auto& [name, value] : given.items()) {
+    if (std::find(variables.begin(), variables.end(), name) == variables.end())
+      refuse(fmt::format("the model has no variable '{}'", name));
+    if (!value.is_number()) refuse(fmt::format("variable '{}' must be a number", name));
+  }
+  std::vector<double> values;
+  for (const std::string& name : variables) values.push_back(given.value(name, 0.0));
+  return values;
+}
+
+symbolic::Arrays<double> arguments(
+    const json& given,
+    const model::CoordinateTransforms& document,
+    const symbolic::Program& program) {
+  for (const auto& [name, value] : given.items())
+    if (name != "variables" && name != "parameters")
+      refuse(fmt::format("'{}' is no argument; arguments are variables, parameters", name));
+  const std::vector<double> values = variable_values(given.value("variables", json::object()), document.variables);
+  symbolic::Arrays<double> inputs;
+  for (const symbolic::InputArray& array : program.inputs) {
+    if (array.role == Role::parameters) {
+      inputs[array.name] = parameter_values(given.value("parameters", json::object()), document.parameters);
+      continue;
+    }
+    for (const std::string& element : array.elements) {
+      const auto place = std::find(document.variables.begin(), document.variables.end(), element);
+      inputs[array.name].push_back(values[static_cast<std::size_t>(place - document.variables.begin())]);
+    }
+  }
+  return inputs;
+}
+
+symbolic::Program program_of(const Transforms& transforms, const Options& options) {
+  std::vector<std::string> names;
+  for (const algorithm::TransformFunction& f : trace(transforms, options.model.passes)) {
+    names.push_back(dotted(f.scope, f.name));
+    if (names.back() == options.function) return f.program;
+  }
+  const std::string guess = did_you_mean(options.function, names);
+  throw Failure{
+      wrong_usage, fmt::format(
+                       "robcogen: error: model '{}' has no function '{}'\nhint: {}", transforms.document.name,
+                       options.function, guess.empty() ? "'robcogen ops' lists them" : guess)};
+}
+
+json read_arguments() {
   json given;
   try {
     given = json::parse(std::string(std::istreambuf_iterator<char>(std::cin), {}));
@@ -218,11 +263,31 @@ Status eval(const Options& options) {
     refuse(fault.what());
   }
   if (!given.is_object()) refuse("expected one JSON object");
-  const symbolic::Arrays<double> results = symbolic::interpret<double>(program, arguments(given, *robot, program));
+  return given;
+}
+
+void print_results(const symbolic::Program& program, const symbolic::Arrays<double>& inputs) {
+  const symbolic::Arrays<double> results = symbolic::interpret<double>(program, inputs);
   std::vector<std::string> members;
   for (const symbolic::OutputArray& array : program.outputs)
     members.push_back(fmt::format("\"{}\": {}", array.name, array_text(array, results.at(array.name))));
   fmt::print("{{{}}}\n", fmt::join(members, ", "));
+}
+
+Status eval_robot(const Options& options) {
+  const std::optional<Robot> robot = options.model.load();
+  if (!robot) return wrong_input;
+  require_traceable(*robot);
+  const symbolic::Program program = program_of(*robot, options);
+  print_results(program, arguments(read_arguments(), *robot, program));
+  return ok;
+}
+
+Status eval_transforms(const Options& options) {
+  const std::optional<Transforms> transforms = options.model.load_transforms();
+  if (!transforms) return wrong_input;
+  const symbolic::Program program = program_of(*transforms, options);
+  print_results(program, arguments(read_arguments(), transforms->document, program));
   return ok;
 }
 
@@ -230,12 +295,12 @@ Status eval(const Options& options) {
 
 Action declare_eval(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand(
-      "eval", "Evaluates a function of a robot: arguments as one JSON object on standard input, results on output");
+      "eval", "Evaluates a function of a model: arguments as one JSON object on standard input, results on output");
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
   subcommand->add_option("function", options->function, "inverse_dynamics, transforms.homogeneous.A_X_B, …")
       ->required();
-  return [options] { return eval(*options); };
+  return [options] { return is_transforms(options->model.model) ? eval_transforms(*options) : eval_robot(*options); };
 }
 
 }  // namespace robcogen::command

@@ -6,6 +6,12 @@
 
 namespace robcogen::command {
 
+std::string dotted(const std::string& scope, const std::string& name) {
+  std::string result = scope.empty() ? name : scope + "::" + name;
+  for (std::size_t at; (at = result.find("::")) != std::string::npos;) result.replace(at, 2, ".");
+  return result;
+}
+
 ErrorFormat format_of(const std::string& name) {
   return name == "msvc" ? ErrorFormat::msvc : ErrorFormat::gnu;
 }
@@ -75,6 +81,36 @@ std::optional<Transforms> ModelOptions::load_transforms() const {
   std::optional<Transforms> transforms = command::load_transforms(model, reading(), diagnostics);
   fmt::print(stderr, "{}", diagnostics.render(format_of(error_format)));
   return transforms;
+}
+
+std::optional<Programs> ModelOptions::load_programs() const {
+  if (is_transforms(model)) {
+    const std::optional<Transforms> transforms = load_transforms();
+    if (!transforms) return std::nullopt;
+    const model::CoordinateTransforms& document = transforms->document;
+    Programs programs = {
+        "model",
+        document.name,
+        fmt::format(
+            "{} transforms of {} variables and {} parameters", document.transforms.size(), document.variables.size(),
+            document.parameters.size()),
+        {}};
+    for (algorithm::TransformFunction& f : trace(*transforms, passes))
+      programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+    return programs;
+  }
+  const std::optional<Robot> robot = load();
+  if (!robot) return std::nullopt;
+  Programs programs = {
+      "robot",
+      robot->tree.name,
+      fmt::format(
+          "{} joints, {} base; default gravity, no external forces", robot->tree.dof(),
+          robot->tree.floating_base ? "floating" : "fixed"),
+      {}};
+  for (algorithm::RobotFunction& f : trace(*robot, algorithm::groups(), passes))
+    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+  return programs;
 }
 
 }  // namespace robcogen::command

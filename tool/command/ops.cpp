@@ -21,23 +21,18 @@ struct Row {
 };
 
 // Of the overloads of a function the first: default gravity, no external forces.
-std::vector<Row> rows(const Robot& robot, const std::vector<std::string>& passes) {
+std::vector<Row> rows(const Programs& programs) {
   std::vector<Row> result;
   std::set<std::string> seen;
-  for (const algorithm::RobotFunction& f : trace(robot, algorithm::groups(), passes)) {
-    std::string name = f.scope.empty() ? f.name : f.scope + "::" + f.name;
-    for (std::size_t at; (at = name.find("::")) != std::string::npos;) name.replace(at, 2, ".");
-    if (seen.insert(name).second) result.push_back({name, symbolic::count(f.program)});
-  }
+  for (const NamedProgram& f : programs.list)
+    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::count(f.program)});
   return result;
 }
 
-void print_table(const Robot& robot, const std::vector<Row>& table) {
+void print_table(const Programs& programs, const std::vector<Row>& table) {
   std::size_t width = 8;
   for (const Row& row : table) width = std::max(width, row.name.size());
-  fmt::print(
-      "{}: {} joints, {} base; default gravity, no external forces\n", robot.tree.name, robot.tree.dof(),
-      robot.tree.floating_base ? "floating" : "fixed");
+  fmt::print("{}: {}\n", programs.model, programs.about);
   fmt::print(
       "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14}\n", "function", width, "mul", "add", "div", "sqrt", "sincos",
       "instructions", "critical path");
@@ -47,7 +42,7 @@ void print_table(const Robot& robot, const std::vector<Row>& table) {
         c.instructions, c.critical_path);
 }
 
-void print_json(const Robot& robot, const std::vector<Row>& table) {
+void print_json(const Programs& programs, const std::vector<Row>& table) {
   nlohmann::ordered_json functions = nlohmann::ordered_json::array();
   for (const auto& [name, c] : table)
     functions.push_back(
@@ -59,22 +54,22 @@ void print_json(const Robot& robot, const std::vector<Row>& table) {
          {"sincos", c.sincos},
          {"instructions", c.instructions},
          {"critical_path", c.critical_path}});
-  const nlohmann::ordered_json report = {{"robot", robot.tree.name}, {"functions", functions}};
+  const nlohmann::ordered_json report = {{programs.kind, programs.model}, {"functions", functions}};
   fmt::print("{}\n", report.dump(2));
 }
 
 }  // namespace
 
 Action declare_ops(CLI::App& application) {
-  CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a robot's functions");
+  CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a model's functions");
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
   subcommand->add_flag("--json", options->json, "Machine-readable");
   return [options] {
-    const std::optional<Robot> robot = options->model.load();
-    if (!robot) return wrong_input;
-    const std::vector<Row> table = rows(*robot, options->model.passes);
-    options->json ? print_json(*robot, table) : print_table(*robot, table);
+    const std::optional<Programs> programs = options->model.load_programs();
+    if (!programs) return wrong_input;
+    const std::vector<Row> table = rows(*programs);
+    options->json ? print_json(*programs, table) : print_table(*programs, table);
     return ok;
   };
 }

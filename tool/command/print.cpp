@@ -5,6 +5,8 @@
 #include "command/command.h"
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
+#include "language/motion/document.h"
+#include "language/transforms/document.h"
 #include "symbolic/text.h"
 
 namespace robcogen::command {
@@ -15,6 +17,16 @@ struct Options {
   std::string program;
 };
 
+// In the language that the file's ending says.
+std::string canonical_text(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const std::shared_ptr<const Source> source = read_source(file);
+  if (file.extension() == ".dtdsl") return language::desired::print(language::desired::parse(source, diagnostics));
+  if (file.extension() == ".motdsl") return language::motion::print(language::motion::parse(source, diagnostics));
+  if (file.extension() == ".ctdsl")
+    return language::transforms::print(language::transforms::parse(source, diagnostics));
+  return language::kinematics::print(language::kinematics::parse(source, diagnostics));
+}
+
 Status print_document(const Options& options) {
   const std::filesystem::path file = options.model.model;
   if (is_urdf(file))
@@ -23,11 +35,8 @@ Status print_document(const Options& options) {
                          "robcogen: error: '{}' is no document of the project's languages\nhint: 'robcogen convert' "
                          "makes it one",
                          file.string())};
-  const std::shared_ptr<const Source> source = read_source(file);
   Diagnostics diagnostics;
-  const std::string text = file.extension() == ".dtdsl"
-                               ? language::desired::print(language::desired::parse(source, diagnostics))
-                               : language::kinematics::print(language::kinematics::parse(source, diagnostics));
+  const std::string text = canonical_text(file, diagnostics);
   fmt::print(stderr, "{}", diagnostics.render(format_of(options.model.error_format)));
   if (diagnostics.has_errors()) return wrong_input;
   fmt::print("{}", text);
@@ -35,10 +44,10 @@ Status print_document(const Options& options) {
 }
 
 Status print_program(const Options& options) {
-  const std::optional<Robot> robot = options.model.load();
-  if (!robot) return wrong_input;
+  const std::optional<Programs> programs = options.model.load_programs();
+  if (!programs) return wrong_input;
   std::vector<std::string> kernels;
-  for (const algorithm::RobotFunction& f : trace(*robot, algorithm::groups(), options.model.passes)) {
+  for (const NamedProgram& f : programs->list) {
     if (f.program.name == options.program) {
       fmt::print("{}", symbolic::print(f.program));
       return ok;
@@ -54,10 +63,10 @@ Status print_program(const Options& options) {
 
 Action declare_print(CLI::App& application) {
   CLI::App* subcommand =
-      application.add_subcommand("print", "Prints a document in canonical form, or a robot's program as text");
+      application.add_subcommand("print", "Prints a document in canonical form, or a model's program as text");
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
-  subcommand->add_option("--program", options->program, "Print this program of the robot (e.g. inverse_dynamics)");
+  subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
   return [options] { return options->program.empty() ? print_document(*options) : print_program(*options); };
 }
 

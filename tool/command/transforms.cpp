@@ -31,13 +31,23 @@ std::optional<std::vector<FrameNames>> desired_pairs(
   return pairs;
 }
 
+std::optional<model::RigidMotions> read_motions(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
+  const language::motion::Document document = language::motion::parse(source, diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : import::rigid_motions(document, diagnostics);
+}
+
+std::optional<model::CoordinateTransforms> read_transforms(
+    const std::shared_ptr<const Source>& source,
+    Diagnostics& diagnostics) {
+  const language::transforms::Document document = language::transforms::parse(source, diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : import::coordinate_transforms(document, diagnostics);
+}
+
 std::optional<Transforms> load_motions(
     const std::shared_ptr<const Source>& source,
     const Reading& reading,
     Diagnostics& diagnostics) {
-  const language::motion::Document document = language::motion::parse(source, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  const std::optional<model::RigidMotions> motions = import::rigid_motions(document, diagnostics);
+  const std::optional<model::RigidMotions> motions = read_motions(source, diagnostics);
   if (!motions) return std::nullopt;
   std::optional<std::vector<FrameNames>> pairs = model::default_transforms(*motions);
   if (reading.desired) pairs = desired_pairs(reading, *motions, diagnostics);
@@ -50,9 +60,7 @@ std::optional<Transforms> load_document(
     const std::shared_ptr<const Source>& source,
     const Reading& reading,
     Diagnostics& diagnostics) {
-  const language::transforms::Document document = language::transforms::parse(source, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  std::optional<model::CoordinateTransforms> transforms = import::coordinate_transforms(document, diagnostics);
+  std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
   if (!transforms) return std::nullopt;
   const std::string canonical = language::transforms::print(exporting::transforms_document(*transforms));
   if (!reading.desired) return Transforms{std::move(*transforms), canonical, {}, {}};
@@ -167,6 +175,13 @@ bool is_motions(const std::filesystem::path& model) {
 
 bool is_transforms(const std::filesystem::path& model) {
   return is_motions(model) || model.extension() == ".ctdsl";
+}
+
+std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& model, Diagnostics& diagnostics) {
+  const std::shared_ptr<const Source> source = read_source(model);
+  if (is_motions(model)) return read_motions(source, diagnostics);
+  const std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
+  return transforms ? std::optional(model::motions_of(*transforms)) : std::nullopt;
 }
 
 std::optional<Transforms> load_transforms(

@@ -18,6 +18,9 @@ bool is_motions(const std::filesystem::path& model);
 // Documents of motions too: transforms are made of them.
 bool is_transforms(const std::filesystem::path& model);
 
+// The frames of a document of motions or of transforms, and the ways between them. nullopt when an error was reported.
+std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& model, Diagnostics& diagnostics);
+
 // Without a list: of motions each and its inverse, of transforms all. nullopt when an error was reported.
 std::optional<Transforms> load_transforms(
     const std::filesystem::path& model,

@@ -10,15 +10,15 @@
 namespace robcogen::reference {
 
 // What a model's parameters and variables are in one sample.
-struct Values {
+struct ModelValues {
   std::vector<double> parameters;
   std::vector<double> variables;
 };
 
 // Variables anywhere within a turn or so; parameters positive, as lengths are.
-inline Values random_values(std::mt19937_64& engine, const reflection::Transforms& model) {
+inline ModelValues random_values(std::mt19937_64& engine, const reflection::Transforms& model) {
   constexpr double kAngle = 3.2, kHalf = 0.75;
-  Values values;
+  ModelValues values;
   for (int i = 0; i < model.parameter_count; ++i) values.parameters.push_back(1 + uniform(engine, kHalf));
   for (int i = 0; i < model.variable_count; ++i) values.variables.push_back(uniform(engine, kAngle));
   return values;
@@ -30,7 +30,7 @@ struct Amount {
   Real size = 0;
 };
 
-inline Amount amount(const reflection::Table<reflection::AmountStep>& steps, const Values& values) {
+inline Amount amount(const reflection::Table<reflection::AmountStep>& steps, const ModelValues& values) {
   using reflection::AmountStep;
   std::vector<Real> stack;
   Amount result;
@@ -107,13 +107,13 @@ inline Matrix<Real> primitive(const reflection::Factor& factor, Real value) {
 }
 
 // A transform multiplied out. `size` grows with what rounding errors grow with: amounts, and lengths of the parts.
-struct Expected {
+struct MultipliedOut {
   Matrix<Real> pose = Matrix<Real>::identity(4);
   Real size = 1;
 };
 
-inline Expected multiplied_out(const reflection::ProductOfFactors& transform, const Values& values) {
-  Expected expected;
+inline MultipliedOut multiplied_out(const reflection::ProductOfFactors& transform, const ModelValues& values) {
+  MultipliedOut expected;
   for (const reflection::Factor& factor : transform.factors) {
     const Amount a = amount(factor.amount, values);
     expected.pose = expected.pose * primitive(factor, a.value);
@@ -133,7 +133,7 @@ Matrix<double> copy_of(const Eigen::Matrix<double, n, n>& m) {
 // nothing: `checked` marks the transforms that were compared.
 inline void check_transforms(
     const reflection::Transforms& model,
-    const Values& values,
+    const ModelValues& values,
     int sample,
     std::vector<bool>& checked,
     Checks& checks) {
@@ -141,7 +141,7 @@ inline void check_transforms(
   std::vector<FramePair> pairs;
   for (int i = 0; i < model.transforms.size; ++i) {
     const reflection::ProductOfFactors& t = model.transforms[i];
-    const Expected expected = multiplied_out(t, values);
+    const MultipliedOut expected = multiplied_out(t, values);
     if (!std::isfinite(expected.size)) continue;
     checked[static_cast<std::size_t>(i)] = true;
     const double *p = values.parameters.data(), *v = values.variables.data();

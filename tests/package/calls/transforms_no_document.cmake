@@ -1,0 +1,2 @@
+# robcogen_add_transforms(TARGET euler): MOTIONS or TRANSFORMS is missing
+robcogen_add_transforms(TARGET euler)

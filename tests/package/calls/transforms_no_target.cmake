@@ -1,0 +1,2 @@
+# robcogen_add_transforms(): TARGET is missing
+robcogen_add_transforms(MOTIONS euler.motdsl)

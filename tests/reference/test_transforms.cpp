@@ -1,0 +1,106 @@
+// The checks of transforms with no robot find what is wrong: made by hand, right and then with one slip at a time.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "robcogen/reference/check_transforms.h"
+
+namespace robcogen::reference {
+namespace {
+
+using reflection::AmountStep;
+using reflection::Factor;
+using reflection::ProductOfFactors;
+
+// S_X_E = Rz(-2 q) Tx(l), and its inverse.
+constexpr AmountStep kSteps[] = {{AmountStep::variable, 0, 0},  {AmountStep::constant, 2, 0},
+                                 {AmountStep::multiply, 0, 0},  {AmountStep::negate, 0, 0},
+                                 {AmountStep::parameter, 0, 0}, {AmountStep::variable, 0, 0},
+                                 {AmountStep::constant, 2, 0},  {AmountStep::multiply, 0, 0},
+                                 {AmountStep::parameter, 0, 0}, {AmountStep::negate, 0, 0}};
+constexpr Factor kThere[] = {{true, 2, {kSteps, 4}}, {false, 0, {kSteps + 4, 1}}};
+constexpr Factor kBack[] = {{false, 0, {kSteps + 8, 2}}, {true, 2, {kSteps + 5, 3}}};
+
+Eigen::Matrix4d pose(double angle, double length) {
+  return (Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(length, 0, 0)).matrix();
+}
+
+Eigen::Matrix<double, 6, 6> spatial(const Eigen::Matrix4d& X, bool motion) {
+  const Eigen::Matrix3d R = X.topLeftCorner<3, 3>();
+  Eigen::Matrix3d moment;
+  for (int k = 0; k < 3; ++k) moment.col(k) = X.topRightCorner<3, 1>().cross(R.col(k));
+  Eigen::Matrix<double, 6, 6> result = Eigen::Matrix<double, 6, 6>::Zero();
+  result.topLeftCorner<3, 3>() = result.bottomRightCorner<3, 3>() = R;
+  (motion ? result.bottomLeftCorner<3, 3>() : result.topRightCorner<3, 3>()) = moment;
+  return result;
+}
+
+Eigen::Matrix4d there(const double* p, const double* v) noexcept {
+  return pose(-2 * v[0], p[0]);
+}
+Eigen::Matrix4d back(const double* p, const double* v) noexcept {
+  return there(p, v).inverse();
+}
+Eigen::Matrix4d other_sign(const double* p, const double* v) noexcept {
+  return pose(2 * v[0], p[0]);
+}
+Eigen::Matrix4d not_a_number(const double*, const double*) noexcept {
+  return Eigen::Matrix4d::Constant(std::nan(""));
+}
+
+template <Eigen::Matrix4d (*X)(const double*, const double*) noexcept, bool motion>
+Eigen::Matrix<double, 6, 6> form(const double* p, const double* v) noexcept {
+  return spatial(X(p, v), motion);
+}
+
+constexpr ProductOfFactors kRight = {"S_X_E", 0, 1, {kThere, 2}, there, form<there, true>, form<there, false>};
+constexpr ProductOfFactors kInverse = {"E_X_S", 1, 0, {kBack, 2}, back, form<back, true>, form<back, false>};
+
+// Failures of a table of these two.
+int failures(const ProductOfFactors& first, const ProductOfFactors& second) {
+  const ProductOfFactors table[] = {first, second};
+  return check_transforms({"test", 1, 1, 2, {table, 2}}, 1, 5).failures();
+}
+
+TEST(ReferenceTransforms, AcceptWhatIsRight) {
+  EXPECT_EQ(failures(kRight, kInverse), 0);
+}
+
+TEST(ReferenceTransforms, FindOneSlip) {
+  ProductOfFactors wrong = kRight;
+  wrong.homogeneous = other_sign;
+  EXPECT_GT(failures(wrong, kInverse), 0);
+  wrong.homogeneous = not_a_number;
+  EXPECT_GT(failures(wrong, kInverse), 0);
+  wrong = kRight;
+  wrong.motion = form<there, false>;
+  EXPECT_GT(failures(wrong, kInverse), 0);
+  wrong = kRight;
+  wrong.force = form<there, true>;
+  EXPECT_GT(failures(wrong, kInverse), 0);
+  // A function of the other transform.
+  EXPECT_GT(failures({"S_X_E", 0, 1, {kThere, 2}, back, form<back, true>, form<back, false>}, kInverse), 0);
+  // A factor left out.
+  EXPECT_GT(failures({"S_X_E", 0, 1, {kThere, 1}, there, form<there, true>, form<there, false>}, kInverse), 0);
+}
+
+TEST(ReferenceTransforms, FindTransformsThatNothingWasComparedFor) {
+  // The root of a negative length: no sample gives a number.
+  static constexpr AmountStep kRoot[] = {
+      {AmountStep::parameter, 0, 0}, {AmountStep::negate, 0, 0}, {AmountStep::square_root, 0, 0}};
+  static constexpr Factor kFactor[] = {{false, 0, {kRoot, 3}}};
+  EXPECT_GT(failures({"S_X_E", 0, 1, {kFactor, 1}, there, form<there, true>, form<there, false>}, kInverse), 0);
+}
+
+TEST(ReferenceTransforms, EvaluateEveryStep) {
+  constexpr AmountStep kAll[] = {
+      {AmountStep::constant, 0.5, 0},  {AmountStep::sine, 0, 0},     {AmountStep::constant, 0.25, 0},
+      {AmountStep::cosine, 0, 0},      {AmountStep::add, 0, 0},      {AmountStep::constant, 0.75, 0},
+      {AmountStep::tangent, 0, 0},     {AmountStep::subtract, 0, 0}, {AmountStep::constant, 9, 0},
+      {AmountStep::square_root, 0, 0}, {AmountStep::divide, 0, 0}};
+  const double expected = (std::sin(0.5) + std::cos(0.25) - std::tan(0.75)) / 3;
+  EXPECT_NEAR(static_cast<double>(amount({kAll, 11}, {}).value), expected, 1e-15);
+}
+
+}  // namespace
+}  // namespace robcogen::reference
