@@ -57,8 +57,15 @@ symbolic::Program gravity_forces(
     Loads loads,
     const Formulation& formulation = {});
 
-// Articulated-body algorithm (Featherstone 2008, table 7.1), split into bias forces and a homogeneous part: q, qd, tau
-// [, base_velocity] -> qdd [, base_acceleration].
+enum class ForwardDynamicsMethod {
+  articulated_bodies,  // Featherstone 2008, table 7.1
+  inertia_matrix,      // bias forces, inertia matrix and elimination along ancestors: tables 5.1, 6.2, sec. 6.5
+};
+
+// The one of less predicted time: the longer of the critical path and half the instructions.
+ForwardDynamicsMethod forward_dynamics_method(const model::KinematicTree& tree, const Formulation& formulation = {});
+
+// By that method: q, qd, tau [, base_velocity] -> qdd [, base_acceleration].
 symbolic::Program forward_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,

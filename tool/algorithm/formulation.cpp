@@ -10,7 +10,8 @@ struct Choice {
   bool Formulation::*on;
 };
 
-constexpr std::array kChoices = {Choice{"regroup", &Formulation::regroup}};
+constexpr std::array kChoices = {
+    Choice{"regroup", &Formulation::regroup}, Choice{"choose-fd", &Formulation::choose_forward_dynamics}};
 
 }  // namespace
 

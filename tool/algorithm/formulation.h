@@ -7,7 +7,8 @@
 namespace robcogen::algorithm {
 
 struct Formulation {
-  bool regroup = true;  // mass properties that a joint does not feel move to the parent (regroup.h)
+  bool regroup = true;                  // mass properties that a joint does not feel move to the parent (regroup.h)
+  bool choose_forward_dynamics = true;  // by inertia matrix where that is quicker; else always by articulated bodies
 };
 
 // Names of the choices, in the order of the fields.

@@ -1,7 +1,7 @@
 // Recursive Newton-Euler and its special cases.
+#include "algorithm/inverse_dynamics.h"
 #include "algorithm/composite.h"
 #include "algorithm/dynamics.h"
-#include "algorithm/setup.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -67,6 +67,20 @@ std::vector<Expression> zeros(const Trace& trace) {
   return std::vector<Expression>(static_cast<std::size_t>(trace.tree.dof()));
 }
 
+}  // namespace
+
+Forces bias_forces(
+    const Setup& setup,
+    const std::vector<Expression>& qd,
+    const Spatial& base_velocity,
+    const LoadInputs& loads) {
+  Recursion recursion(setup, qd, zeros(setup.trace), &loads);
+  const Spatial base = recursion.wrench_of(0, base_motion(base_velocity, {}, loads.gravity));
+  return {recursion.tau, base};
+}
+
+namespace {
+
 void write_forces(Trace& trace, const std::vector<Expression>& tau, const Spatial& base_wrench) {
   trace.output("tau", Role::joint_force, tau);
   if (trace.tree.floating_base) trace.output("base_wrench", Role::base_wrench, base_wrench);
@@ -108,9 +122,8 @@ Program bias_forces(
   if (tree.floating_base) velocity = trace.spatial_input("base_velocity", Role::base_velocity);
   const LoadInputs load(trace, loads);
   const Setup setup(trace, q, formulation);
-  Recursion recursion(setup, qd, zeros(trace), &load);
-  const Spatial base = recursion.wrench_of(0, base_motion(velocity, {}, load.gravity));
-  write_forces(trace, recursion.tau, base);
+  const Forces forces = bias_forces(setup, qd, velocity, load);
+  write_forces(trace, forces.tau, forces.base_wrench);
   return trace.program(name);
 }
 

@@ -69,6 +69,14 @@ std::vector<Expression> joint_space_inertia(const Setup& setup) {
   return h.columns();
 }
 
+std::vector<int> elimination_order(const model::KinematicTree& tree) {
+  std::vector<int> order;
+  const int base = tree.floating_base ? 6 : 0;
+  for (int k = 0; k < base; ++k) order.push_back(k);
+  for (const int j : tree.topological()) order.push_back(base + j);
+  return order;
+}
+
 Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);

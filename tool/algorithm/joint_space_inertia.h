@@ -11,4 +11,7 @@ namespace robcogen::algorithm {
 // first. Zeros that branches induce are the constant zero.
 std::vector<Expression> joint_space_inertia(const Setup& setup);
 
+// The rows of H, ancestors first: eliminated from the last to the first they fill nothing in.
+std::vector<int> elimination_order(const model::KinematicTree& tree);
+
 }  // namespace robcogen::algorithm

@@ -65,15 +65,6 @@ std::vector<Coordinate> coordinates_of(const KinematicTree& tree) {
   return list;
 }
 
-// Ancestors first.
-std::vector<int> elimination_order(const KinematicTree& tree) {
-  std::vector<int> order;
-  const int base = tree.floating_base ? 6 : 0;
-  for (int k = 0; k < base; ++k) order.push_back(k);
-  for (const int j : tree.topological()) order.push_back(base + j);
-  return order;
-}
-
 void enter(ProgramTrace& trace, const Coordinate& c, const std::string& what) {
   trace.section(c.link, what + " " + c.name);
 }
@@ -159,18 +150,12 @@ Program factor(
   return trace.program(name);
 }
 
-// Cycles on a processor with two units for fused products and sums.
-int predicted_time(const Program& program) {
-  const symbolic::OperationCount count = symbolic::count(program);
-  return std::max(count.critical_path, count.instructions / 2);
-}
-
 }  // namespace
 
 Program joint_space_inertia_factor(const KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   Program small = factor(tree, name, formulation, Elimination::products_of_L);
   Program quick = factor(tree, name, formulation, Elimination::reciprocals);
-  return predicted_time(quick) < predicted_time(small) ? quick : small;
+  return symbolic::predicted_time(quick) < symbolic::predicted_time(small) ? quick : small;
 }
 
 Program inertia_factor_solve(const KinematicTree& tree, const Program& factor, const std::string& name) {

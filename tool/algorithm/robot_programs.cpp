@@ -96,9 +96,11 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, const Fo
 
 std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree, const Formulation& formulation) {
   std::vector<RobotFunction> list;
+  const bool by_matrix = forward_dynamics_method(tree, formulation) == ForwardDynamicsMethod::inertia_matrix;
+  const std::string what = "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: ";
   std::vector<std::string> summary{
-      "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: articulated-body algorithm (Featherstone 2008, "
-      "ch. 7)."};
+      what + (by_matrix ? "bias forces, and elimination in the joint-space inertia matrix (Featherstone 2008, ch. 6)."
+                        : "articulated-body algorithm (Featherstone 2008, ch. 7).")};
   if (tree.floating_base)
     summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
   add_overloads(

@@ -125,4 +125,9 @@ OperationCount count(const Program& p) {
   return c;
 }
 
+int predicted_time(const Program& program) {
+  const OperationCount c = count(program);
+  return std::max(c.critical_path, c.instructions / 2);
+}
+
 }  // namespace robcogen::symbolic
