@@ -116,6 +116,24 @@ Arguments arguments_of(const CoordinateTransforms& document, const CoordinateTra
   return arguments;
 }
 
+namespace {
+
+// Declares what the transform depends on: parameters, variables. Returns a value for each variable of the document;
+// those that it does not depend on have none.
+std::vector<Expression> declare(ProgramTrace& trace, const CoordinateTransforms& document, const Arguments& arguments) {
+  if (arguments.parameters) trace.parameter_input(document.parameters);
+  std::vector<Expression> variables(document.variables.size());
+  if (arguments.variables.empty()) return variables;
+  std::vector<std::string> labels;
+  for (int i : arguments.variables) labels.push_back(document.variables[static_cast<std::size_t>(i)]);
+  const std::vector<Expression> inputs = trace.input("variables", Role::variables, labels);
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    variables[static_cast<std::size_t>(arguments.variables[k])] = inputs[k];
+  return variables;
+}
+
+}  // namespace
+
 Program transform_program(
     const CoordinateTransforms& document,
     const CoordinateTransform& transform,
@@ -125,18 +143,27 @@ Program transform_program(
   const std::vector<PrimitiveTransform> primitives = merged(rightwards(document, transform));
   return cheapest_transform(form, tail_of(document, primitives), [&](int moment_from) {
     ProgramTrace trace;
-    if (arguments.parameters) trace.parameter_input(document.parameters);
-    std::vector<Expression> variables(document.variables.size());
-    if (!arguments.variables.empty()) {
-      std::vector<std::string> labels;
-      for (int i : arguments.variables) labels.push_back(document.variables[static_cast<std::size_t>(i)]);
-      const std::vector<Expression> inputs = trace.input("variables", Role::variables, labels);
-      for (std::size_t k = 0; k < inputs.size(); ++k)
-        variables[static_cast<std::size_t>(arguments.variables[k])] = inputs[k];
-    }
+    const std::vector<Expression> variables = declare(trace, document, arguments);
     output_transform(trace, walk(trace, document, primitives, variables, moment_from), form);
     return trace.program(name);
   });
+}
+
+PrimitiveProduct primitive_product(
+    const CoordinateTransforms& document,
+    const CoordinateTransform& transform,
+    model::MovedFramePosition position) {
+  PrimitiveProduct product{transform.primitives, {}};
+  ProgramTrace trace;
+  const std::vector<Expression> variables = declare(trace, document, arguments_of(document, transform));
+  std::vector<Expression> amounts;
+  for (PrimitiveTransform& p : product.primitives) {
+    if (document.position != position) p.amount = -p.amount;
+    amounts.push_back(trace.lift(p.amount, variables));
+  }
+  trace.output("amounts", Role::value, amounts);
+  product.amounts = trace.program("amounts_" + name_of(transform));
+  return product;
 }
 
 std::vector<TransformFunction> transform_functions(const CoordinateTransforms& document) {

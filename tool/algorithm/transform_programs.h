@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithm/kinematics.h"
+#include "algorithm/primitive_product.h"
 #include "model/coordinate_transforms.h"
 #include "symbolic/program.h"
 
@@ -23,6 +24,12 @@ symbolic::Program transform_program(
     const model::CoordinateTransform& transform,
     TransformForm form,
     const std::string& name);
+
+// The product as the document writes it, for primitives of this convention: parameters, variables -> amounts.
+PrimitiveProduct primitive_product(
+    const model::CoordinateTransforms& document,
+    const model::CoordinateTransform& transform,
+    model::MovedFramePosition position);
 
 // The user's name, or `A_X_B`.
 std::string name_of(const model::CoordinateTransform& transform);

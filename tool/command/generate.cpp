@@ -176,7 +176,7 @@ Status generate_transforms(const Options& options) {
   const std::optional<Transforms> transforms = options.model.load_transforms();
   if (!transforms) return wrong_input;
   return write_libraries(options, transforms->read, [&](const backend::Language&) {
-    return library(*transforms, options.names, options.model.passes);
+    return library(*transforms, options.names, options.model.passes, primitives_of(options));
   });
 }
 

@@ -75,17 +75,6 @@ class Constants {
   std::vector<double> defaults_;
 };
 
-void add_product(
-    const Robot& robot,
-    const model::FramePair& frames,
-    model::MovedFramePosition position,
-    backend::Function& function) {
-  algorithm::PrimitiveProduct product = algorithm::primitive_product(robot.tree, frames, position);
-  for (const model::PrimitiveTransform& p : product.primitives)
-    function.primitives.push_back({p.rotation, static_cast<int>(p.axis)});
-  function.amounts = std::move(product.amounts);
-}
-
 // A function of the library's own machinery.
 backend::Function function_of(symbolic::Program program, std::vector<std::string> summary) {
   backend::Function function;
@@ -204,6 +193,18 @@ std::vector<algorithm::RobotFunction> trace(
   return all;
 }
 
+backend::PrimitiveConvention convention_of(Primitives primitives) {
+  if (!primitives) return backend::PrimitiveConvention::none;
+  return *primitives == model::MovedFramePosition::left ? backend::PrimitiveConvention::left
+                                                        : backend::PrimitiveConvention::right;
+}
+
+void add_product(algorithm::PrimitiveProduct product, backend::Function& function) {
+  for (const model::PrimitiveTransform& p : product.primitives)
+    function.primitives.push_back({p.rotation, static_cast<int>(p.axis)});
+  function.amounts = std::move(product.amounts);
+}
+
 backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
@@ -219,9 +220,7 @@ backend::Library library(
   result.generator_version = kVersion;
   result.floating_base = robot.tree.floating_base;
   result.groups = groups;
-  if (primitives)
-    result.primitives = *primitives == model::MovedFramePosition::left ? backend::PrimitiveConvention::left
-                                                                       : backend::PrimitiveConvention::right;
+  result.primitives = convention_of(primitives);
   const Constants constants(robot.tree);
   for (const model::Link& link : robot.tree.links) result.links.push_back(constants.of(link));
   for (const model::Joint& joint : robot.tree.joints) result.joints.push_back(constants.of(joint));
@@ -244,7 +243,8 @@ backend::Library library(
     function.left_frame = frame_index(frames, f.frames.left);
     function.right_frame = frame_index(frames, f.frames.right);
     function.program = std::move(f.program);
-    if (primitives && function.scope == "transforms::homogeneous") add_product(robot, f.frames, *primitives, function);
+    if (primitives && function.scope == "transforms::homogeneous")
+      add_product(algorithm::primitive_product(robot.tree, f.frames, *primitives), function);
     result.functions.push_back(std::move(function));
   }
   return result;

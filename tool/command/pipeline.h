@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/primitive_product.h"
 #include "algorithm/robot_programs.h"
 #include "backend/library.h"
 #include "import/urdf.h"
@@ -72,6 +73,9 @@ std::vector<algorithm::RobotFunction> trace(
 
 // Whether transforms come as products of primitives too, and of which convention.
 using Primitives = std::optional<model::MovedFramePosition>;
+
+backend::PrimitiveConvention convention_of(Primitives primitives);
+void add_product(algorithm::PrimitiveProduct product, backend::Function& function);
 
 struct LibraryNames {
   std::string name;       // folder and namespace

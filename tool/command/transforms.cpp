@@ -211,7 +211,8 @@ std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, co
 backend::Library library(
     const Transforms& transforms,
     const LibraryNames& names,
-    const std::vector<std::string>& steps) {
+    const std::vector<std::string>& steps,
+    Primitives primitives) {
   const model::CoordinateTransforms& document = transforms.document;
   backend::Library result;
   result.name = names.name;
@@ -223,6 +224,7 @@ backend::Library library(
   result.groups = {kTransformsGroup};
   result.frames = frames_of(document);
   result.variables = document.variables;
+  result.primitives = convention_of(primitives);
   for (const model::Parameter& p : document.parameters)
     result.parameters.push_back({p.name, p.default_value.value_or(std::numeric_limits<double>::quiet_NaN())});
   for (algorithm::TransformFunction& f : trace(transforms, steps)) {
@@ -237,6 +239,8 @@ backend::Library library(
     function.right_frame = index_of(result.frames, transform.right);
     function.program = std::move(f.program);
     function.factors = factors_of(document, transform);
+    if (primitives && function.scope == "transforms::homogeneous")
+      add_product(algorithm::primitive_product(document, transform, *primitives), function);
     result.functions.push_back(std::move(function));
   }
   return result;

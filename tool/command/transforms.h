@@ -37,6 +37,7 @@ inline constexpr const char* kTransformsGroup = "transforms";
 backend::Library library(
     const Transforms& transforms,
     const LibraryNames& names,
-    const std::vector<std::string>& steps);
+    const std::vector<std::string>& steps,
+    Primitives primitives = std::nullopt);
 
 }  // namespace robcogen::command

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/matlab/dialect.h"
 #include "command/transforms.h"
 
 namespace robcogen::octave {
@@ -30,10 +31,13 @@ Argument argument(const backend::Library& library, const InputArray& array) {
     result.rows = result.columns = static_cast<int>(std::lround(std::sqrt(static_cast<double>(result.rows))));
   if (array.role == Role::parameters) {
     result.kind = "struct";
+    std::vector<std::string> names;
     for (const backend::ParameterData& p : library.parameters) {
-      result.kind += (result.around.empty() ? ":" : ",") + p.name;
+      names.push_back(p.name);
       result.around.push_back(std::isnan(p.default_value) ? 1.0 : p.default_value);
     }
+    for (const std::string& field : backend::matlab::fields(names))
+      result.kind += (result.kind == "struct" ? ":" : ",") + field;
   }
   return result;
 }
@@ -44,19 +48,23 @@ std::optional<backend::Library> load(
     const std::filesystem::path& model,
     const std::string& desired,
     const std::string& name,
+    const std::string& primitives,
     const std::vector<std::string>& groups,
     const std::vector<std::string>& passes) {
+  command::Primitives position;
+  if (primitives != kNone)
+    position = primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
   command::Reading reading;
-  if (!desired.empty()) reading.desired = desired;
+  if (desired != kNone) reading.desired = desired;
   Diagnostics diagnostics;
   if (command::is_transforms(model)) {
     const auto transforms = command::load_transforms(model, reading, diagnostics);
     if (!transforms) return std::nullopt;
-    return command::library(*transforms, {name, ""}, passes);
+    return command::library(*transforms, {name, ""}, passes, position);
   }
   const auto robot = command::load_robot(model, reading, diagnostics);
   if (!robot) return std::nullopt;
-  return command::library(*robot, {name, ""}, groups, passes);
+  return command::library(*robot, {name, ""}, groups, passes, position);
 }
 
 Call shape(const backend::Library& library, const backend::Function& function) {
@@ -66,6 +74,14 @@ Call shape(const backend::Library& library, const backend::Function& function) {
   for (const OutputArray& array : function.program.outputs)
     call.results.push_back({array.name, array.rows, array.columns});
   return call;
+}
+
+std::optional<Call> shape_of_product(const backend::Library& library, const backend::Function& function) {
+  const std::string scope = "transforms::homogeneous";
+  if (library.primitives == backend::PrimitiveConvention::none || function.scope != scope) return std::nullopt;
+  backend::Function product = function;
+  product.scope = "transforms::product";
+  return shape(library, product);
 }
 
 bool may_omit_gravity(const backend::Library& library, const backend::Function& function) {

@@ -8,17 +8,23 @@
 
 namespace robcogen::octave {
 
+inline const std::string kNone = "none";
+
 // The library of a robot with these groups, or of a document of motions or transforms; nullopt when it is wrong.
-// `desired` may be empty.
+// `desired` may be kNone, `primitives` is kNone, left or right.
 std::optional<backend::Library> load(
     const std::filesystem::path& model,
     const std::string& desired,
     const std::string& name,
+    const std::string& primitives,
     const std::vector<std::string>& groups,
     const std::vector<std::string>& passes);
 
 // The function's package name, arguments and results; nothing that evaluates it.
 Call shape(const backend::Library& library, const backend::Function& function);
+
+// The same for the product of primitives that a homogeneous transform is printed as, too; nullopt when it is not.
+std::optional<Call> shape_of_product(const backend::Library& library, const backend::Function& function);
 
 // Whether the last argument is gravity, and no overload does without it.
 bool may_omit_gravity(const backend::Library& library, const backend::Function& function);

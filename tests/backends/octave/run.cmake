@@ -1,7 +1,7 @@
 # Generated MATLAB text, run by Octave on random states and compared with values of another origin.
 #     OCTAVE    the program; when it is not there, the test is skipped, or fails where REQUIRED is set
 #     PACKAGES  folder of the generated package, NAME its name
-#     VALUES    the program that writes the values, and its arguments
+#     VALUES    the program that writes the values of MODEL with DESIRED (or none), with products of PRIMITIVES (right, left or none)
 #     FOLDER    for the values
 #     MUTATE    a file of the package, whose first sum becomes a difference: the comparison must fail
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
@@ -16,7 +16,7 @@ if(NOT OCTAVE)
 endif()
 
 file(REMOVE_RECURSE ${FOLDER})
-run(ignored ${VALUES} ${states} ${FOLDER})
+run(ignored ${VALUES} ${MODEL} ${DESIRED} ${NAME} ${PRIMITIVES} ${states} ${FOLDER})
 if(MUTATE)
   file(COPY ${PACKAGES}/+${NAME} DESTINATION ${FOLDER})
   set(PACKAGES ${FOLDER})
@@ -30,10 +30,14 @@ if(MUTATE)
   file(WRITE ${PACKAGES}/+${NAME}/${MUTATE} "${text}")
 endif()
 
-set(octave ${OCTAVE} --no-gui --norc --no-history --path ${PACKAGES} --path ${CMAKE_CURRENT_LIST_DIR} --eval
-           "compare('${FOLDER}', ${states})")
+set(octave ${OCTAVE} --no-gui --norc --no-history --path ${PACKAGES} --path ${CMAKE_CURRENT_LIST_DIR})
+if(NOT PRIMITIVES STREQUAL "none")
+  list(APPEND octave --path ${CMAKE_CURRENT_LIST_DIR}/${PRIMITIVES})
+endif()
+list(APPEND octave --eval "compare('${FOLDER}', ${states})")
 if(MUTATE)
   string(REGEX REPLACE "\\.m$" "" function ${MUTATE})
+  string(REGEX REPLACE "\\+([a-z]+)/" "\\1." function ${function})
   run_failing(text ${octave})
   if(NOT text MATCHES "${NAME}\\.${function}/[0-9]+ +[^ ]+  DIFFERS")
     message(FATAL_ERROR "the change of ${MUTATE} is not what made the comparison fail:\n${text}")

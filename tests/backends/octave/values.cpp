@@ -1,5 +1,5 @@
-// values MODEL DESIRED NAME STATES FOLDER: what the functions of a library give. Where CALLS is the header of calls of
-// a compiled library, that is asked for the functions that it has, and the interpreter for the others.
+// values MODEL DESIRED NAME PRIMITIVES STATES FOLDER: what the functions of a library give. Where CALLS is the header
+// of calls of a compiled library, that is asked for the functions that it has, and the interpreter for the others.
 #ifdef CALLS
 #include CALLS
 #endif
@@ -40,6 +40,10 @@ std::vector<Call> calls(const backend::Library& library) {
     if (is_compiled(shape(library, function).function)) continue;
     result.push_back(shape(library, function));
     result.back().evaluate = evaluate(function.program);
+    if (auto product = shape_of_product(library, function)) {
+      product->evaluate = result.back().evaluate;
+      result.push_back(std::move(*product));
+    }
     if (!may_omit_gravity(library, function)) continue;
     result.push_back(result.back());
     result.back().omits_gravity = true;
@@ -53,8 +57,8 @@ std::vector<Call> calls(const backend::Library& library) {
 int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
-  if (arguments.size() != 6) return 2;
+  if (arguments.size() != 7) return 2;
   // Without passes: these change what the functions compute by rounding only.
-  const auto library = octave::load(arguments[1], arguments[2], arguments[3], algorithm::groups(), {});
-  return library ? octave::write_values(octave::calls(*library), arguments, 4) : 1;
+  const auto library = octave::load(arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {});
+  return library ? octave::write_values(octave::calls(*library), arguments, 5) : 1;
 }

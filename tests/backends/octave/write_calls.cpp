@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() != 5) return 2;
   const auto library =
-      octave::load(arguments[1], arguments[2], arguments[3], algorithm::default_groups(), pass::names());
+      octave::load(arguments[1], arguments[2], arguments[3], octave::kNone, algorithm::default_groups(), pass::names());
   if (!library) return 1;
   std::ofstream file(arguments[4]);
   file << octave::header(*library);

@@ -77,19 +77,21 @@ std::string print_function(const Library& library, const Callable& callable) {
 }
 
 std::string print_product(const Library& library, const Callable& callable) {
-  const Function& function = callable.longest();
+  Function function = callable.longest();
+  function.amounts.outputs.front().name = "X";
   const Product product = product_of_primitives(function, " * ", dialect());
-  Kernel kernel = product.kernel;
-  kernel.parameters.back().name = "X";
-  std::string text = signature(function.amounts, kernel, callable.name);
-  text += comment(upper_case(callable.name) + "  " + convention_of_primitives(library)) + "\n";
   std::vector<std::string> factors;
   for (std::size_t begin = 0; begin < product.text.size();) {
     const std::size_t end = std::min(product.text.find(" * ", begin), product.text.size());
     factors.push_back(product.text.substr(begin, end - begin));
     begin = end + 3;
   }
-  return text + blocks({origin(library), lines(kernel), wrapped("  X =", factors, ";", " *")}) + "end\n";
+  const std::vector<InputArray>& inputs = function.amounts.inputs;
+  const std::string result = "  " + product.kernel.parameters.back().name + " =";
+  return signature(function.amounts, product.kernel, callable.name) +
+         heading(callable.name, {convention_of_primitives(library)}) +
+         describe_arguments(inputs, product.kernel, inputs.size()) + "\n" +
+         blocks({origin(library), lines(product.kernel), wrapped(result, factors, ";", " *")}) + "end\n";
 }
 
 }  // namespace robcogen::backend::matlab

@@ -60,39 +60,6 @@ std::string default_of(const InputArray& input) {
   return input.role == Role::gravity ? "; optional, default [0; 0; -9.81]" : "; optional, default zero";
 }
 
-// The arguments in their order. The joints are named once: all arrays of joints have this order.
-std::string arguments(const Callable& callable, const Kernel& kernel) {
-  const std::vector<InputArray>& inputs = callable.longest().program.inputs;
-  std::string text;
-  bool names_joints = true;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const InputArray& input = inputs[i];
-    const std::string& name = kernel.parameters[i].name;
-    const int size = static_cast<int>(input.elements.size());
-    if (input.role == Role::variables) {
-      for (const std::string& e : kernel.parameters[i].elements) text += line(e, 1, 1, "rad or m");
-      continue;
-    }
-    std::string what = meaning(input.role);
-    if (is_of_joints(input.role) && names_joints && size > 0) {
-      what += ": " + joined(input.elements);
-      names_joints = false;
-    }
-    if (i >= required_inputs(callable)) what += default_of(input);
-    if (input.role == Role::link_wrenches) {
-      text += line(name, 6, size / 6, what);
-    } else if (input.role == Role::inertia_factor) {
-      const int rows = static_cast<int>(std::lround(std::sqrt(size)));
-      text += line(name, rows, rows, what);
-    } else if (input.role == Role::parameters) {
-      text += comment("  " + name + "  " + what, 0, 6);
-    } else {
-      text += line(name, size, 1, what);
-    }
-  }
-  return text.empty() ? "" : comment("Arguments:") + text;
-}
-
 std::string results(const Library& library, const Function& function) {
   std::string text = comment("Results:");
   for (const OutputArray& output : function.program.outputs)
@@ -120,11 +87,10 @@ std::vector<std::string> summary(const Callable& callable) {
   return lines;
 }
 
-// The summary with a first line that stands alone, as searches of help texts show it.
-std::vector<std::string> titled(const Callable& callable) {
-  std::vector<std::string> lines = summary(callable);
+// The lines with a first one that stands alone, as searches of help texts show it.
+std::vector<std::string> titled(const std::string& name, std::vector<std::string> lines) {
   if (lines.empty()) return {""};
-  const std::size_t room = kColumns - 4 - callable.name.size();
+  const std::size_t room = kColumns - 4 - name.size();
   const std::size_t colon = lines.front().find(": ");
   if (lines.front().size() <= room || colon == std::string::npos) return lines;
   std::string rest = upper_case(lines.front().substr(colon + 2, 1)) + lines.front().substr(colon + 3);
@@ -143,15 +109,52 @@ std::size_t required_inputs(const Callable& callable) {
 }
 
 std::string first_line(const Callable& callable) {
-  return titled(callable).front();
+  return titled(callable.name, summary(callable)).front();
+}
+
+std::string heading(const std::string& name, const std::vector<std::string>& summary) {
+  const std::vector<std::string> lines = titled(name, summary);
+  std::string text = comment(upper_case(name) + "  " + lines.front());
+  for (std::size_t i = 1; i < lines.size(); ++i) text += comment("  " + lines[i]);
+  return text + "%\n";
+}
+
+std::string describe_arguments(const std::vector<InputArray>& inputs, const Kernel& kernel, std::size_t required) {
+  std::string text;
+  bool names_joints = true;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const InputArray& input = inputs[i];
+    const std::string& name = kernel.parameters[i].name;
+    const int size = static_cast<int>(input.elements.size());
+    if (input.role == Role::variables) {
+      for (const std::string& e : kernel.parameters[i].elements) text += line(e, 1, 1, "rad or m");
+      continue;
+    }
+    std::string what = meaning(input.role);
+    if (is_of_joints(input.role) && names_joints && size > 0) {
+      what += ": " + joined(input.elements);
+      names_joints = false;
+    }
+    if (i >= required) what += default_of(input);
+    if (input.role == Role::link_wrenches) {
+      text += line(name, 6, size / 6, what);
+    } else if (input.role == Role::inertia_factor) {
+      const int rows = static_cast<int>(std::lround(std::sqrt(size)));
+      text += line(name, rows, rows, what);
+    } else if (input.role == Role::parameters) {
+      text += comment("  " + name + "  " + what, 0, 6);
+    } else {
+      text += line(name, size, 1, what);
+    }
+  }
+  return text.empty() ? "" : comment("Arguments:") + text;
 }
 
 std::string help(const Library& library, const Callable& callable, const Kernel& kernel) {
-  const std::vector<std::string> lines = titled(callable);
-  std::string text = comment(upper_case(callable.name) + "  " + lines.front());
-  for (std::size_t i = 1; i < lines.size(); ++i) text += comment("  " + lines[i]);
-  text += "%\n" + arguments(callable, kernel) + results(library, callable.longest());
-  return text + comment(counts(callable.longest().program));
+  const Function& function = callable.longest();
+  return heading(callable.name, summary(callable)) +
+         describe_arguments(function.program.inputs, kernel, required_inputs(callable)) + results(library, function) +
+         comment(counts(function.program));
 }
 
 std::string origin(const Library& library) {
