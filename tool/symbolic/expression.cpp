@@ -59,7 +59,8 @@ Expression operator/(const Expression& a, const Expression& b) {
 Expression sqrt(const Expression& a) {
   if (a.is_zero()) return a;
   Graph& g = *a.graph();
-  if (a.is_constant()) return g.constant(sqrt(a.number()));
+  // The root of a negative constant is no constant: it is left to who runs the program.
+  if (a.is_constant() && a.number().value() > 0) return g.constant(sqrt(a.number()));
   return g.operation(Op::square_root, a, Expression());
 }
 

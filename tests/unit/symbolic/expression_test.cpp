@@ -38,6 +38,7 @@ TEST_F(ExpressionTest, TheDefaultIsZeroOfAnyGraph) {
   EXPECT_TRUE((3.0 * zero).is_zero());
   EXPECT_TRUE(sin(zero).is_zero());
   EXPECT_TRUE(sqrt(zero).is_zero());
+  EXPECT_FALSE(sqrt(graph.constant(-4)).is_constant());
   EXPECT_THROW(cos(zero), std::logic_error);
 }
 
