@@ -4,6 +4,7 @@
 #include "interpreted_robot.h"
 #include "pass/split_parameters.h"
 #include "random_robot.h"
+#include "symbolic/count.h"
 #include "symbolic/text.h"
 #include "volume.h"
 
@@ -189,12 +190,17 @@ TEST(Parameters, SplitOffChangeNoResult) {
         if (parameters != inputs.end()) parameters->second = values;
         const symbolic::Arrays<double> expected = symbolic::interpret<double>(programs[k], inputs);
         if (parameters != inputs.end()) parameters->second = cache;
+        // Masses that make no body leave the factor of the inertia matrix with roots of negative numbers.
+        const bool has_roots = symbolic::count(programs[k]).sqrt > 0;
         for (const auto& [name, found] : symbolic::interpret<double>(split.programs[k], inputs)) {
           // Signs and factors move, so products round otherwise; forward dynamics magnifies that by its condition.
-          double scale = 1e-300;
+          // Inputs are of order one, so what is far smaller is what roundings leave of a zero.
+          double scale = 1e-4;
           for (const double x : expected.at(name)) scale = std::max(scale, std::abs(x));
-          for (std::size_t e = 0; e < found.size(); ++e)
+          for (std::size_t e = 0; e < found.size(); ++e) {
+            if (has_roots && std::isnan(found[e]) && std::isnan(expected.at(name)[e])) continue;
             EXPECT_NEAR(found[e], expected.at(name)[e], 1e-10 * scale) << programs[k].name << " " << name << " " << e;
+          }
         }
       }
     };
