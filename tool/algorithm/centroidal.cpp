@@ -50,6 +50,15 @@ Vector3 unit_vector(Trace& trace, std::size_t axis) {
 
 }  // namespace
 
+Program total_mass(const model::KinematicTree& tree, const std::string& name) {
+  Trace trace(tree);
+  Expression mass;
+  for (const model::Link& link : tree.links)
+    if (link.inertia && (tree.floating_base || link.parent_joint >= 0)) mass += trace.lift(link.inertia->mass);
+  trace.output("mass", Role::mass, std::vector<Expression>{mass});
+  return trace.program(name);
+}
+
 Program center_of_mass(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const Setup setup(trace, trace.joint_input("q", Role::joint_position));

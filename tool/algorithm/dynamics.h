@@ -111,8 +111,9 @@ symbolic::Program coriolis_matrix(
     const std::string& name,
     const Formulation& formulation = {});
 
-// What moves: every link but a fixed base. Its centre of mass: q -> com, base coordinates; zero where nothing that
-// moves has mass.
+// What moves: every link but a fixed base. Its mass, a number of the parameters alone: -> mass.
+symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
+// Its centre of mass: q -> com, base coordinates; zero where nothing that moves has mass.
 symbolic::Program center_of_mass(const model::KinematicTree& tree, const std::string& name);
 // Velocity of that point, in base axes: q -> J, 3 x n, or 3 x (6 + n) base twist first.
 symbolic::Program center_of_mass_jacobian(const model::KinematicTree& tree, const std::string& name);

@@ -173,7 +173,7 @@ std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
   const auto function = [](const std::string& name, std::vector<std::string> summary, symbolic::Program program) {
     return RobotFunction{"centroidal", "", name, std::move(summary), {}, {}, std::move(program)};
   };
-  return {
+  std::vector<RobotFunction> list = {
       function(
           "center_of_mass", {"Centre of mass of " + moves + " (m), in base coordinates."},
           center_of_mass(tree, "center_of_mass")),
@@ -189,6 +189,10 @@ std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
                "(Orin, Goswami, Lee 2013).",
            columns},
           centroidal_momentum_matrix(tree, "centroidal_momentum_matrix"))};
+  // A constant of robots without parameters.
+  if (!tree.parameters.empty())
+    list.push_back(function("total_mass", {"Mass of " + moves + " (kg)."}, total_mass(tree, "total_mass")));
+  return list;
 }
 
 std::vector<RobotFunction> energy_group(const KinematicTree& tree, const Formulation& formulation) {

@@ -48,8 +48,9 @@ struct ModelOptions {
   std::optional<Robot> load() const;
   // The same for a document of motions or transforms.
   std::optional<Transforms> load_transforms() const;
-  // Loads the one or the other, and traces it.
-  std::optional<Programs> load_programs() const;
+  // Loads the one or the other, and traces it. With `cached`, functions of a robot with parameters read what follows
+  // from these alone from a cache, and the updates that compute it come last.
+  std::optional<Programs> load_programs(bool cached = false) const;
 
  private:
   Reading reading() const;

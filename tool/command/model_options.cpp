@@ -83,7 +83,7 @@ std::optional<Transforms> ModelOptions::load_transforms() const {
   return transforms;
 }
 
-std::optional<Programs> ModelOptions::load_programs() const {
+std::optional<Programs> ModelOptions::load_programs(bool cached) const {
   if (is_transforms(model)) {
     const std::optional<Transforms> transforms = load_transforms();
     if (!transforms) return std::nullopt;
@@ -108,6 +108,12 @@ std::optional<Programs> ModelOptions::load_programs() const {
           "{} joints, {} base; default gravity, no external forces", robot->tree.dof(),
           robot->tree.floating_base ? "floating" : "fixed"),
       {}};
+  if (cached) {
+    backend::Library library = library_with_cache(*robot, {}, algorithm::groups(), passes);
+    for (std::vector<backend::Function>* functions : {&library.functions, &library.updates})
+      for (backend::Function& f : *functions) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+    return programs;
+  }
   for (algorithm::RobotFunction& f : trace(*robot, algorithm::groups(), passes))
     programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;

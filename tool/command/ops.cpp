@@ -66,7 +66,7 @@ Action declare_ops(CLI::App& application) {
   options->model.declare(*subcommand);
   subcommand->add_flag("--json", options->json, "Machine-readable");
   return [options] {
-    const std::optional<Programs> programs = options->model.load_programs();
+    const std::optional<Programs> programs = options->model.load_programs(true);
     if (!programs) return wrong_input;
     const std::vector<Row> table = rows(*programs);
     options->json ? print_json(*programs, table) : print_table(*programs, table);

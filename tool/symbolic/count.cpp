@@ -93,6 +93,37 @@ int critical_path(const Program& p) {
   return longest;
 }
 
+// What is left to compute when all that follows from the parameters alone is given.
+Program given_parameters(const Program& p) {
+  std::vector<bool> is_parameter;
+  for (const InputArray& array : p.inputs)
+    is_parameter.insert(is_parameter.end(), array.elements.size(), array.role == Role::parameters);
+  Program rest = p;
+  rest.statements.clear();
+  std::vector<int> place(p.statements.size(), -1);  // -1: given
+  const auto is_given = [&](const Operand& o) {
+    const auto i = static_cast<std::size_t>(o.index);
+    return o.kind == Operand::Kind::constant || (o.kind == Operand::Kind::input && is_parameter[i]) ||
+           (o.kind == Operand::Kind::statement && place[i] < 0);
+  };
+  const auto moved = [&](Operand o) {
+    if (o.kind != Operand::Kind::statement) return o;
+    const int index = place[static_cast<std::size_t>(o.index)];
+    return index < 0 ? Operand{Operand::Kind::input, 0, o.negative} : Operand{o.kind, index, o.negative};
+  };
+  for (std::size_t i = 0; i < p.statements.size(); ++i) {
+    Statement s = p.statements[i];
+    if (is_given(s.a) && (!is_binary(s.op) || is_given(s.b))) continue;
+    place[i] = static_cast<int>(rest.statements.size());
+    s.a = moved(s.a);
+    if (is_binary(s.op)) s.b = moved(s.b);
+    rest.statements.push_back(std::move(s));
+  }
+  for (OutputArray& array : rest.outputs)
+    for (Operand& o : array.values) o = moved(o);
+  return rest;
+}
+
 }  // namespace
 
 OperationCount count(const Program& p) {
@@ -126,7 +157,7 @@ OperationCount count(const Program& p) {
 }
 
 int predicted_time(const Program& program) {
-  const OperationCount c = count(program);
+  const OperationCount c = count(given_parameters(program));
   return std::max(c.critical_path, c.instructions / 2);
 }
 

@@ -21,8 +21,8 @@ struct OperationCount {
 
 OperationCount count(const Program& program);
 
-// Cycles on a processor with two units for products and sums: no less than the critical path, no less than half the
-// instructions.
+// Cycles between two changes of the parameters, on a processor with two units for products and sums: no less than the
+// critical path, no less than half the instructions.
 int predicted_time(const Program& program);
 
 }  // namespace robcogen::symbolic

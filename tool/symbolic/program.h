@@ -58,6 +58,7 @@ enum class Role {
   frame_acceleration,  // 6: spatial acceleration, angular first
   position,            // 3: m
   energy,              // 1: J
+  mass,                // 1: kg
   parameters,          // kinematics, then dynamics parameters
   variables,           // of a document of transforms: m or rad
   value,               // anything else

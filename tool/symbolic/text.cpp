@@ -47,6 +47,7 @@ constexpr std::array kRoles = {
     RoleName{Role::frame_acceleration, "frame_acceleration"},
     RoleName{Role::position, "position"},
     RoleName{Role::energy, "energy"},
+    RoleName{Role::mass, "mass"},
     RoleName{Role::parameters, "parameters"},
     RoleName{Role::variables, "variables"},
     RoleName{Role::value, "value"}};

@@ -12,6 +12,7 @@ using Names = std::vector<std::string>;
 // A function `name` with these inputs, `q qd gravity`, and one output of joint forces or two with `base`.
 Function dynamics(const std::string& name, const std::string& kernel, const Names& inputs, const Names& outputs) {
   const std::map<std::string, std::string> roles = {
+      {"parameters", "parameters"},
       {"q", "joint_position"},
       {"qd", "joint_velocity"},
       {"qdd", "joint_acceleration"},
@@ -108,6 +109,26 @@ TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
   ASSERT_EQ(found[0].arguments.size(), 1U);
   EXPECT_EQ(found[0].arguments[0].name, "x");
   EXPECT_EQ(found[0].inputs, (Names{"L_.data()", "x.data()"}));
+}
+
+TEST(Api, ParametersOfTwoKindsMayShareAName) {
+  Library library = test::leg_library();
+  library.parameters = {
+      {"size", 1, false}, {"size", 2, true}, {"class", 3, true}, {"get_mass", 4, true}, {"mass", 5, true}};
+  for (const char* name : {"update_kinematics", "update_dynamics", "update_both"})
+    library.updates.push_back(test::function("parameters", name, test::leg_program("return tau 0\n")));
+  const Api names = api(library);
+  EXPECT_TRUE(names.is_parametric());
+  EXPECT_EQ(names.fields, (Names{"size", "size", "class_", "get_mass", "mass"}));
+  EXPECT_EQ(names.getters, (Names{"get_size", "get_size", "get_class_", "get_get_mass", "get_mass_2"}));
+}
+
+TEST(Overloads, ParametersComeFirst) {
+  Library library = test::leg_library();
+  library.functions = {dynamics("bias_forces", "bias_gravity", {"parameters", "q", "gravity"}, {"tau"})};
+  EXPECT_EQ(
+      signatures(library, "bias_forces"),
+      (Names{"JointState bias_gravity(Parameters<Scalar> parameters, JointState q, Gravity gravity = default)"}));
 }
 
 TEST(Api, NamespacesThatWouldHideOthersAreRenamed) {

@@ -115,5 +115,27 @@ TEST(Count, SinesAreGiven) {
   EXPECT_EQ(counted("let x = a[0] + a[1]\nlet s = sin x\nlet m = s * a[2]\nreturn out m\n").critical_path, 4);
 }
 
+// Parameters change seldom: what follows from them alone takes no time.
+TEST(PredictedTime, IsThatBetweenTwoChangesOfTheParameters) {
+  const auto program = [](const std::string& role) {
+    return test::program(
+        "program test\n"
+        "input k " +
+        role +
+        " 0 1\n"
+        "input x value 0 1\n"
+        "output out value 2 1\n"
+        "section hip link hip\n"
+        "in 0\n"
+        "let d = k[0] / k[1]\n"
+        "let e = sqrt d\n"
+        "let y = e * x[0]\n"
+        "let z = y + x[1]\n"
+        "return out z e\n");
+  };
+  EXPECT_EQ(predicted_time(program("value")), 14 + 14 + 4);
+  EXPECT_EQ(predicted_time(program("parameters")), 4);
+}
+
 }  // namespace
 }  // namespace robcogen::symbolic

@@ -71,6 +71,7 @@ std::string alias(Role role) {
     case Role::position:
       return "Vector3";
     case Role::energy:
+    case Role::mass:
       return "Scalar";
     case Role::parameters:
       return kParametersType;

@@ -22,7 +22,7 @@ std::vector<std::string> parameter_list(const Overload& overload) {
 
 // Returned as a plain number, where all else is an Eigen matrix or has its `data()`.
 bool is_scalar(const symbolic::OutputArray& output) {
-  return output.role == symbolic::Role::energy;
+  return output.role == symbolic::Role::energy || output.role == symbolic::Role::mass;
 }
 
 std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {

@@ -122,6 +122,8 @@ std::string kernel_declaration(const Callable& callable) {
 }
 
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
+  if (group == kParameters && !api.is_parametric())
+    return paragraphs({banner(*api.library, path, "no kernels, as it has no parameters"), "#pragma once\n"});
   std::vector<std::string> kernels;
   for (const Callable& c : callables_of(api, group)) kernels.push_back(print_kernel(*api.library, c));
   if (group == kParameters && api.is_parametric()) kernels.push_back(whole_update(api));

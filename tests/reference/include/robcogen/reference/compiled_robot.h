@@ -118,6 +118,8 @@ class CompiledRobot {
     }
   }
 
+  // Of robots with parameters; else it is a constant.
+  double total_mass() const { return robot_.total_mass(); }
   Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(joints(q))); }
   Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
     return matrix(robot_.center_of_mass_jacobian(joints(q)));
