@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "robcogen/lanes.h"
 #include "robcogen/sincos.h"
 
 #if defined(__GNUC__)
@@ -18,32 +19,24 @@
 #endif
 
 namespace robcogen {
+namespace {  // each file's own, as lanes are
 namespace lanes {
 
-// Four lanes at most: putting eight angles into one vector costs more than computing two vectors. Functions of this
-// namespace have internal linkage, for files of one program may be compiled for different processors.
-
-#if !defined(__GNUC__)
-using Doubles = double;
-using Bits = std::int64_t;
-#elif defined(__AVX2__)
-typedef double Doubles __attribute__((vector_size(32)));
-typedef std::int64_t Bits __attribute__((vector_size(32)));
-#else
-typedef double Doubles __attribute__((vector_size(16)));
-typedef std::int64_t Bits __attribute__((vector_size(16)));
-#endif
-
-constexpr int kLanes = static_cast<int>(sizeof(Doubles) / sizeof(double));
 constexpr double kMost = 1e5;  // rad: the reduction of larger angles would need more parts of pi / 2
 
-ROBCOGEN_INLINE Bits bits(const Doubles& x) noexcept {
-  Bits b;
+// The bits of each. `Doubles` is a vector of doubles, or a double.
+template <class Doubles>
+using Bits = Vector<std::uint64_t, static_cast<int>(sizeof(Doubles) / sizeof(double))>;
+
+template <class Doubles>
+ROBCOGEN_INLINE Bits<Doubles> bits(const Doubles& x) noexcept {
+  Bits<Doubles> b;
   std::memcpy(&b, &x, sizeof(b));
   return b;
 }
 
-ROBCOGEN_INLINE Doubles doubles(const Bits& b) noexcept {
+template <class Doubles>
+ROBCOGEN_INLINE Doubles doubles(const Bits<Doubles>& b) noexcept {
   Doubles x;
   std::memcpy(&x, &b, sizeof(x));
   return x;
@@ -51,6 +44,7 @@ ROBCOGEN_INLINE Doubles doubles(const Bits& b) noexcept {
 
 // a - t and what rounding took off it (Knuth 1997, sec. 4.2.2). Exact also where the compiler fuses t = k p, which is
 // exact by itself.
+template <class Doubles>
 ROBCOGEN_INLINE Doubles difference(const Doubles& a, const Doubles& t, Doubles& error) noexcept {
   const Doubles result = a - t;
   const Doubles back = result - a;
@@ -58,15 +52,21 @@ ROBCOGEN_INLINE Doubles difference(const Doubles& a, const Doubles& t, Doubles& 
   return result;
 }
 
-// |x| <= kMost. Reduced by multiples of pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody,
+// For |x| <= kMost. Reduced by multiples of pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody,
 // Waite 1980), to an angle and its tail; minimax polynomials in the angle's square, of relative error 2^-57 and
 // absolute error 2^-59 on [-pi/4, pi/4] (Remez exchange, coefficients rounded to double). The result is within 0.8 ulp.
-ROBCOGEN_INLINE void sincos(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Bits sign = bits(x) & INT64_MIN;
-  const Doubles positive = doubles(bits(x) ^ sign);
+//
+// The highest bit of `beyond` is set where |x| is larger, or x is no number.
+template <class Doubles>
+ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosine, Bits<Doubles>& beyond) noexcept {
+  constexpr std::uint64_t kMostBits = 0x40f86a0000000000;  // of kMost: positive numbers have the order of their bits
+  const Bits<Doubles> sign = bits(x) & (std::uint64_t(1) << 63);
+  const Bits<Doubles> positive_bits = bits(x) ^ sign;
+  const auto positive = doubles<Doubles>(positive_bits);
+  beyond |= kMostBits - positive_bits;
   // Adding 1.5 2^52 rounds to an integer, that then stands in the last bits.
   const Doubles shifted = positive * 0x1.45f306dc9c883p-1 + 0x1.8p52;
-  const Bits quadrant = bits(shifted);
+  const Bits<Doubles> quadrant = bits(shifted);
   const Doubles k = shifted - 0x1.8p52;
   Doubles error1, error2;
   const Doubles first = positive - k * 0x1.921fb54400000p+0;  // exact
@@ -91,68 +91,182 @@ ROBCOGEN_INLINE void sincos(const Doubles& x, Doubles& sine, Doubles& cosine) no
   const Doubles one_less = 1.0 - half;
   const Doubles cos_r = one_less + (((1.0 - one_less) - half) + (z * z * c - r * tail));
 
-  const Bits odd = -(quadrant & 1);
-  const Bits s_bits = bits(sin_r), c_bits = bits(cos_r), both = (s_bits ^ c_bits) & odd;
-  sine = doubles((s_bits ^ both) ^ ((quadrant & 2) << 62) ^ sign);
-  cosine = doubles((c_bits ^ both) ^ (((quadrant + 1) & 2) << 62));
+  const Bits<Doubles> odd = -(quadrant & 1);
+  const Bits<Doubles> s_bits = bits(sin_r), c_bits = bits(cos_r), both = (s_bits ^ c_bits) & odd;
+  sine = doubles<Doubles>((s_bits ^ both) ^ ((quadrant & 2) << 62) ^ sign);
+  cosine = doubles<Doubles>((c_bits ^ both) ^ (((quadrant + 1) & 2) << 62));
+}
+
+template <class Integers>
+ROBCOGEN_INLINE bool any_highest_bit(const Integers& b) noexcept {
+  std::uint64_t elements[sizeof(b) / sizeof(std::uint64_t)], all = 0;
+  std::memcpy(elements, &b, sizeof(b));
+  for (const std::uint64_t element : elements) all |= element;
+  return (all >> 63) != 0;
 }
 
 // What is out of the range of the polynomials, or no number.
 template <class Scalar>
-ROBCOGEN_RARE void replace_large(const Scalar* x, int size, Scalar* sine, Scalar* cosine) noexcept {
-  for (int i = 0; i < size; ++i) {
-    if (std::abs(x[i]) <= Scalar(kMost)) continue;
-    sine[i] = std::sin(x[i]);
-    cosine[i] = std::cos(x[i]);
+ROBCOGEN_RARE void replace_large(const Scalar* x, int count, Scalar* sine, Scalar* cosine) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const double angle = x[i];
+    if (-kMost <= angle && angle <= kMost) continue;
+    sine[i] = static_cast<Scalar>(std::sin(angle));
+    cosine[i] = static_cast<Scalar>(std::cos(angle));
   }
 }
+
+template <class Scalar, int kSize>
+ROBCOGEN_RARE void replace_large(
+    const Lanes<Scalar, kSize>* x,
+    int count,
+    Lanes<Scalar, kSize>* sine,
+    Lanes<Scalar, kSize>* cosine) noexcept {
+  Scalar angles[kSize], sines[kSize], cosines[kSize];
+  for (int i = 0; i < count; ++i) {
+    x[i].store(angles);
+    sine[i].store(sines);
+    cosine[i].store(cosines);
+    replace_large(angles, kSize, sines, cosines);
+    sine[i] = Lanes<Scalar, kSize>::load(sines);
+    cosine[i] = Lanes<Scalar, kSize>::load(cosines);
+  }
+}
+
+// Four lanes at most: putting eight angles into one vector costs more than computing two vectors.
+constexpr int kTogether = kInRegister<double> < 4 ? kInRegister<double> : 4;
+using Together = Vector<double, kTogether>;
 
 // Lanes beyond the first kUsed are zero.
 template <int kUsed, class Scalar, int... kLane>
-ROBCOGEN_INLINE Doubles gathered(const Scalar* x, std::integer_sequence<int, kLane...>) noexcept {
-  return Doubles{(kLane < kUsed ? static_cast<double>(x[kLane < kUsed ? kLane : 0]) : 0.0)...};
+ROBCOGEN_INLINE Together gathered(const Scalar* x, std::integer_sequence<int, kLane...>) noexcept {
+  return Together{(kLane < kUsed ? static_cast<double>(x[kLane < kUsed ? kLane : 0]) : 0.0)...};
 }
 
-// From and to the first kUsed elements; whether all of them are small.
+// From and to the first kUsed elements.
 template <int kUsed, class Scalar>
-ROBCOGEN_INLINE bool sincos_of_vector(const Scalar* x, Scalar* sine, Scalar* cosine) noexcept {
-  const Doubles angles = gathered<kUsed>(x, std::make_integer_sequence<int, kLanes>());
-  Doubles s, c;
-  sincos(angles, s, c);
-  double sines[kLanes], cosines[kLanes];
+ROBCOGEN_INLINE void sincos_together(const Scalar* x, Scalar* sine, Scalar* cosine, Bits<Together>& beyond) noexcept {
+  Together s, c;
+  polynomials(gathered<kUsed>(x, std::make_integer_sequence<int, kTogether>()), s, c, beyond);
+  double sines[kTogether], cosines[kTogether];
   std::memcpy(sines, &s, sizeof(s));
   std::memcpy(cosines, &c, sizeof(c));
-  bool all_small = true;
   for (int i = 0; i < kUsed; ++i) {
-    all_small &= std::abs(x[i]) <= Scalar(kMost);
     sine[i] = static_cast<Scalar>(sines[i]);
     cosine[i] = static_cast<Scalar>(cosines[i]);
   }
-  return all_small;
 }
 
 // Scalar: double or float. All angles are computed as double, which for float leaves 0.51 ulp.
-template <int kSize, class Scalar>
-ROBCOGEN_INLINE void sincos(const Scalar* x, Scalar* sine, Scalar* cosine) noexcept {
-  constexpr int kWhole = kSize / kLanes * kLanes;
-  bool all_small = true;
-  for (int i = 0; i < kWhole; i += kLanes) all_small &= sincos_of_vector<kLanes>(x + i, sine + i, cosine + i);
-  if constexpr (kWhole < kSize)
-    all_small &= sincos_of_vector<kSize - kWhole>(x + kWhole, sine + kWhole, cosine + kWhole);
-  if (!all_small) replace_large(x, kSize, sine, cosine);
+template <int kCount, class Scalar>
+ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) noexcept {
+  constexpr int kWhole = kCount / kTogether * kTogether;
+  Bits<Together> beyond = {};
+  for (int i = 0; i < kWhole; i += kTogether) sincos_together<kTogether>(x + i, sine + i, cosine + i, beyond);
+  if constexpr (kWhole < kCount) sincos_together<kCount - kWhole>(x + kWhole, sine + kWhole, cosine + kWhole, beyond);
+  if (any_highest_bit(beyond)) replace_large(x, kCount, sine, cosine);
 }
 
-}  // namespace lanes
+// Of lanes: the vectors that they are made of.
+template <int kSize>
+using LeafOf = Vector<double, (kSize < kInRegister<double> ? kSize : kInRegister<double>)>;
 
-// Sines and cosines of kSize angles (rad). For double and float within 1 ulp below 1e5 rad, as the C library has them
-// beyond, for infinities and for what is no number; the rounding mode must be to nearest. For any other scalar its own
-// sin and cos, found by argument-dependent lookup. To be compiled without -ffast-math, as all generated code.
+template <int kSize>
+ROBCOGEN_INLINE void sincos(
+    const Lanes<double, kSize>& x,
+    Lanes<double, kSize>& sine,
+    Lanes<double, kSize>& cosine,
+    Bits<LeafOf<kSize>>& beyond) noexcept {
+  if constexpr (kSize <= kInRegister<double>) {
+    LeafOf<kSize> s, c;
+    polynomials(x.vector(), s, c, beyond);
+    sine = Lanes<double, kSize>::of_vector(s);
+    cosine = Lanes<double, kSize>::of_vector(c);
+  } else {
+    Lanes<double, kSize / 2> low_sine, low_cosine, high_sine, high_cosine;
+    sincos(x.low(), low_sine, low_cosine, beyond);
+    sincos(x.high(), high_sine, high_cosine, beyond);
+    sine = {low_sine, high_sine};
+    cosine = {low_cosine, high_cosine};
+  }
+}
+
+template <int kSize>
+ROBCOGEN_INLINE void sincos(
+    const Lanes<float, kSize>& x,
+    Lanes<float, kSize>& sine,
+    Lanes<float, kSize>& cosine,
+    Bits<LeafOf<kSize>>& beyond) noexcept {
+  float numbers[kSize];
+  x.store(numbers);
+  Lanes<double, kSize> s, c;
+  sincos(Lanes<double, kSize>::load(numbers), s, c, beyond);
+  s.store(numbers);
+  sine = Lanes<float, kSize>::load(numbers);
+  c.store(numbers);
+  cosine = Lanes<float, kSize>::load(numbers);
+}
+
+// Scalar: double or float.
+template <int kCount, class Scalar, int kSize>
+ROBCOGEN_INLINE void sincos_of(
+    const Lanes<Scalar, kSize>* x,
+    Lanes<Scalar, kSize>* sine,
+    Lanes<Scalar, kSize>* cosine) noexcept {
+  Bits<LeafOf<kSize>> beyond = {};
+  for (int i = 0; i < kCount; ++i) sincos(x[i], sine[i], cosine[i], beyond);
+  if (any_highest_bit(beyond)) replace_large(x, kCount, sine, cosine);
+}
+
+// Whether polynomials compute its sines and cosines.
+template <class Scalar>
+constexpr bool kIsComputed = std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>;
+template <class Scalar, int kSize>
+constexpr bool kIsComputed<Lanes<Scalar, kSize>> = std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>;
+
+}  // namespace lanes
+}  // namespace
+
+// As of any other scalar. (Not in the unnamed namespace, where a qualified name would not find it.)
+template <class Scalar, int kSize>
+ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& x) {
+  if constexpr (lanes::kIsComputed<Lanes<Scalar, kSize>>) {
+    SinCos<Lanes<Scalar, kSize>> both;
+    lanes::sincos_of<1>(&x, &both.sin, &both.cos);
+    return both;
+  } else {
+    Scalar sines[kSize], cosines[kSize];
+    for (int i = 0; i < kSize; ++i) {
+      const SinCos<Scalar> both = sincos(x[i]);
+      sines[i] = both.sin;
+      cosines[i] = both.cos;
+    }
+    return {Lanes<Scalar, kSize>::load(sines), Lanes<Scalar, kSize>::load(cosines)};
+  }
+}
+
+namespace {
+
+// A lone sine or cosine costs as much as both.
+template <class Scalar, int kSize>
+ROBCOGEN_INLINE Lanes<Scalar, kSize> sin(const Lanes<Scalar, kSize>& x) {
+  return robcogen::sincos(x).sin;
+}
+template <class Scalar, int kSize>
+ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) {
+  return robcogen::sincos(x).cos;
+}
+
+// Sines and cosines of kSize angles (rad). For double and float, and lanes of them, within 1 ulp below 1e5 rad, as the
+// C library has them beyond, for infinities and for what is no number; the rounding mode must be to nearest. For any
+// other scalar its own sin and cos, found by argument-dependent lookup. To be compiled without -ffast-math, as all
+// generated code.
 template <class Scalar, int kSize>
 class SinCosOf {
  public:
   explicit SinCosOf(const Scalar* angles) {
-    if constexpr (std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>) {
-      lanes::sincos<kSize>(angles, sin_, cos_);
+    if constexpr (lanes::kIsComputed<Scalar>) {
+      lanes::sincos_of<kSize>(angles, sin_, cos_);
     } else {
       for (int i = 0; i < kSize; ++i) {
         const SinCos<Scalar> both = robcogen::sincos(angles[i]);
@@ -169,6 +283,7 @@ class SinCosOf {
   Scalar cos_[kSize];
 };
 
+}  // namespace
 }  // namespace robcogen
 
 #undef ROBCOGEN_INLINE

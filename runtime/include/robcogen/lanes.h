@@ -1,0 +1,254 @@
+// Several numbers as one value: what is done to it is done in every lane.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#if defined(__GNUC__)
+#define ROBCOGEN_INLINE inline __attribute__((always_inline))
+#else
+#define ROBCOGEN_INLINE inline
+#endif
+
+// Vectors are an extension of gcc and clang. Elsewhere, and where ROBCOGEN_PLAIN_LANES is defined, lanes are scalars.
+#if defined(__GNUC__) && !defined(ROBCOGEN_PLAIN_LANES)
+#define ROBCOGEN_HAS_VECTORS 1
+#define ROBCOGEN_VECTOR_SIZE(bytes) __attribute__((vector_size(bytes)))
+#else
+#define ROBCOGEN_HAS_VECTORS 0
+#define ROBCOGEN_VECTOR_SIZE(bytes)
+#endif
+
+namespace robcogen {
+
+// Files of one program may be compiled for different processors. What is in an unnamed namespace is each file's own, so
+// that a body for one processor is never taken for that of another.
+namespace {
+namespace lanes {
+
+#if defined(__AVX512F__)
+constexpr int kRegisterBytes = 64;
+#elif defined(__AVX2__)
+constexpr int kRegisterBytes = 32;
+#else
+constexpr int kRegisterBytes = 16;
+#endif
+
+// How many of them a register of the processor holds.
+template <class Scalar>
+constexpr int kInRegister = ROBCOGEN_HAS_VECTORS&& std::is_floating_point_v<Scalar>
+                                ? kRegisterBytes / static_cast<int>(sizeof(Scalar))
+                                : 1;
+
+// That many elements as a type of the compiler's, which has the operators of an element. One is the element itself.
+template <class Element, int kSize>
+struct VectorOf {
+  typedef Element type ROBCOGEN_VECTOR_SIZE(kSize * sizeof(Element));
+};
+
+template <class Element>
+struct VectorOf<Element, 1> {
+  using type = Element;
+};
+
+template <class Element, int kSize>
+using Vector = typename VectorOf<Element, kSize>::type;
+
+// Each element as the nearest one of the other type. (Not returned: how vectors that are longer than a register are
+// returned depends on the processor.)
+template <class From, class To>
+ROBCOGEN_INLINE void convert(const From& from, To& to) noexcept {
+  if constexpr (std::is_same_v<To, From>) {
+    to = from;
+  } else {
+#if ROBCOGEN_HAS_VECTORS
+    to = __builtin_convertvector(from, To);
+#endif
+  }
+}
+
+// Not std::sqrt: that of float is a function of the library, which only one file of a program provides.
+template <class Scalar>
+ROBCOGEN_INLINE Scalar square_root(const Scalar& x) noexcept {
+#if defined(__GNUC__)
+  if constexpr (std::is_same_v<Scalar, float>) return __builtin_sqrtf(x);
+  if constexpr (std::is_same_v<Scalar, double>) return __builtin_sqrt(x);
+#endif
+  using std::sqrt;
+  return sqrt(x);
+}
+
+}  // namespace lanes
+
+// kSize scalars, a power of two: one vector if a register of the processor holds it, else two halves. A lane may be of
+// any type that is a scalar to generated code, and be Lanes itself.
+//
+// Like a plain number, it is not initialized unless it is given a value.
+template <class Scalar, int kSize, bool kIsVector = (kSize <= lanes::kInRegister<Scalar> || kSize == 1)>
+class Lanes;
+
+template <class Scalar, int kSize>
+class Lanes<Scalar, kSize, true> {
+ public:
+  using Vector = lanes::Vector<Scalar, kSize>;
+
+  Lanes() = default;
+  // The same in all lanes.
+  explicit ROBCOGEN_INLINE Lanes(const Scalar& x) noexcept {
+    if constexpr (kSize == 1) {
+      vector_ = x;
+    } else {
+      vector_ = x - Vector{};  // how one is spread to all: less 0, every number stays what it is
+    }
+  }
+  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number> && !std::is_same_v<Number, Scalar>>>
+  explicit ROBCOGEN_INLINE Lanes(Number x) noexcept : Lanes(static_cast<Scalar>(x)) {}
+
+  static ROBCOGEN_INLINE Lanes of_vector(const Vector& vector) noexcept {
+    Lanes result;
+    result.vector_ = vector;
+    return result;
+  }
+  ROBCOGEN_INLINE const Vector& vector() const noexcept { return vector_; }
+
+  // From and to kSize numbers, of this or another precision, that stand one after another.
+  template <class Number>
+  static ROBCOGEN_INLINE Lanes load(const Number* from) noexcept {
+    if constexpr (kSize == 1) {
+      return of_vector(static_cast<Scalar>(*from));
+    } else {
+      lanes::Vector<Number, kSize> numbers;
+      std::memcpy(&numbers, from, sizeof(numbers));
+      Lanes result;
+      lanes::convert(numbers, result.vector_);
+      return result;
+    }
+  }
+  template <class Number>
+  ROBCOGEN_INLINE void store(Number* to) const noexcept {
+    if constexpr (kSize == 1) {
+      *to = static_cast<Number>(vector_);
+    } else {
+      lanes::Vector<Number, kSize> numbers;
+      lanes::convert(vector_, numbers);
+      std::memcpy(to, &numbers, sizeof(numbers));
+    }
+  }
+
+  // From and to numbers at this distance.
+  static ROBCOGEN_INLINE Lanes gather(const Scalar* from, std::ptrdiff_t stride) noexcept {
+    return gather(from, stride, std::make_integer_sequence<int, kSize>());
+  }
+  ROBCOGEN_INLINE void scatter(Scalar* to, std::ptrdiff_t stride) const noexcept {
+    for (int i = 0; i < kSize; ++i) to[i * stride] = (*this)[i];
+  }
+
+  ROBCOGEN_INLINE Scalar operator[](int lane) const noexcept {
+    if constexpr (kSize == 1) {
+      return vector_;
+    } else {
+      return vector_[lane];
+    }
+  }
+
+  friend ROBCOGEN_INLINE Lanes operator+(const Lanes& a, const Lanes& b) noexcept {
+    return of_vector(a.vector_ + b.vector_);
+  }
+  friend ROBCOGEN_INLINE Lanes operator-(const Lanes& a, const Lanes& b) noexcept {
+    return of_vector(a.vector_ - b.vector_);
+  }
+  friend ROBCOGEN_INLINE Lanes operator*(const Lanes& a, const Lanes& b) noexcept {
+    return of_vector(a.vector_ * b.vector_);
+  }
+  friend ROBCOGEN_INLINE Lanes operator/(const Lanes& a, const Lanes& b) noexcept {
+    return of_vector(a.vector_ / b.vector_);
+  }
+  friend ROBCOGEN_INLINE Lanes operator-(const Lanes& a) noexcept { return of_vector(-a.vector_); }
+  friend ROBCOGEN_INLINE Lanes sqrt(const Lanes& a) noexcept {
+    if constexpr (kSize == 1) {
+      return of_vector(lanes::square_root(a.vector_));
+    } else {
+      Lanes result = a;
+      for (int i = 0; i < kSize; ++i) result.vector_[i] = lanes::square_root(a[i]);
+      return result;
+    }
+  }
+
+ private:
+  template <int... kLane>
+  static ROBCOGEN_INLINE Lanes
+  gather(const Scalar* from, std::ptrdiff_t stride, std::integer_sequence<int, kLane...>) noexcept {
+    return of_vector(Vector{from[kLane * stride]...});
+  }
+
+  Vector vector_;
+};
+
+template <class Scalar, int kSize>
+class Lanes<Scalar, kSize, false> {
+ public:
+  using Half = Lanes<Scalar, kSize / 2>;
+  static_assert(kSize > 0 && kSize % 2 == 0, "the number of lanes is a power of two");
+
+  Lanes() = default;
+  explicit ROBCOGEN_INLINE Lanes(const Scalar& x) noexcept : low_(x), high_(x) {}
+  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number> && !std::is_same_v<Number, Scalar>>>
+  explicit ROBCOGEN_INLINE Lanes(Number x) noexcept : Lanes(static_cast<Scalar>(x)) {}
+  ROBCOGEN_INLINE Lanes(const Half& low, const Half& high) noexcept : low_(low), high_(high) {}
+
+  ROBCOGEN_INLINE const Half& low() const noexcept { return low_; }
+  ROBCOGEN_INLINE const Half& high() const noexcept { return high_; }
+
+  template <class Number>
+  static ROBCOGEN_INLINE Lanes load(const Number* from) noexcept {
+    return {Half::load(from), Half::load(from + kSize / 2)};
+  }
+  template <class Number>
+  ROBCOGEN_INLINE void store(Number* to) const noexcept {
+    low_.store(to);
+    high_.store(to + kSize / 2);
+  }
+
+  static ROBCOGEN_INLINE Lanes gather(const Scalar* from, std::ptrdiff_t stride) noexcept {
+    return {Half::gather(from, stride), Half::gather(from + kSize / 2 * stride, stride)};
+  }
+  ROBCOGEN_INLINE void scatter(Scalar* to, std::ptrdiff_t stride) const noexcept {
+    low_.scatter(to, stride);
+    high_.scatter(to + kSize / 2 * stride, stride);
+  }
+
+  ROBCOGEN_INLINE Scalar operator[](int lane) const noexcept {
+    return lane < kSize / 2 ? low_[lane] : high_[lane - kSize / 2];
+  }
+
+  friend ROBCOGEN_INLINE Lanes operator+(const Lanes& a, const Lanes& b) noexcept {
+    return {a.low_ + b.low_, a.high_ + b.high_};
+  }
+  friend ROBCOGEN_INLINE Lanes operator-(const Lanes& a, const Lanes& b) noexcept {
+    return {a.low_ - b.low_, a.high_ - b.high_};
+  }
+  friend ROBCOGEN_INLINE Lanes operator*(const Lanes& a, const Lanes& b) noexcept {
+    return {a.low_ * b.low_, a.high_ * b.high_};
+  }
+  friend ROBCOGEN_INLINE Lanes operator/(const Lanes& a, const Lanes& b) noexcept {
+    return {a.low_ / b.low_, a.high_ / b.high_};
+  }
+  friend ROBCOGEN_INLINE Lanes operator-(const Lanes& a) noexcept { return {-a.low_, -a.high_}; }
+  friend ROBCOGEN_INLINE Lanes sqrt(const Lanes& a) noexcept { return {sqrt(a.low_), sqrt(a.high_)}; }
+
+ private:
+  Half low_, high_;
+};
+
+// As many as fill a register: what computes fastest.
+template <class Scalar>
+using NativeLanes = Lanes<Scalar, lanes::kInRegister<Scalar>>;
+
+}  // namespace
+}  // namespace robcogen
+
+#undef ROBCOGEN_INLINE
+#undef ROBCOGEN_VECTOR_SIZE

@@ -1,0 +1,182 @@
+// Lanes against what the same operation does to each scalar.
+#include "robcogen/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "robcogen/sincos_of.h"
+
+namespace robcogen {
+namespace {
+
+template <class Scalar_, int kSize_>
+struct Shape {
+  using Scalar = Scalar_;
+  static constexpr int kSize = kSize_;
+};
+
+// Random numbers for lanes.
+template <class Scalar, int kSize>
+struct Random {
+  explicit Random(unsigned seed) {
+    std::mt19937_64 generator(seed);
+    std::uniform_real_distribution<double> unit(-10, 10);
+    for (Scalar& x : numbers) x = static_cast<Scalar>(unit(generator));
+  }
+  Lanes<Scalar, kSize> lanes() const { return Lanes<Scalar, kSize>::load(numbers); }
+
+  Scalar numbers[kSize];
+};
+
+template <class Shape>
+class LanesOf : public testing::Test {};
+
+using Shapes = testing::Types<
+    Shape<double, 1>,
+    Shape<double, 2>,
+    Shape<double, 4>,
+    Shape<double, 8>,
+    Shape<double, 16>,
+    Shape<float, 1>,
+    Shape<float, 2>,
+    Shape<float, 4>,
+    Shape<float, 8>,
+    Shape<float, 16>>;
+TYPED_TEST_SUITE(LanesOf, Shapes);
+
+TYPED_TEST(LanesOf, ComputeEachLane) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  const Random<Scalar, kSize> x(1), y(2);
+  const Lanes<Scalar, kSize> a = x.lanes(), b = y.lanes();
+  const Lanes<Scalar, kSize> sum = a + b, difference = a - b, product = a * b, quotient = a / b, negative = -a;
+  const Lanes<Scalar, kSize> root = sqrt(a * a);
+  for (int i = 0; i < kSize; ++i) {
+    EXPECT_EQ(sum[i], x.numbers[i] + y.numbers[i]);
+    EXPECT_EQ(difference[i], x.numbers[i] - y.numbers[i]);
+    EXPECT_EQ(product[i], x.numbers[i] * y.numbers[i]);
+    EXPECT_EQ(quotient[i], x.numbers[i] / y.numbers[i]);
+    EXPECT_EQ(negative[i], -x.numbers[i]);
+    EXPECT_EQ(root[i], std::sqrt(x.numbers[i] * x.numbers[i]));
+  }
+}
+
+TYPED_TEST(LanesOf, SpreadOneNumber) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  for (const Scalar x : {Scalar(0.3), -Scalar(0), std::numeric_limits<Scalar>::infinity()}) {
+    const Lanes<Scalar, kSize> all(x);
+    for (int i = 0; i < kSize; ++i) {
+      EXPECT_EQ(all[i], x);
+      EXPECT_EQ(std::signbit(all[i]), std::signbit(x));
+    }
+  }
+  const Lanes<Scalar, kSize> literal(0.1);
+  EXPECT_EQ(literal[kSize - 1], Scalar(0.1));
+}
+
+TYPED_TEST(LanesOf, AreStoredInOrder) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  const Random<Scalar, kSize> x(1);
+  Scalar back[kSize + 1] = {};
+  x.lanes().store(back);
+  for (int i = 0; i < kSize; ++i) EXPECT_EQ(back[i], x.numbers[i]);
+  EXPECT_EQ(back[kSize], 0);
+}
+
+TYPED_TEST(LanesOf, GatherAndScatterAtADistance) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  const Random<Scalar, kSize> x(1);
+  Scalar spread[3 * kSize] = {}, back[3 * kSize] = {};
+  for (int i = 0; i < kSize; ++i) spread[3 * i] = x.numbers[i];
+  const auto lanes = Lanes<Scalar, kSize>::gather(spread, 3);
+  for (int i = 0; i < kSize; ++i) EXPECT_EQ(lanes[i], x.numbers[i]);
+  lanes.scatter(back, 3);
+  for (int i = 0; i < 3 * kSize; ++i) EXPECT_EQ(back[i], spread[i]);
+}
+
+TYPED_TEST(LanesOf, ConvertBetweenPrecisions) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  const Random<Scalar, kSize> x(1);
+  double wide[kSize];
+  x.lanes().store(wide);
+  const auto doubles = Lanes<double, kSize>::load(x.numbers);
+  for (int i = 0; i < kSize; ++i) {
+    EXPECT_EQ(wide[i], static_cast<double>(x.numbers[i]));
+    EXPECT_EQ(doubles[i], wide[i]);
+  }
+}
+
+// The polynomials are those of single angles, whose error sincos_of_test measures.
+TYPED_TEST(LanesOf, SinesAreThoseOfSingleAngles) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  using L = Lanes<Scalar, kSize>;
+  const L angles[3] = {
+      Random<Scalar, kSize>(1).lanes(), Random<Scalar, kSize>(2).lanes(), Random<Scalar, kSize>(3).lanes()};
+  const SinCosOf<L, 3> found(angles);
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < kSize; ++i) {
+      const Scalar one[1] = {angles[k][i]};
+      const SinCosOf<Scalar, 1> expected(one);
+      EXPECT_EQ(found[k].sin[i], expected[0].sin);
+      EXPECT_EQ(found[k].cos[i], expected[0].cos);
+    }
+  }
+  const L sine = sin(angles[1]), cosine = cos(angles[1]);
+  EXPECT_EQ(sine[0], found[1].sin[0]);
+  EXPECT_EQ(cosine[0], found[1].cos[0]);
+}
+
+TYPED_TEST(LanesOf, LargeAnglesAndNoNumbersStayInTheirLane) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN(), infinity = std::numeric_limits<Scalar>::infinity();
+  const Random<Scalar, kSize> usual(1);
+  const auto others = robcogen::sincos(usual.lanes());
+  for (const Scalar odd : {Scalar(123456.789), Scalar(-1e30), nan, infinity}) {
+    for (int lane = 0; lane < kSize; ++lane) {
+      Random<Scalar, kSize> x = usual;
+      x.numbers[lane] = odd;
+      const auto found = robcogen::sincos(x.lanes());
+      for (int i = 0; i < kSize; ++i) {
+        if (i != lane) {
+          EXPECT_EQ(found.sin[i], others.sin[i]);
+          EXPECT_EQ(found.cos[i], others.cos[i]);
+        } else if (std::isfinite(odd)) {
+          EXPECT_NEAR(found.sin[i], std::sin(odd), std::numeric_limits<Scalar>::epsilon());
+          EXPECT_NEAR(found.cos[i], std::cos(odd), std::numeric_limits<Scalar>::epsilon());
+        } else {
+          EXPECT_TRUE(std::isnan(found.sin[i]) && std::isnan(found.cos[i]));
+        }
+      }
+    }
+  }
+}
+
+// As functions over limbs in lanes have them, evaluated for several states.
+TEST(Lanes, MayBeLanesThemselves) {
+  using Inner = Lanes<double, 4>;
+  using Outer = Lanes<Inner, 4>;
+  Inner inner[4];
+  for (unsigned i = 0; i < 4; ++i) inner[i] = Random<double, 4>(i).lanes();
+  const Outer a = Outer::load(inner), b = sqrt(a * a + Outer(2)) / Outer(0.5) - (-a);
+  const SinCosOf<Outer, 1> both(&a);
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      const double x = inner[i][k];
+      EXPECT_NEAR(b[i][k], std::sqrt(x * x + 2) / 0.5 + x, 1e-14);  // rounded differently where products fuse
+      EXPECT_NEAR(both[0].sin[i][k], std::sin(x), 1e-15);
+      EXPECT_NEAR(both[0].cos[i][k], std::cos(x), 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robcogen
