@@ -1,0 +1,80 @@
+#include "model/limbs.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace robcogen::model {
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+// Numbers the shapes of what hangs on each joint: joints have the same number if and only if their types agree and what
+// hangs on their links can be paired, shape by shape.
+std::vector<int> shapes(const KinematicTree& tree) {
+  std::map<std::pair<JointType, std::vector<int>>, int> known;
+  std::vector<int> shape(tree.joints.size(), -1);
+  const std::vector<int> order = tree.topological();
+  for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
+    std::vector<int> beyond;
+    for (int child : tree.links[at(tree.joints[at(*joint)].child)].child_joints) beyond.push_back(shape[at(child)]);
+    std::sort(beyond.begin(), beyond.end());
+    const auto number = static_cast<int>(known.size());
+    shape[at(*joint)] = known.try_emplace({tree.joints[at(*joint)].type, std::move(beyond)}, number).first->second;
+  }
+  return shape;
+}
+
+// The joints from this one on, depth first; children by shape, equal ones in the order of the document.
+std::vector<int> limb(const KinematicTree& tree, const std::vector<int>& shape, int first) {
+  std::vector<int> joints, pending = {first};
+  while (!pending.empty()) {
+    const int joint = pending.back();
+    pending.pop_back();
+    joints.push_back(joint);
+    std::vector<int> children = tree.links[at(tree.joints[at(joint)].child)].child_joints;
+    std::stable_sort(children.begin(), children.end(), [&](int a, int b) { return shape[at(a)] < shape[at(b)]; });
+    pending.insert(pending.end(), children.rbegin(), children.rend());
+  }
+  return joints;
+}
+
+}  // namespace
+
+std::vector<int> LimbClass::corresponding(std::size_t k) const {
+  std::vector<int> joints;
+  for (const std::vector<int>& limb : limbs) joints.push_back(limb[k]);
+  return joints;
+}
+
+std::vector<LimbClass> limb_classes(const KinematicTree& tree) {
+  const std::vector<int> shape = shapes(tree);
+  std::vector<LimbClass> classes;
+  std::vector<int> links = {0};
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::vector<int>& children = tree.links[at(links[i])].child_joints;
+    std::map<int, int> count, place;  // by shape: of limbs; among the classes
+    for (int joint : children) ++count[shape[at(joint)]];
+    for (int joint : children) {
+      if (count[shape[at(joint)]] == 1) {
+        links.push_back(tree.joints[at(joint)].child);
+        continue;
+      }
+      const auto [known, fresh] = place.try_emplace(shape[at(joint)], static_cast<int>(classes.size()));
+      if (fresh) classes.emplace_back();
+      classes[at(known->second)].limbs.push_back(limb(tree, shape, joint));
+    }
+  }
+  return classes;
+}
+
+std::vector<std::vector<int>> corresponding_joints(const KinematicTree& tree) {
+  std::vector<std::vector<int>> groups;
+  for (const LimbClass& limbs : limb_classes(tree))
+    for (std::size_t k = 0; k < limbs.length(); ++k) groups.push_back(limbs.corresponding(k));
+  return groups;
+}
+
+}  // namespace robcogen::model

@@ -1,0 +1,30 @@
+// Equal limbs of a kinematic tree: legs of a quadruped, arms of a humanoid. Equal in topology and types of joints,
+// whatever their dimensions and masses are.
+#pragma once
+
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::model {
+
+// Two or more limbs on one link. limbs[i][k] is joint k of limb i, parents before children; joints of the same k
+// correspond: they have the same type, their parents correspond, and so do their children.
+struct LimbClass {
+  std::vector<std::vector<int>> limbs;
+
+  std::size_t count() const { return limbs.size(); }
+  std::size_t length() const { return limbs.front().size(); }
+  // Joint k of every limb.
+  std::vector<int> corresponding(std::size_t k) const;
+};
+
+// From the base outwards. What lies in a limb of a class is not looked into again: the fingers of two equal arms
+// correspond from arm to arm, not within a hand. Limbs stand in the order of the document's children, and so do those
+// branches of a limb that could be exchanged.
+std::vector<LimbClass> limb_classes(const KinematicTree& tree);
+
+// The joints of all classes, corresponding ones together: {LF_HAA, RF_HAA, LH_HAA, RH_HAA}, …
+std::vector<std::vector<int>> corresponding_joints(const KinematicTree& tree);
+
+}  // namespace robcogen::model
