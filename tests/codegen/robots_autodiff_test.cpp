@@ -6,9 +6,12 @@
 #include <random>
 
 #include "dual.h"
+#include "quadruped/kernel/accelerations.h"
 #include "quadruped/kernel/inverse_dynamics.h"
+#include "quadruped/kernel/jacobian_derivatives.h"
 #include "quadruped/kernel/jacobians.h"
 #include "quadruped/kernel/transforms.h"
+#include "quadruped/kernel/velocities.h"
 
 namespace robcogen::test {
 namespace {
@@ -40,6 +43,34 @@ TEST(RobotsAutodiff, JacobianIsTheDerivativeOfTheTransform) {
     quadruped::kernel::homogeneous_fr_trunk_X_fr_LF_foot(dual.data(), X.data());
     for (std::size_t axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(X[12 + axis].derivative, J[6 * joint + 3 + axis], kRounding) << "joint " << joint;
+  }
+}
+
+// Along a motion q + qd t, qd + qdd t.
+TEST(RobotsAutodiff, DerivativesByTime) {
+  const std::array<double, kJoints> q = random_numbers(8), qd = random_numbers(9), qdd = random_numbers(10);
+  std::array<Dual, kJoints> moving, speeding;
+  for (std::size_t k = 0; k < kJoints; ++k) {
+    moving[k] = Dual(q[k], qd[k]);
+    speeding[k] = Dual(qd[k], qdd[k]);
+  }
+  std::array<Dual, 6 * 3> J;
+  std::array<Dual, 6> V;
+  quadruped::kernel::fr_trunk_J_fr_LF_foot(moving.data(), J.data());
+  quadruped::kernel::fr_trunk_V_fr_LF_foot(moving.data(), speeding.data(), V.data());
+
+  std::array<double, 6 * 3> Jd;
+  std::array<double, 6> Jd_qd, A;
+  quadruped::kernel::fr_trunk_Jd_fr_LF_foot(q.data(), qd.data(), Jd.data());
+  quadruped::kernel::fr_trunk_Jd_qd_fr_LF_foot(q.data(), qd.data(), Jd_qd.data());
+  quadruped::kernel::fr_trunk_A_fr_LF_foot(q.data(), qd.data(), qdd.data(), A.data());
+  for (std::size_t k = 0; k < Jd.size(); ++k) EXPECT_NEAR(Jd[k], J[k].derivative, kRounding);
+  for (std::size_t row = 0; row < 6; ++row) {
+    EXPECT_NEAR(A[row], V[row].derivative, kRounding);
+    // The columns are those of the first three joints.
+    double sum = 0;
+    for (std::size_t joint = 0; joint < 3; ++joint) sum += J[6 * joint + row].derivative * qd[joint];
+    EXPECT_NEAR(Jd_qd[row], sum, kRounding);
   }
 }
 

@@ -1,8 +1,7 @@
 #include "interpreted_robot.h"
 
 #include <algorithm>
-
-#include "check_frame_motion.h"
+#include <optional>
 
 namespace robcogen::numeric {
 namespace {
@@ -21,6 +20,27 @@ Vector<double> vector(const std::vector<double>& values) {
   Vector<double> v(static_cast<int>(values.size()));
   std::copy(values.begin(), values.end(), v.data());
   return v;
+}
+
+// Functions of frames that the reference has checks of.
+std::optional<reflection::FrameQuantity> frame_quantity(symbolic::Role role) {
+  using reflection::FrameQuantity;
+  switch (role) {
+    case symbolic::Role::jacobian_in_target:
+      return FrameQuantity::jacobian_in_target;
+    case symbolic::Role::spatial_jacobian:
+      return FrameQuantity::spatial_jacobian;
+    case symbolic::Role::jacobian_derivative:
+      return FrameQuantity::jacobian_derivative;
+    case symbolic::Role::frame_bias_acceleration:
+      return FrameQuantity::frame_bias_acceleration;
+    case symbolic::Role::frame_velocity:
+      return FrameQuantity::frame_velocity;
+    case symbolic::Role::frame_acceleration:
+      return FrameQuantity::frame_acceleration;
+    default:
+      return std::nullopt;
+  }
 }
 
 std::string pair_name(const std::string& left, const std::string& letter, const std::string& right) {
@@ -54,9 +74,12 @@ InterpretedRobot::InterpretedRobot(
   const algorithm::Formulation formulation = algorithm::take_formulation(passes);
   for (const std::string& group : algorithm::groups()) {
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
-      if (group == "jacobians")
-        tables_.add_jacobian(f.name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
       const std::string name = f.program.name;
+      if (group == "jacobians")
+        tables_.add_jacobian(name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
+      if (const auto quantity = frame_quantity(f.program.outputs.front().role))
+        tables_.add_frame_function(
+            name, *quantity, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
       programs_.emplace(name, pass::run(std::move(f.program), passes));
     }
   }
@@ -191,6 +214,10 @@ reference::TransformForms InterpretedRobot::transform(int index, const Vector<do
 
 Matrix<double> InterpretedRobot::jacobian(int index, const Vector<double>& q) const {
   return matrix(run(tables_.robot().jacobians[index].name, {}, {{"q", q.values()}}).at("J"), 6);
+}
+
+Matrix<double> InterpretedRobot::frame_function(int index, const State& m) const {
+  return matrix(run(tables_.robot().frame_functions[index].name, {}, inputs_of(m)).begin()->second, 6);
 }
 
 reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, int samples) {

@@ -10,6 +10,7 @@
 #include "reference_tables.h"
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_factor.h"
+#include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "symbolic/interpret.h"
@@ -54,6 +55,7 @@ class InterpretedRobot {
   double potential_energy(const Vector<double>& q, const reference::Arguments& arguments) const;
   reference::TransformForms transform(int index, const Vector<double>& q) const;
   reference::Matrix<double> jacobian(int index, const Vector<double>& q) const;
+  reference::Matrix<double> frame_function(int index, const State& m) const;
 
   // Runs the overload that takes these optional arguments; `inputs` beyond those of the program are left out.
   symbolic::Arrays<double> run(

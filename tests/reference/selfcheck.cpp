@@ -13,6 +13,7 @@
 
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_factor.h"
+#include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_parameters.h"
@@ -53,9 +54,10 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     if constexpr (kHasCentroidal) check_centroidal_momentum(subject, c, checks);
     if constexpr (kHasCentroidal && kHasForwardDynamics) check_free_fall(subject, c, checks);
     if constexpr (kHasEnergy) check_energies(subject, c, checks);
-    // The tables are empty where the library has no transforms or no Jacobians.
+    // The tables are empty where the library has no such functions.
     check_transforms(subject, c, checks);
     check_jacobians(subject, c, checks);
+    check_frame_motions(subject, c, checks);
   }
 }
 

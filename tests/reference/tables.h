@@ -71,9 +71,22 @@ class Tables {
     jacobians_.push_back({stored(name), left, right, kept.data(), static_cast<int>(kept.size()), nullptr});
   }
 
+  // `columns` of Jacobians; the others have one.
+  void add_frame_function(
+      const std::string& name,
+      reflection::FrameQuantity quantity,
+      int left,
+      int right,
+      const std::vector<int>& columns) {
+    const std::vector<int>& kept = columns_.emplace_back(columns);
+    const int column_count = reflection::is_jacobian(quantity) ? static_cast<int>(kept.size()) : 1;
+    frame_functions_.push_back({stored(name), quantity, left, right, kept.data(), column_count, nullptr});
+  }
+
   reflection::Robot robot() const {
     return {name_,         floating_base_,    view(links_),     view(joints_),
-            view(frames_), view(transforms_), view(jacobians_), {nullptr, 0}};
+            view(frames_), view(transforms_), view(jacobians_), view(frame_functions_),
+            {nullptr, 0}};
   }
 
  private:
@@ -93,6 +106,7 @@ class Tables {
   std::vector<reflection::Transform> transforms_;
   std::deque<std::vector<int>> columns_;
   std::vector<reflection::Jacobian> jacobians_;
+  std::vector<reflection::FrameFunction> frame_functions_;
 };
 
 }  // namespace robcogen::reference

@@ -6,6 +6,7 @@
 
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_factor.h"
+#include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "sample_robots.h"
@@ -117,6 +118,14 @@ class Right {
   Matrix<double> jacobian(int index, const Vector<double>& q) const {
     return reference::jacobian(robot_, q, robot_.jacobians[index]);
   }
+  Matrix<double> frame_function(int index, const Motion<double>& m) const {
+    const FrameFunction& f = robot_.frame_functions[index];
+    const Matrix<Real> all = frame_quantity(robot_, cast<Real>(m), f.quantity, f.left, f.right);
+    if (!reflection::is_jacobian(f.quantity)) return all.cast<double>();
+    Matrix<Real> J(6, f.column_count);
+    for (int k = 0; k < f.column_count; ++k) J.set_block(0, k, all.col(f.columns[k]));
+    return J.cast<double>();
+  }
 
  protected:
   static Loads<double> loads(const Arguments& arguments) {
@@ -148,6 +157,11 @@ Tables sample(bool floating) {
   }
   tables.add_jacobian("trunk_J_hand", 0, 1, {1, 0, 3});
   tables.add_jacobian("hand_J_foot", 1, 2, {3, 0, 1, 4, 2});
+  using Q = FrameQuantity;
+  for (const Q quantity : {Q::jacobian_in_target, Q::spatial_jacobian, Q::jacobian_derivative})
+    tables.add_frame_function(name_of(quantity), quantity, 1, 2, {3, 0, 1, 4, 2});
+  for (const Q quantity : {Q::frame_bias_acceleration, Q::frame_velocity, Q::frame_acceleration})
+    tables.add_frame_function(name_of(quantity), quantity, 1, 2, {});
   return tables;
 }
 
@@ -181,6 +195,7 @@ std::string failures(bool floating) {
     check_energies(subject, c, checks);
     check_transforms(subject, c, checks);
     check_jacobians(subject, c, checks);
+    check_frame_motions(subject, c, checks);
   }
   return checks.failure_report();
 }
@@ -496,6 +511,50 @@ TEST(Checks, FindAMissingColumn) {
   check_jacobians(Right(robot), Case(robot, s, 0), checks);
   EXPECT_EQ(checks.failure_report().find("FAIL  jacobians"), std::string::npos);
   EXPECT_NE(checks.failure_report().find("FAIL  P4: J qd = velocity"), std::string::npos);
+}
+
+// The linear part of another point.
+TEST(Checks, FindTwistsAboutTheWrongPoint) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> frame_function(int index, const Motion<double>& m) const {
+      const FrameFunction& f = robot_.frame_functions[index];
+      const Matrix<double> found = Right::frame_function(index, m);
+      const Vector<double> p = origin_of(reference::transform(robot_, m.q, f.left, f.right));
+      return stacked(found.head(3), found.tail(3) + skew(p) * found.head(3));
+    }
+  };
+  expect_found<Wrong>(
+      {"jacobians::in_target", "jacobians::spatial", "jacobians: Jd ", "jacobians: Jd_qd", "velocities",
+       "accelerations"});
+}
+
+// The acceleration of the point that is at the origin, which moves on, is not the derivative of the twist.
+TEST(Checks, FindAClassicalAcceleration) {
+  struct Wrong : Right {
+    using Right::Right;
+    Matrix<double> frame_function(int index, const Motion<double>& m) const {
+      const FrameFunction& f = robot_.frame_functions[index];
+      const Matrix<double> found = Right::frame_function(index, m);
+      if (f.quantity != FrameQuantity::frame_acceleration) return found;
+      const Vector<double> V =
+          frame_quantity(robot_, cast<Real>(m), FrameQuantity::frame_velocity, f.left, f.right).cast<double>();
+      return stacked(found.head(3), found.tail(3) + cross(V.head(3), V.tail(3)));
+    }
+  };
+  expect_found<Wrong>({"accelerations"});
+}
+
+// A derivative that leaves out a joint of its chain.
+TEST(Checks, FindColumnsOfOtherJoints) {
+  Tables tables = crooked_tree(false);
+  tables.add_frame_function("trunk_Jd_hand", FrameQuantity::jacobian_derivative, 0, 1, {1, 3});
+  const Robot robot = tables.robot();
+  std::mt19937_64 engine(30);
+  const Sample s = random_sample(engine, robot);
+  Checks checks;
+  check_frame_motions(Right(robot), Case(robot, s, 0), checks);
+  EXPECT_NE(checks.failure_report().find("FAIL  columns"), std::string::npos);
 }
 
 }  // namespace

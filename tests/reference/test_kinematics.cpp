@@ -1,6 +1,7 @@
 // The reference's poses, rates and Jacobians against closed forms and against derivatives of the poses themselves.
 #include <gtest/gtest.h>
 
+#include "robcogen/reference/check_frame_motion.h"
 #include "sample_robots.h"
 
 namespace robcogen::reference {
@@ -144,6 +145,33 @@ TEST(ReferenceKinematics, JacobianPicksColumns) {
   EXPECT_EQ(J.cols(), 2);
   EXPECT_EQ(distance(J.col(0), all.col(3)), 0);
   EXPECT_EQ(distance(J.col(1), all.col(0)), 0);
+}
+
+// Twists with respect to the base, and their derivatives, as parts of those with respect to the ground.
+TEST(ReferenceKinematics, MotionOfTheBaseAddsToMotionWithRespectToIt) {
+  Tables tables = crooked_tree(true);
+  const int base = tables.add_frame("base", 0);
+  const Robot robot = tables.robot();
+  std::mt19937_64 engine(3);
+  const Motion<Real> m = cast<Real>(random_sample(engine, robot).motion);
+  const Vector<Real> w0 = m.base_velocity.head(3), v0 = m.base_velocity.tail(3);
+  const std::vector<LinkMotion<Real>> links = link_motions(robot, m);
+  for (int frame = 0; frame < robot.frames.size; ++frame) {
+    const LinkMotion<Real>& link = links[static_cast<std::size_t>(robot.frames[frame].link)];
+    const Vector<Real> origin(3);
+    const Vector<Real> p = link.position(origin), pd = link.velocity(origin), pdd = link.acceleration(origin);
+    const Vector<Real> w = link.angular_velocity();
+    // wd from R'' = ([wd]x + [w]x [w]x) R, where the second part is symmetric.
+    const Vector<Real> wd = link.angular_acceleration();
+
+    const Vector<Real> V = frame_quantity(robot, m, FrameQuantity::frame_velocity, base, frame);
+    EXPECT_LT(largest(m.base_velocity + V - stacked(w, pd + cross(p, w))), kRounding) << robot.frames[frame].name;
+
+    const Vector<Real> A = frame_quantity(robot, m, FrameQuantity::frame_acceleration, base, frame);
+    const Vector<Real> turning = stacked(cross(w0, V.head(3)), cross(w0, V.tail(3)) + cross(v0, V.head(3)));
+    EXPECT_LT(largest(m.base_acceleration + A + turning - stacked(wd, pdd + cross(pd, w) + cross(p, wd))), kRounding)
+        << robot.frames[frame].name;
+  }
 }
 
 }  // namespace

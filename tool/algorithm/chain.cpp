@@ -22,39 +22,60 @@ std::optional<Motor> motor_of(const PrimitiveTransform& primitive) {
 std::vector<Stretch> chain(const model::KinematicTree& tree, const model::FramePair& frames) {
   const auto transform = model::transform_between(model::motions_of(tree), frames.left.name, frames.right.name);
   if (!transform) throw std::logic_error("the motions of a robot do not connect its frames");
-  std::vector<Stretch> stretches(1);
+  std::vector<Stretch> way(1);
   for (const PrimitiveTransform& primitive : transform->primitives) {
-    stretches.back().primitives.push_back(primitive);
-    stretches.back().motor = motor_of(primitive);
-    if (stretches.back().motor) stretches.emplace_back();
+    way.back().primitives.push_back(primitive);
+    way.back().motor = motor_of(primitive);
+    if (!way.back().motor) continue;
+    way.back().subject = tree.joints[static_cast<std::size_t>(way.back().motor->joint)].name;
+    way.back().passed = "joint " + way.back().subject;
+    way.emplace_back();
   }
-  return stretches;
+  return way;
 }
 
-Pose pose_of(Trace& trace, const Stretch& stretch, const std::vector<Expression>& q) {
-  if (stretch.motor) {
-    const std::string& joint = trace.tree.joints[static_cast<std::size_t>(stretch.motor->joint)].name;
-    trace.section(joint, "past joint " + joint);
-  } else {
+int behind_last_turn(const std::vector<Stretch>& way) {
+  int number = 0;
+  for (std::size_t i = 0; i < way.size(); ++i)
+    for (const PrimitiveTransform& primitive : way[i].primitives)
+      if (primitive.rotation) number = static_cast<int>(i);
+  const std::vector<PrimitiveTransform>& last = way[static_cast<std::size_t>(number)].primitives;
+  const bool ends_by_turning = !last.empty() && last.back().rotation;
+  return ends_by_turning && static_cast<std::size_t>(number) + 1 < way.size() ? number + 1 : number;
+}
+
+Pose pose_of(ProgramTrace& trace, const Stretch& stretch, const std::vector<Expression>& variables) {
+  if (stretch.subject.empty())
     trace.section("end", "to the last frame");
-  }
-  return pose_of(trace, stretch.primitives, q);
+  else
+    trace.section(stretch.subject, "past " + stretch.passed);
+  return pose_of(trace, stretch.primitives, variables);
 }
 
 Reached walk(
-    Trace& trace,
-    const std::vector<Stretch>& chain,
-    const std::vector<Expression>& q,
-    const std::function<void(const Motor&, const Reached&)>& at_joint,
+    ProgramTrace& trace,
+    const std::vector<Stretch>& way,
+    const std::vector<Expression>& variables,
+    const std::function<void(const Stretch&, const Reached&)>& behind,
     int moment_from) {
   Reached here = start(trace.graph, moment_from);
-  for (const Stretch& stretch : chain) {
-    advance(here, pose_of(trace, stretch, q));
-    if (!stretch.motor) continue;
-    at_joint(*stretch.motor, here);
-    name_reached(trace.graph, here, trace.tree.joints[static_cast<std::size_t>(stretch.motor->joint)].name);
+  for (const Stretch& stretch : way) {
+    advance(here, pose_of(trace, stretch, variables));
+    if (stretch.subject.empty()) continue;
+    behind(stretch, here);
+    name_reached(trace.graph, here, stretch.subject);
   }
   return here;
+}
+
+void output_transform(
+    ProgramTrace& trace,
+    const std::vector<Stretch>& way,
+    const std::vector<Expression>& variables,
+    TransformForm form,
+    int moment_from) {
+  const auto nothing = [](const Stretch&, const Reached&) {};
+  output_transform(trace, walk(trace, way, variables, nothing, moment_from), form);
 }
 
 }  // namespace robcogen::algorithm

@@ -1,8 +1,9 @@
-// The way from one frame of a robot to another, past the joints between them.
+// The way from one frame to another: stretches of constant primitives, each with what moves at its end.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithm/reached.h"
@@ -16,26 +17,40 @@ struct Motor {
   bool revolute = true;
 };
 
-// A part of the way that ends with a joint's own motion, so that constant turns merge with the joint's and each joint
-// costs one sine and cosine. The last stretch ends without one.
+// A part of the way. Its last primitive is the one that is no constant, so that the others merge with it and it costs
+// one sine and cosine. The last stretch has constants alone.
 struct Stretch {
   std::vector<model::PrimitiveTransform> primitives;
-  std::optional<Motor> motor;
+  std::string subject;         // what values behind it are called after; empty: the last stretch
+  std::string passed;          // what it leads past: `joint KFE`, `Rx(a - b)`
+  std::optional<Motor> motor;  // of a robot, but for the last stretch
 };
 
 // left_X_right, cut behind each joint.
 std::vector<Stretch> chain(const model::KinematicTree& tree, const model::FramePair& frames);
 
-// Starts the section of a stretch, and makes its pose: of its last frame in its first.
-Pose pose_of(Trace& trace, const Stretch& stretch, const std::vector<Expression>& q);
+// The number of the stretch where turning is over: behind the last turn, or the one that turns before it slides.
+int behind_last_turn(const std::vector<Stretch>& way);
 
-// Walks the whole chain and returns its end. Calls at_joint behind each joint; where it stands, turning about the z
-// axis or sliding along it has left the joint's axis where it was.
+// Starts the section of a stretch, and makes its pose: of its last frame in its first. `variables`: of the model; for
+// robots the joint positions.
+Pose pose_of(ProgramTrace& trace, const Stretch& stretch, const std::vector<Expression>& variables);
+
+// Walks the whole way and returns its end. Calls behind(stretch, here) after each but the last; where a joint ends it,
+// turning about the z axis or sliding along it has left the joint's axis where it was.
 Reached walk(
-    Trace& trace,
-    const std::vector<Stretch>& chain,
-    const std::vector<Expression>& q,
-    const std::function<void(const Motor&, const Reached&)>& at_joint,
+    ProgramTrace& trace,
+    const std::vector<Stretch>& way,
+    const std::vector<Expression>& variables,
+    const std::function<void(const Stretch&, const Reached&)>& behind,
     int moment_from = Reached::kNoStretch);
+
+// left_X_right as the output X, for a way from left to right.
+void output_transform(
+    ProgramTrace& trace,
+    const std::vector<Stretch>& way,
+    const std::vector<Expression>& variables,
+    TransformForm form,
+    int moment_from);
 
 }  // namespace robcogen::algorithm

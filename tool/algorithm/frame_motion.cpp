@@ -129,7 +129,7 @@ Program jacobian_derivative_times_velocity(
     if (stretch.motor) add_joint(target, *stretch.motor, along(*stretch.motor, qd));
     step_back(target, pose);
   }
-  trace.output("a", Role::matrix, Spatial{target.wd, target.acceleration});
+  trace.output("a", Role::frame_bias_acceleration, Spatial{target.wd, target.acceleration});
   return trace.program(name);
 }
 
@@ -139,7 +139,8 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   std::vector<MovingAxis> axes;
   Vector3 w, velocity, last;  // of the frame reached, and of its point at `last`
-  const Reached end = walk(trace, chain(tree, frames), q, [&](const Motor& motor, const Reached& here) {
+  const Reached end = walk(trace, chain(tree, frames), q, [&](const Stretch& stretch, const Reached& here) {
+    const Motor& motor = *stretch.motor;
     velocity += cross(w, here.position - last);
     last = here.position;
     const Vector3 z = column(here.rotation, 2), direction = motor.backward ? -z : z;
@@ -159,7 +160,7 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
     for (const Vector3& part : {axis.revolute ? change : Vector3(), linear})
       columns.insert(columns.end(), part.element.begin(), part.element.end());
   }
-  trace.output("Jd", Role::matrix, 6, static_cast<int>(axes.size()), columns);
+  trace.output("Jd", Role::jacobian_derivative, 6, static_cast<int>(axes.size()), columns);
   return trace.program(name);
 }
 

@@ -10,6 +10,17 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
+Role role_of(JacobianReference reference) {
+  switch (reference) {
+    case JacobianReference::in_target:
+      return Role::jacobian_in_target;
+    case JacobianReference::spatial:
+      return Role::spatial_jacobian;
+    default:
+      return Role::jacobian;
+  }
+}
+
 }  // namespace
 
 Program coordinate_transform(
@@ -17,13 +28,11 @@ Program coordinate_transform(
     const model::FramePair& frames,
     TransformForm form,
     const std::string& name) {
-  const std::vector<Stretch> stretches = chain(tree, frames);
-  return cheapest_transform(form, static_cast<int>(stretches.size()) - 1, [&](int moment_from) {
+  const std::vector<Stretch> way = chain(tree, frames);
+  return cheapest_transform(form, behind_last_turn(way), [&](int moment_from) {
     Trace trace(tree);
     const auto q = trace.joint_input("q", Role::joint_position);
-    const Reached end = walk(
-        trace, stretches, q, [](const Motor&, const Reached&) {}, moment_from);
-    output_transform(trace, end, form);
+    output_transform(trace, way, q, form, moment_from);
     return trace.program(name);
   });
 }
@@ -44,9 +53,9 @@ Program geometric_jacobian(
   const bool back = reference == JacobianReference::in_target;
   const std::vector<Stretch> way = chain(tree, back ? model::FramePair{frames.right, frames.left} : frames);
   std::vector<Axis> axes;
-  const Reached end = walk(trace, way, q, [&](const Motor& motor, const Reached& here) {
+  const Reached end = walk(trace, way, q, [&](const Stretch& stretch, const Reached& here) {
     const Vector3 z = column(here.rotation, 2);
-    axes.push_back({motor.backward != back ? -z : z, here.position, motor.revolute});
+    axes.push_back({stretch.motor->backward != back ? -z : z, here.position, stretch.motor->revolute});
   });
   if (back) std::reverse(axes.begin(), axes.end());
   // Whose velocity the linear part is: that of the target's origin, or of the target's point at the left origin.
@@ -58,7 +67,7 @@ Program geometric_jacobian(
     for (const Vector3& part : {angular, linear})
       columns.insert(columns.end(), part.element.begin(), part.element.end());
   }
-  trace.output("J", Role::jacobian, 6, static_cast<int>(axes.size()), columns);
+  trace.output("J", role_of(reference), 6, static_cast<int>(axes.size()), columns);
   return trace.program(name);
 }
 

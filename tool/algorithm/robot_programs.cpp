@@ -243,14 +243,16 @@ void add_for_jacobians(
     const std::string& prefix = "") {
   for (const model::FramePair& pair : desired.jacobians) {
     const std::string name = pair.left.name + "_" + letter + "_" + pair.right.name;
+    symbolic::Program program = build(pair, prefix + name);
+    const bool has_columns = symbolic::is_jacobian(program.outputs.front().role);
     list.push_back(
         {group,
          scope,
          name,
          {summary(pair.left.name, pair.right.name)},
-         chain_joints(tree, pair),
+         has_columns ? chain_joints(tree, pair) : std::vector<int>{},
          pair,
-         build(pair, prefix + name)});
+         std::move(program)});
   }
 }
 
@@ -259,8 +261,8 @@ std::vector<RobotFunction> jacobians_group(const KinematicTree& tree, const mode
   add_for_jacobians(
       list, tree, desired, "jacobians", "jacobians", "J",
       [](const std::string& left, const std::string& right) {
-        return "Geometric Jacobian: velocity of the origin of " + right + " with respect to " + left +
-               ", in coordinates of " + left + ", angular rows first.";
+        return "Geometric Jacobian: angular velocity of " + right + " and velocity of its origin, with respect to " +
+               left + " and in its axes; angular rows first (Siciliano et al. 2009, ch. 3).";
       },
       [&](const model::FramePair& pair, const std::string& name) { return geometric_jacobian(tree, pair, name); });
   return list;
@@ -273,8 +275,8 @@ std::vector<RobotFunction> jacobian_references_group(
   add_for_jacobians(
       list, tree, desired, "jacobian_references", "jacobians::in_target", "J",
       [](const std::string& left, const std::string& right) {
-        return "Geometric Jacobian: velocity of the origin of " + right + " with respect to " + left + ", in axes of " +
-               right + ", angular rows first.";
+        return "Geometric Jacobian: angular velocity of " + right + " and velocity of its origin, with respect to " +
+               left + ", in axes of " + right + "; angular rows first.";
       },
       [&](const model::FramePair& pair, const std::string& name) {
         return geometric_jacobian(tree, pair, name, JacobianReference::in_target);
@@ -283,8 +285,9 @@ std::vector<RobotFunction> jacobian_references_group(
   add_for_jacobians(
       list, tree, desired, "jacobian_references", "jacobians::spatial", "J",
       [](const std::string& left, const std::string& right) {
-        return "Spatial Jacobian: twist of " + right + " with respect to " + left + " about the origin of " + left +
-               ", in its axes, angular rows first (Featherstone 2008, ch. 2).";
+        return "Spatial Jacobian: twist of " + right + " with respect to " + left + ", in coordinates of " + left +
+               ": angular velocity, then velocity of the point of " + right + " that is at the origin of " + left +
+               "; angular rows first (Featherstone 2008, ch. 2).";
       },
       [&](const model::FramePair& pair, const std::string& name) {
         return geometric_jacobian(tree, pair, name, JacobianReference::spatial);
@@ -300,15 +303,15 @@ std::vector<RobotFunction> jacobian_derivatives_group(
   add_for_jacobians(
       list, tree, desired, "jacobian_derivatives", "jacobians", "Jd",
       [](const std::string& left, const std::string& right) {
-        return "Time derivative of the geometric Jacobian " + left + "_J_" + right + ", column by column.";
+        return "Time derivative of the geometric Jacobian " + left + "_J_" + right + ", angular rows first.";
       },
       [&](const model::FramePair& pair, const std::string& name) { return jacobian_derivative(tree, pair, name); });
   add_for_jacobians(
       list, tree, desired, "jacobian_derivatives", "jacobians", "Jd_qd",
       [](const std::string& left, const std::string& right) {
-        return "Acceleration that velocities cause: angular (rad/s^2) of " + right + " with respect to " + left +
-               ", then linear (m/s^2) of its origin, in axes of " + left + ": the derivative of " + left + "_J_" +
-               right + " times the velocity.";
+        return "Time derivative of " + left + "_J_" + right + " times the joint velocities: what is added to " + left +
+               "_J_" + right + " qdd in the angular acceleration (rad/s^2) of " + right +
+               " and the acceleration (m/s^2) of its origin, with respect to " + left + " and in its axes.";
       },
       [&](const model::FramePair& pair, const std::string& name) {
         return jacobian_derivative_times_velocity(tree, pair, name);
@@ -321,8 +324,9 @@ std::vector<RobotFunction> velocities_group(const KinematicTree& tree, const mod
   add_for_jacobians(
       list, tree, desired, "velocities", "velocities", "V",
       [](const std::string& left, const std::string& right) {
-        return "Twist of " + right + " with respect to " + left + ", about the origin and in axes of " + left +
-               ": angular velocity (rad/s), then velocity of the point at that origin (m/s).";
+        return "Twist of " + right + " with respect to " + left + ", in coordinates of " + left +
+               ": angular velocity (rad/s), then velocity (m/s) of the point of " + right +
+               " that is at the origin of " + left + ".";
       },
       [&](const model::FramePair& pair, const std::string& name) { return frame_velocity(tree, pair, name); });
   return list;
@@ -334,8 +338,8 @@ std::vector<RobotFunction> accelerations_group(const KinematicTree& tree, const 
       list, tree, desired, "accelerations", "accelerations", "A",
       [](const std::string& left, const std::string& right) {
         return "Spatial acceleration of " + right + " with respect to " + left +
-               ": the time derivative of its twist about the origin and in axes of " + left +
-               " (rad/s^2, m/s^2; Featherstone 2008, ch. 2).";
+               ": the time derivative (rad/s^2, m/s^2) of its twist in coordinates of " + left +
+               ", angular first (Featherstone 2008, ch. 2).";
       },
       [&](const model::FramePair& pair, const std::string& name) { return frame_acceleration(tree, pair, name); });
   return list;

@@ -1,9 +1,7 @@
 #include "algorithm/transform_programs.h"
 
-#include <algorithm>
-
+#include "algorithm/chain.h"
 #include "algorithm/merged_primitives.h"
-#include "algorithm/reached.h"
 #include "algorithm/transform_kinds.h"
 
 namespace robcogen::algorithm {
@@ -61,38 +59,17 @@ std::string subject_of(const CoordinateTransforms& document, const Quantity& amo
   return subject;
 }
 
-// Constant primitives merge with the next one that is not, which costs one sine and cosine.
-Reached walk(
-    ProgramTrace& trace,
-    const CoordinateTransforms& document,
-    const std::vector<PrimitiveTransform>& primitives,
-    const std::vector<Expression>& variables,
-    int moment_from) {
-  Reached here = start(trace.graph, moment_from);
-  std::vector<PrimitiveTransform> stretch;
-  for (const PrimitiveTransform& primitive : primitives) {
-    stretch.push_back(primitive);
-    const std::string subject = subject_of(document, primitive.amount);
-    if (subject.empty()) continue;
-    trace.section(subject, "past " + text(document, primitive));
-    advance(here, pose_of(trace, stretch, variables));
-    name_reached(trace.graph, here, subject);
-    stretch.clear();
+// The way past each primitive that is no constant.
+std::vector<Stretch> way_of(const CoordinateTransforms& document, const CoordinateTransform& transform) {
+  std::vector<Stretch> way(1);
+  for (const PrimitiveTransform& primitive : merged(rightwards(document, transform))) {
+    way.back().primitives.push_back(primitive);
+    way.back().subject = subject_of(document, primitive.amount);
+    if (way.back().subject.empty()) continue;
+    way.back().passed = text(document, primitive);
+    way.emplace_back();
   }
-  trace.section("end", "to the last frame");
-  advance(here, pose_of(trace, stretch, variables));
-  return here;
-}
-
-// The number of the stretch behind the last turn.
-int tail_of(const CoordinateTransforms& document, const std::vector<PrimitiveTransform>& primitives) {
-  int stretch = 0, tail = 0;
-  for (const PrimitiveTransform& primitive : primitives) {
-    const bool is_last_of_stretch = !subject_of(document, primitive.amount).empty();
-    if (primitive.rotation) tail = stretch + (is_last_of_stretch ? 1 : 0);
-    if (is_last_of_stretch) ++stretch;
-  }
-  return tail;
+  return way;
 }
 
 }  // namespace
@@ -140,11 +117,11 @@ Program transform_program(
     TransformForm form,
     const std::string& name) {
   const Arguments arguments = arguments_of(document, transform);
-  const std::vector<PrimitiveTransform> primitives = merged(rightwards(document, transform));
-  return cheapest_transform(form, tail_of(document, primitives), [&](int moment_from) {
+  const std::vector<Stretch> way = way_of(document, transform);
+  return cheapest_transform(form, behind_last_turn(way), [&](int moment_from) {
     ProgramTrace trace;
     const std::vector<Expression> variables = declare(trace, document, arguments);
-    output_transform(trace, walk(trace, document, primitives, variables, moment_from), form);
+    output_transform(trace, way, variables, form, moment_from);
     return trace.program(name);
   });
 }

@@ -192,9 +192,7 @@ std::string number_text(double value) {
 
 // A column as a flat array, a matrix as nested rows.
 std::string array_text(const symbolic::OutputArray& array, const std::vector<double>& values) {
-  const bool matrix = array.role == Role::inertia_matrix || array.role == Role::inertia_factor ||
-                      array.role == Role::jacobian || array.role == Role::matrix || array.role == Role::homogeneous ||
-                      array.role == Role::spatial_motion || array.role == Role::spatial_force;
+  const bool matrix = symbolic::is_matrix(array.role);
   const auto row_text = [&](int row) {
     std::vector<std::string> cells;
     for (int column = 0; column < array.columns; ++column)

@@ -37,32 +37,49 @@ struct Statement {
 
 // What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.
 enum class Role {
-  joint_position,      // rad or m
-  joint_velocity,      // rad/s or m/s
-  joint_acceleration,  // rad/s^2 or m/s^2
-  joint_force,         // N m or N
-  gravity,             // 3: m/s^2, base coordinates
-  base_velocity,       // 6: twist, angular first, base coordinates
-  base_acceleration,   // 6: spatial acceleration, base coordinates, gravity not included
-  base_wrench,         // 6: about the base origin, base coordinates
-  link_wrenches,       // 6 per link (base first): about the link origin, link coordinates
-  inertia_matrix,      // symmetric, base rows first for a floating base; or its inverse
-  inertia_factor,      // square: L of such a matrix H = L^T L
-  inverse_diagonal,    // the reciprocals of that factor's diagonal
-  homogeneous,         // 4 x 4
-  spatial_motion,      // 6 x 6, angular first
-  spatial_force,       // 6 x 6, angular first
-  jacobian,            // 6 x k, angular rows first
-  matrix,              // any other matrix, also one of a single row or column
-  frame_velocity,      // 6: twist, angular first
-  frame_acceleration,  // 6: spatial acceleration, angular first
-  position,            // 3: m
-  energy,              // 1: J
-  mass,                // 1: kg
-  parameters,          // kinematics, then dynamics parameters
-  variables,           // of a document of transforms: m or rad
-  value,               // anything else
+  joint_position,           // rad or m
+  joint_velocity,           // rad/s or m/s
+  joint_acceleration,       // rad/s^2 or m/s^2
+  joint_force,              // N m or N
+  gravity,                  // 3: m/s^2, base coordinates
+  base_velocity,            // 6: twist, angular first, base coordinates
+  base_acceleration,        // 6: spatial acceleration, base coordinates, gravity not included
+  base_wrench,              // 6: about the base origin, base coordinates
+  link_wrenches,            // 6 per link (base first): about the link origin, link coordinates
+  inertia_matrix,           // symmetric, base rows first for a floating base; or its inverse
+  inertia_factor,           // square: L of such a matrix H = L^T L
+  inverse_diagonal,         // the reciprocals of that factor's diagonal
+  homogeneous,              // 4 x 4
+  spatial_motion,           // 6 x 6, angular first
+  spatial_force,            // 6 x 6, angular first
+  jacobian,                 // 6 x k, angular rows first: of the right frame's origin, in axes of the left frame
+  jacobian_in_target,       // the same in axes of the right frame
+  spatial_jacobian,         // 6 x k, angular rows first: of twists about the left frame's origin, in its axes
+  jacobian_derivative,      // 6 x k: of `jacobian`, by time
+  matrix,                   // any other matrix, also one of a single row or column
+  frame_velocity,           // 6: twist, angular first
+  frame_acceleration,       // 6: spatial acceleration, angular first
+  frame_bias_acceleration,  // 6: `jacobian_derivative` times the joint velocities
+  position,                 // 3: m
+  energy,                   // 1: J
+  mass,                     // 1: kg
+  parameters,               // kinematics, then dynamics parameters
+  variables,                // of a document of transforms: m or rad
+  value,                    // anything else
 };
+
+// Whether the columns are those of joints of a chain.
+constexpr bool is_jacobian(Role role) {
+  return role == Role::jacobian || role == Role::jacobian_in_target || role == Role::spatial_jacobian ||
+         role == Role::jacobian_derivative;
+}
+
+// Whether a single column is still a matrix, not a vector.
+constexpr bool is_matrix(Role role) {
+  return is_jacobian(role) || role == Role::inertia_matrix || role == Role::inertia_factor ||
+         role == Role::homogeneous || role == Role::spatial_motion || role == Role::spatial_force ||
+         role == Role::matrix;
+}
 
 // Arrays of more than one column are stored column by column.
 struct InputArray {

@@ -76,6 +76,32 @@ struct Jacobian {
   MatrixKernel kernel;  // 6 x column_count
 };
 
+// What functions tell of a pair of frames beside these. Twists and columns of Jacobians are angular first.
+enum class FrameQuantity {
+  jacobian_in_target,       // left_J_right in axes of `right`
+  spatial_jacobian,         // of the twist about the origin and in axes of `left`
+  jacobian_derivative,      // of left_J_right by time
+  frame_bias_acceleration,  // that derivative times qd
+  frame_velocity,           // twist of `right` with respect to `left`, about the origin and in axes of `left`
+  frame_acceleration,       // its derivative by time, in coordinates of `left`
+};
+
+constexpr bool is_jacobian(FrameQuantity quantity) {
+  return quantity == FrameQuantity::jacobian_in_target || quantity == FrameQuantity::spatial_jacobian ||
+         quantity == FrameQuantity::jacobian_derivative;
+}
+
+struct FrameFunction {
+  const char* name;  // the kernel's name
+  FrameQuantity quantity;
+  int left;
+  int right;
+  const int* columns;  // Jacobians: joint index of each column
+  int column_count;    // of the result, which has six rows
+  // As Function::call; the inputs are the first ones of q, qd, qdd.
+  void (*call)(const double* inputs, double* outputs) noexcept;
+};
+
 struct OperationCount {
   int mul;
   int add;
@@ -118,6 +144,7 @@ struct Robot {
   Table<Frame> frames;
   Table<Transform> transforms;
   Table<Jacobian> jacobians;
+  Table<FrameFunction> frame_functions;
   Table<Function> functions;
   // Robots with parameters: `links`, `joints` and `frames` above hold the numbers of the defaults. For other values,
   // `numbers` computes them, in the order of the tables: of a link mass, com and inertia, of joints and frames

@@ -195,7 +195,7 @@ Api api(const Library& library) {
   for (std::size_t i = 0; i < library.functions.size(); ++i) {
     const Function& f = library.functions[i];
     const std::string& name = names.at({f.scope, f.name});
-    const bool jacobian = !f.program.outputs.empty() && f.program.outputs.front().role == Role::jacobian;
+    const bool jacobian = !f.program.outputs.empty() && symbolic::is_jacobian(f.program.outputs.front().role);
     result.callables.push_back(
         {&f, kernel_names[i], name, jacobian ? taken[f.scope].claim(name + "_columns") : "", owner(f.program)});
   }

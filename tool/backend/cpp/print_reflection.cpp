@@ -1,6 +1,8 @@
 // <name>/reflection.h: the tables that the self-check and the benchmark of a robot read.
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "backend/cpp/layout.h"
@@ -87,22 +89,59 @@ Table transforms(const Api& api) {
   return table("Transform", "kTransforms", rows);
 }
 
+// The list of the joints of a Jacobian's columns.
+Table columns_of(const Callable& c) {
+  if (c.function->columns.empty()) return {"", "nullptr"};
+  std::vector<std::string> indices;
+  for (int j : c.function->columns) indices.push_back(std::to_string(j));
+  const std::string name = c.kernel + "_columns";
+  return {numbered_list("inline constexpr int " + name + "[]", indices), name};
+}
+
 Table jacobians(const Api& api) {
   std::vector<std::vector<Field>> rows;
-  std::string columns;
+  std::string lists;
   for (const Callable& c : api.callables) {
-    // Only in the reference that the table means.
-    if (!is_form(c, Role::jacobian) || c.function->scope != "jacobians") continue;
-    std::vector<std::string> indices;
-    for (int j : c.function->columns) indices.push_back(std::to_string(j));
-    const std::string name = indices.empty() ? "nullptr" : c.columns;
-    if (!indices.empty()) columns += numbered_list("inline constexpr int " + name + "[]", indices);
+    if (!is_form(c, Role::jacobian)) continue;
+    const Table columns = columns_of(c);
+    lists += columns.definition;
     rows.push_back(
-        {quoted(c.function->name), c.function->left_frame, c.function->right_frame, name,
-         static_cast<int>(indices.size()), address(c)});
+        {quoted(c.function->name), c.function->left_frame, c.function->right_frame, columns.reference,
+         c.function->program.outputs.front().columns, address(c)});
   }
   Table result = table("Jacobian", "kJacobians", rows);
-  result.definition = paragraphs({columns, result.definition});
+  result.definition = paragraphs({lists, result.definition});
+  return result;
+}
+
+// Functions that the table of FrameFunction is about.
+std::optional<std::string> frame_quantity(const Callable& c) {
+  constexpr std::array kQuantities = {
+      std::pair{Role::jacobian_in_target, "jacobian_in_target"},
+      std::pair{Role::spatial_jacobian, "spatial_jacobian"},
+      std::pair{Role::jacobian_derivative, "jacobian_derivative"},
+      std::pair{Role::frame_bias_acceleration, "frame_bias_acceleration"},
+      std::pair{Role::frame_velocity, "frame_velocity"},
+      std::pair{Role::frame_acceleration, "frame_acceleration"}};
+  for (const auto& [role, name] : kQuantities)
+    if (is_form(c, role)) return std::string("robcogen::reflection::FrameQuantity::") + name;
+  return std::nullopt;
+}
+
+Table frame_functions(const Api& api) {
+  std::vector<std::vector<Field>> rows;
+  std::string lists;
+  for (const Callable& c : api.callables) {
+    const std::optional<std::string> quantity = frame_quantity(c);
+    if (!quantity) continue;
+    const Table columns = columns_of(c);
+    lists += columns.definition;
+    rows.push_back(
+        {quoted(c.kernel), *quantity, c.function->left_frame, c.function->right_frame, columns.reference,
+         c.function->program.outputs.front().columns, "&flat::" + c.kernel});
+  }
+  Table result = table("FrameFunction", "kFrameFunctions", rows);
+  result.definition = paragraphs({lists, result.definition});
   return result;
 }
 
@@ -181,10 +220,10 @@ std::string print_reflection(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   std::vector<std::string> kernels;
   for (const Callable& c : all_callables(api)) kernels.push_back(kernel_declaration(c));
-  std::vector<Table> tables = {links(library),  joints(library), frames(library),
-                               transforms(api), jacobians(api),  functions(api)};
-  std::vector<std::string> remarks = {"name",   "floating base", "links",     "joints",
-                                      "frames", "transforms",    "Jacobians", "functions"};
+  std::vector<Table> tables = {links(library), joints(library),      frames(library), transforms(api),
+                               jacobians(api), frame_functions(api), functions(api)};
+  std::vector<std::string> remarks = {"name",       "floating base", "links",           "joints",   "frames",
+                                      "transforms", "Jacobians",     "frame functions", "functions"};
   if (api.is_parametric()) {
     tables.push_back(parameters(library));
     remarks.insert(remarks.end(), {"parameters", "numbers for their values"});

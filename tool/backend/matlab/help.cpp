@@ -66,9 +66,7 @@ std::string results(const Library& library, const Function& function) {
     text += line(output.name, output.rows, output.columns, meaning(output.role));
   std::vector<std::string> joints;
   for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
-  const Role role = function.program.outputs.front().role;
-  if (!joints.empty() && (role == Role::jacobian || role == Role::matrix))
-    text += comment("    columns: " + joined(joints), 0, 6);
+  if (!joints.empty()) text += comment("    columns: " + joined(joints), 0, 6);
   return text;
 }
 

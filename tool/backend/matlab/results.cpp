@@ -120,7 +120,7 @@ std::string assemble(
   if (output.role == Role::spatial_motion || output.role == Role::spatial_force) return spatial_transform(name, rows);
   if (rows_fit(rows)) return matrix(name, rows);
   if (output.role == Role::inertia_matrix) return symmetric(name, rows);
-  if (output.role == Role::jacobian && columns.size() == rows.front().size())
+  if (symbolic::is_jacobian(output.role) && columns.size() == rows.front().size())
     return column_by_column(name, rows, columns);
   return zeros(name, rows.size(), rows.front().size()) + row_by_row(name, rows);
 }

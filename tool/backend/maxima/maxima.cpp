@@ -104,18 +104,7 @@ std::string describe(const InputArray& array, const std::string& name) {
 }
 
 bool is_matrix(const OutputArray& output) {
-  switch (output.role) {
-    case Role::inertia_matrix:
-    case Role::inertia_factor:
-    case Role::homogeneous:
-    case Role::spatial_motion:
-    case Role::spatial_force:
-    case Role::jacobian:
-    case Role::matrix:
-      return true;
-    default:
-      return output.columns > 1;
-  }
+  return symbolic::is_matrix(output.role) || output.columns > 1;
 }
 
 std::string describe(const OutputArray& output) {

@@ -158,6 +158,17 @@ class CompiledRobot {
     return J;
   }
 
+  // 6 x FrameFunction::column_count.
+  Matrix<double> frame_function(int index, const State& m) const {
+    const reflection::FrameFunction& f = tables_->frame_functions[index];
+    std::vector<double> inputs;
+    if constexpr (kIsParametric<R>) inputs.assign(cache_of(robot_), cache_of(robot_) + R::Parameters::size());
+    for (const Vector<double>* v : {&m.q, &m.qd, &m.qdd}) inputs.insert(inputs.end(), v->data(), v->data() + v->rows());
+    Matrix<double> result(6, f.column_count);
+    f.call(inputs.data(), result.data());
+    return result;
+  }
+
  private:
   using JointState = typename R::JointState;
 
