@@ -48,13 +48,18 @@ struct ModelOptions {
   std::optional<Robot> load() const;
   // The same for a document of motions or transforms.
   std::optional<Transforms> load_transforms() const;
-  // Loads the one or the other, and traces it. With `cached`, functions of a robot with parameters read what follows
-  // from these alone from a cache, and the updates that compute it come last.
-  std::optional<Programs> load_programs(bool cached = false) const;
+  // Loads the one or the other, and traces these groups of it; empty: all. With `cached`, functions of a robot with
+  // parameters read what follows from these alone from a cache, and the updates that compute it come last.
+  std::optional<Programs> load_programs(const std::vector<std::string>& groups = {}, bool cached = false) const;
 
  private:
   Reading reading() const;
 };
+
+// Groups of functions, none where the option is not given. Documents of motions and of transforms have one alone: a
+// Failure when others were asked for.
+void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description);
+void require_groups_of_transforms(const std::vector<std::string>& asked);
 
 ErrorFormat format_of(const std::string& name);
 void declare_error_format(CLI::App& subcommand, std::string& format);

@@ -48,16 +48,6 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// What documents of motions and of transforms offer.
-void require_groups_of_transforms(const std::vector<std::string>& asked) {
-  for (const std::string& group : asked) {
-    if (group == kTransformsGroup) continue;
-    throw Failure{
-        wrong_usage,
-        fmt::format("robcogen: error: --algorithms {} is of robots: motions and transforms have none", group)};
-  }
-}
-
 // What was asked for of what the language offers, in canonical order. A Failure when it was asked for what it does not
 // offer.
 std::vector<std::string> groups_of(const backend::Language& language, const std::vector<std::string>& asked) {
@@ -216,8 +206,7 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
   subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b");
   const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
-  subcommand->add_option("--algorithms", options->groups, "What to generate; default " + default_groups)
-      ->check(CLI::IsMember(algorithm::groups()));
+  declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(CLI::IsMember(language_names()));
   subcommand

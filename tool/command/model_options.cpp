@@ -1,10 +1,22 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "command/command.h"
 
 namespace robcogen::command {
+namespace {
+
+// Those of all groups that were asked for, or all, in canonical order.
+std::vector<std::string> ordered_groups(const std::vector<std::string>& asked) {
+  std::vector<std::string> ordered;
+  for (const std::string& group : algorithm::groups())
+    if (asked.empty() || std::count(asked.begin(), asked.end(), group) > 0) ordered.push_back(group);
+  return ordered;
+}
+
+}  // namespace
 
 std::string dotted(const std::string& scope, const std::string& name) {
   std::string result = scope.empty() ? name : scope + "::" + name;
@@ -41,6 +53,19 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
                        "are for URDF; '{}' "
                        "says such things itself",
                        model.string())};
+}
+
+void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
+  subcommand.add_option("--algorithms", groups, description)->delimiter(',')->check(CLI::IsMember(algorithm::groups()));
+}
+
+void require_groups_of_transforms(const std::vector<std::string>& asked) {
+  for (const std::string& group : asked) {
+    if (group == kTransformsGroup) continue;
+    throw Failure{
+        wrong_usage,
+        fmt::format("robcogen: error: --algorithms {} is of robots: motions and transforms have none", group)};
+  }
 }
 
 void ModelOptions::declare(CLI::App& subcommand) {
@@ -83,8 +108,9 @@ std::optional<Transforms> ModelOptions::load_transforms() const {
   return transforms;
 }
 
-std::optional<Programs> ModelOptions::load_programs(bool cached) const {
+std::optional<Programs> ModelOptions::load_programs(const std::vector<std::string>& groups, bool cached) const {
   if (is_transforms(model)) {
+    require_groups_of_transforms(groups);
     const std::optional<Transforms> transforms = load_transforms();
     if (!transforms) return std::nullopt;
     const model::CoordinateTransforms& document = transforms->document;
@@ -109,12 +135,12 @@ std::optional<Programs> ModelOptions::load_programs(bool cached) const {
           robot->tree.floating_base ? "floating" : "fixed"),
       {}};
   if (cached) {
-    backend::Library library = library_with_cache(*robot, {}, algorithm::groups(), passes);
+    backend::Library library = library_with_cache(*robot, {}, ordered_groups(groups), passes);
     for (std::vector<backend::Function>* functions : {&library.functions, &library.updates})
       for (backend::Function& f : *functions) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
     return programs;
   }
-  for (algorithm::RobotFunction& f : trace(*robot, algorithm::groups(), passes))
+  for (algorithm::RobotFunction& f : trace(*robot, ordered_groups(groups), passes))
     programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;
 }

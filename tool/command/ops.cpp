@@ -12,6 +12,7 @@ namespace {
 
 struct Options {
   ModelOptions model;
+  std::vector<std::string> groups;
   bool json = false;
 };
 
@@ -64,9 +65,10 @@ Action declare_ops(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a model's functions");
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
+  declare_groups(*subcommand, options->groups, "What to count; default all");
   subcommand->add_flag("--json", options->json, "Machine-readable");
   return [options] {
-    const std::optional<Programs> programs = options->model.load_programs(true);
+    const std::optional<Programs> programs = options->model.load_programs(options->groups, true);
     if (!programs) return wrong_input;
     const std::vector<Row> table = rows(*programs);
     options->json ? print_json(*programs, table) : print_table(*programs, table);

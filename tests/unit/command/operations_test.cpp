@@ -77,6 +77,16 @@ TEST(Operations, OurRobots) {
                      {"forward_dynamics", 66, 49, 2, 82}});
 }
 
+TEST(Operations, OfGroups) {
+  const Outcome run = run_tool("ops --json --algorithms energy,inverse_dynamics -- " + quoted(robot("hyl")));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  std::vector<std::string> names;
+  const nlohmann::json report = nlohmann::json::parse(run.output);
+  for (const nlohmann::json& f : report["functions"]) names.push_back(f["name"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"inverse_dynamics", "kinetic_energy", "potential_energy"}));
+  EXPECT_EQ(run_tool("ops --algorithms walking -- " + quoted(robot("hyl"))).status, 2);
+}
+
 // A class of such legs within the same bounds: what follows from the parameters counts with their updates.
 TEST(Operations, RobotsWithParameters) {
   expect_within(

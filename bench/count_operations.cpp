@@ -1,0 +1,99 @@
+// Keeps operation counts from rising.
+//
+//     count_operations check  <file> <generator> <groups> <robot>=<document> …
+//     count_operations update <file> <generator> <groups> <robot>=<document> …
+//
+// `check` counts the functions of these robots anew and compares with the file: exit status 1, and a line for each,
+// when one rose or is gone; 77 when none did but some fell or are new. `update` writes the file. `groups` are the
+// groups of functions, separated by commas. Exit status 2: usage, input or output.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "counts.h"
+#include "machine.h"
+
+namespace robcogen::bench {
+namespace {
+
+constexpr int kWorse = 1, kWrong = 2, kOther = 77;
+
+struct Arguments {
+  bool update = false;
+  std::string file, generator, groups;
+  std::vector<std::pair<std::string, std::string>> robots;  // names and documents
+};
+
+Arguments read_arguments(const std::vector<std::string>& words) {
+  const std::string usage = "usage: count_operations check|update <file> <generator> <groups> <robot>=<document> ...";
+  if (words.size() < 5 || (words[0] != "check" && words[0] != "update")) throw std::runtime_error(usage);
+  Arguments arguments = {words[0] == "update", words[1], words[2], words[3], {}};
+  for (std::size_t i = 4; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    if (equals == std::string::npos) throw std::runtime_error(usage);
+    arguments.robots.emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
+  }
+  return arguments;
+}
+
+Counts count(const Arguments& arguments) {
+  Counts counts;
+  for (const auto& [robot, document] : arguments.robots) {
+    const std::string command = fmt::format(
+        "{} ops --json --algorithms {} -- {}", quoted(arguments.generator), quoted(arguments.groups), quoted(document));
+    const std::optional<std::string> output = output_of(command);
+    if (!output) throw std::runtime_error(command + " failed");
+    counts[robot] = read_operations(*output);
+  }
+  return counts;
+}
+
+int update(const Arguments& arguments) {
+  std::ofstream file(arguments.file, std::ios::binary);
+  file << counts_text(count(arguments));
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + arguments.file);
+  fmt::print("written: {}\n", arguments.file);
+  return 0;
+}
+
+int check(const Arguments& arguments) {
+  std::ifstream file(arguments.file, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + arguments.file);
+  Counts before = read_counts({std::istreambuf_iterator<char>(file), {}});
+  Changes all;
+  for (const auto& [robot, functions] : count(arguments)) {
+    const Changes found = changes(robot, before[robot], functions);
+    all.worse.insert(all.worse.end(), found.worse.begin(), found.worse.end());
+    all.other.insert(all.other.end(), found.other.begin(), found.other.end());
+  }
+  constexpr const char* kHow = "run cmake --build <build folder> --target update_counts, and commit bench/counts.json.";
+  if (!all.worse.empty()) {
+    fmt::print("{}\nOperation counts rose. Where that is meant, {}\n", fmt::join(all.worse, "\n"), kHow);
+    return kWorse;
+  }
+  if (!all.other.empty()) {
+    fmt::print("{}\nOperation counts fell, or are new. To keep them so, {}\n", fmt::join(all.other, "\n"), kHow);
+    return kOther;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace robcogen::bench
+
+int main(int argc, char** argv) {
+  try {
+    const auto arguments = robcogen::bench::read_arguments({argv + 1, argv + argc});
+    return arguments.update ? robcogen::bench::update(arguments) : robcogen::bench::check(arguments);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "count_operations: {}\n", e.what());
+    return robcogen::bench::kWrong;
+  }
+}

@@ -1,0 +1,37 @@
+// The operation counts of all robots: one file that is committed, and how the generator's present counts differ from
+// it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace robcogen::bench {
+
+// What is counted, in the order of the numbers of a function.
+extern const std::vector<std::string> kCounted;
+
+// A function and its numbers.
+using Counted = std::pair<std::string, std::vector<long>>;
+
+// By robot, functions in the order in which the generator lists them.
+using Counts = std::map<std::string, std::vector<Counted>>;
+
+// Of the output of `robcogen ops --json`. Throws nlohmann::json::exception when it is no such thing.
+std::vector<Counted> read_operations(const std::string& json);
+
+// The text of a file of counts, a line for each function, and back. Reading throws nlohmann::json::exception, or
+// std::runtime_error for numbers of other things than kCounted.
+std::string counts_text(const Counts& counts);
+Counts read_counts(const std::string& text);
+
+// A line each: `Leg, inverse_dynamics: mul 30 -> 33`.
+struct Changes {
+  std::vector<std::string> worse;  // numbers that rose, functions that are gone
+  std::vector<std::string> other;  // numbers that fell, functions that are new
+};
+
+Changes changes(const std::string& robot, const std::vector<Counted>& before, const std::vector<Counted>& now);
+
+}  // namespace robcogen::bench
