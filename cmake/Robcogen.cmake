@@ -12,6 +12,9 @@
 #                                   # joint_space_inertia_factor centroidal energy transforms jacobians, which a robot
 #                                   # gets without it, and coriolis_matrix jacobian_references jacobian_derivatives
 #                                   # velocities accelerations; or `all`
+#       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: four to eight times as
+#                                   # much to compile. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for what the
+#                                   # compiler does unasked, to be chosen from when a program runs
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [IMPORT_DIRS dir…]          # where the documents' imports are looked for, before ROBCOGEN_IMPORT_DIRS
@@ -52,7 +55,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -77,10 +80,18 @@ function(robcogen_add_robot)
     return()
   endif()
   _robcogen_generated_files(${library_NAME} "${library_groups}" headers sources)
+  if(library_BATCH)
+    _robcogen_batch_files(${library_NAME} "${library_groups}" batch_headers batch_sources)
+    list(APPEND headers ${batch_headers})
+    list(APPEND sources ${batch_sources})
+  endif()
   list(TRANSFORM headers PREPEND ${library_OUTPUT_DIR}/)
   list(TRANSFORM sources PREPEND ${library_OUTPUT_DIR}/)
   _robcogen_add_codegen(${library_TARGET}_codegen)
   _robcogen_add_library(${library_TARGET})
+  if(library_BATCH)
+    _robcogen_set_levels()
+  endif()
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_selfcheck(${library_TARGET}_selfcheck)
     _robcogen_add_allocations(${library_TARGET}_allocations)
@@ -150,6 +161,43 @@ function(_robcogen_generated_files name chosen headers sources)
   set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
+# The same for what BATCH adds.
+function(_robcogen_batch_files name chosen headers sources)
+  get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
+  _robcogen_header(${name} batch header)
+  set(header_list ${header})
+  set(source_list ${name}/batch.cpp)
+  foreach(group IN LISTS groups)
+    if(group IN_LIST chosen)
+      list(APPEND header_list ${name}/batch/${group}.h)
+      foreach(level baseline avx2 avx512)
+        list(APPEND source_list ${name}/batch/${group}_${level}.cpp)
+      endforeach()
+    endif()
+  endforeach()
+  set(${headers} ${header_list} PARENT_SCOPE)
+  set(${sources} ${source_list} PARENT_SCOPE)
+endfunction()
+
+# Compiles each source of a batch for its processor. What these sources share with others are functions of C that the
+# compiler does not inline; all else in them has internal linkage or a name that says for which processor it is. (See
+# robcogen/lanes.h.)
+function(_robcogen_set_levels)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$" OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    return()
+  endif()
+  set(avx2 -mavx2 -mfma)
+  set(avx512 ${avx2} -mavx512f -mavx512dq -mavx512vl)
+  # clang fuses products into sums within one expression only, and not through the operators of a class. Roots of lanes
+  # are inlined where they need not report errors.
+  set(all -fno-math-errno $<$<CXX_COMPILER_ID:Clang>:-ffp-contract=fast>)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "/batch/[a-z_]+_(baseline|avx2|avx512)\\.cpp$")
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${${CMAKE_MATCH_1}} ${all})
+    endif()
+  endforeach()
+endfunction()
+
 # The rule's output is a stamp and the files are its by-products, because the tool leaves a file that would not change
 # untouched: as outputs they would look out of date to Make for ever.
 function(_robcogen_add_codegen target)
@@ -183,6 +231,9 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_ALGORITHMS)
     list(APPEND arguments --algorithms ${library_ALGORITHMS})
+  endif()
+  if(library_BATCH)
+    list(APPEND arguments --batch)
   endif()
   if(library_FLOATING_BASE)
     list(APPEND arguments --floating-base)

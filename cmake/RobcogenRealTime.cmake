@@ -11,11 +11,12 @@
 # What the program cannot see, as the compiler reports no stack use or there is no nm, it says and leaves out.
 cmake_minimum_required(VERSION 3.25)
 
-# Mathematics, blocks of memory that compilers copy and clear, stack protection, position-independent code.
+# Mathematics, blocks of memory that compilers copy and clear, what the processor can (found out before main), stack protection, position-independent code.
 set(allowed
     "sin|cos|tan|sincos|sqrt"
     "sinf|cosf|tanf|sincosf|sqrtf"
     "memcpy|memset|memmove"
+    "__cpu_model|__cpu_indicator_init"
     "__stack_chk_fail|__stack_chk_guard|__stack_chk_fail_local"
     "_GLOBAL_OFFSET_TABLE_")
 # What the user's own instrumentation adds. Its frames say nothing about those of the plain library.

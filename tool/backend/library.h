@@ -133,6 +133,7 @@ struct Library {
   // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
   std::vector<Function> numbers;
   PrimitiveConvention primitives = PrimitiveConvention::none;
+  bool has_batches = false;  // each function also over many states at once: C++, robots
 
   bool has_robot() const { return !links.empty(); }
 };

@@ -23,6 +23,7 @@ struct Options {
   std::string primitives;  // convention; empty: no products
   std::vector<std::string> import_dirs;
   std::string depfile, depfile_target, stamp;
+  bool has_batches = false;
   bool list_outputs = false;
 };
 
@@ -120,7 +121,8 @@ Status write_libraries(const Options& options, const std::vector<fs::path>& read
   std::vector<Listed> lists;
   std::string hash;
   for (const backend::Language* language : languages_of(options)) {
-    const backend::Library lib = library_for(*language);
+    backend::Library lib = library_for(*language);
+    lib.has_batches = options.has_batches;
     hash = lib.model_hash;
     std::vector<OutputFile> printed = language->print(lib);
     if (language->name == "cpp") {
@@ -157,6 +159,8 @@ Status generate_robot(const Options& options) {
 
 Status generate_transforms(const Options& options) {
   require_groups_of_transforms(options.groups);
+  if (options.has_batches)
+    throw Failure{wrong_usage, "robcogen: error: --batch is of robots: motions and transforms have none"};
   for (const backend::Language* language : languages_of(options))
     if (!language->takes_transforms)
       throw Failure{
@@ -182,7 +186,7 @@ Status list_outputs(const Options& options) {
     if (language->name != "cpp") continue;
     const std::vector<std::string> groups =
         transforms ? std::vector<std::string>{kTransformsGroup} : groups_of(*language, options.groups);
-    for (const std::string& file : backend::cpp::outputs(options.names.name, groups, !transforms))
+    for (const std::string& file : backend::cpp::outputs(options.names.name, groups, !transforms, options.has_batches))
       fmt::print("{}\n", file);
   }
   return ok;
@@ -207,6 +211,9 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b");
   const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
   declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
+  subcommand->add_flag(
+      "--batch", options->has_batches,
+      "cpp: each function also over many states at once, compiled for several processors; robots only");
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(CLI::IsMember(language_names()));
   subcommand

@@ -214,6 +214,11 @@ std::string type_of(const InputArray& input) {
   return name.empty() ? matrix_type(static_cast<int>(input.elements.size()), 1) : name;
 }
 
+std::string type_of(const OutputArray& output) {
+  const std::string name = alias(output.role);
+  return name.empty() ? matrix_type(output.rows, output.columns) : name;
+}
+
 bool is_kept(Role role) {
   return role == Role::inertia_factor || role == Role::inverse_diagonal;
 }
@@ -228,11 +233,7 @@ bool returns_object(const Program& program) {
 
 std::string result_type(const Program& program) {
   if (returns_object(program)) return kFactorType;
-  if (program.outputs.size() == 1) {
-    const OutputArray& output = program.outputs.front();
-    const std::string name = alias(output.role);
-    return name.empty() ? matrix_type(output.rows, output.columns) : name;
-  }
+  if (program.outputs.size() == 1) return type_of(program.outputs.front());
   if (program.outputs.size() == 2) {
     const Role first = program.outputs[0].role, second = program.outputs[1].role;
     if (first == Role::joint_force && second == Role::base_acceleration) return "InverseDynamics";

@@ -74,6 +74,7 @@ std::vector<std::string> scopes(const Api& api, const std::string& group);
 std::string matrix_type(int rows, int columns);
 // C++ type of an input, and of what a function returns. The names are aliases of types.h.
 std::string type_of(const symbolic::InputArray& input);
+std::string type_of(const symbolic::OutputArray& output);
 std::string result_type(const symbolic::Program& program);
 // What such outputs make together is a type of the library's own, printed where its functions are: they are kept, and
 // functions that read them are its members.

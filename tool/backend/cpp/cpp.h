@@ -12,7 +12,8 @@ namespace robcogen::backend::cpp {
 std::vector<std::string> outputs(
     const std::string& name,
     const std::vector<std::string>& groups,
-    bool has_robot = true);
+    bool has_robot = true,
+    bool has_batches = false);
 
 std::vector<OutputFile> print(const Library& library);
 

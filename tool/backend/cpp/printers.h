@@ -20,6 +20,13 @@ std::string source_path(const std::string& name, const std::string& group);
 // The file stem, and the group, of what only robots with parameters have.
 inline constexpr const char* kParameters = "parameters";
 
+// The file stem of functions over many states, and the processors that these are compiled for, by the enumerators of
+// robcogen::batch::Level: bodies of a group, and their instantiations for one of them.
+inline constexpr const char* kBatch = "batch";
+inline constexpr const char* kLevels[] = {"baseline", "avx2", "avx512"};
+std::string batch_path(const std::string& name, const std::string& group);
+std::string batch_source_path(const std::string& name, const std::string& group, const std::string& level);
+
 // First lines of every file: what it is, from which model.
 std::string banner(const Library& library, const std::string& path, const std::string& what);
 // Refuses a runtime that the text was not made for.
@@ -41,6 +48,15 @@ std::string print_robot(const Api& api, const std::string& path);
 std::string print_reflection(const Api& api, const std::string& path);
 // In the place of print_reflection, where there is no robot.
 std::string print_factors(const Api& api, const std::string& path);
+// Functions over many states: the interface, the choice of a processor's bodies, the bodies.
+std::string print_batch(const Api& api, const std::string& path);
+std::string print_batch_choice(const Api& api, const std::string& path);
+std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path);
+std::string print_batch_level(
+    const Api& api,
+    const std::string& group,
+    const std::string& level,
+    const std::string& path);
 std::string print_umbrella(const Api& api, const std::string& path);
 
 }  // namespace robcogen::backend::cpp

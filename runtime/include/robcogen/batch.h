@@ -1,0 +1,160 @@
+// What functions over many states take: arrays of a layout that is always said.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+// Whether batches are compiled for several processors, to be chosen from when the program runs.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define ROBCOGEN_BATCH_LEVELS 1
+#else
+#define ROBCOGEN_BATCH_LEVELS 0
+#endif
+
+namespace Eigen {
+template <class Derived>
+struct EigenBase;
+}
+
+namespace robcogen::batch {
+
+// The processors that a batch is compiled for: what the library's own options say; AVX2 and FMA (x86-64-v3), four
+// doubles or eight floats at once; AVX-512 F, DQ and VL, eight or sixteen.
+enum class Level { baseline, avx2, avx512 };
+
+// The highest one that this machine has. Reads what the program found out before `main`.
+inline Level best_level() noexcept {
+#if ROBCOGEN_BATCH_LEVELS
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return Level::baseline;
+  const bool has_512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+  return has_512 && __builtin_cpu_supports("avx512vl") ? Level::avx512 : Level::avx2;
+#else
+  return Level::baseline;
+#endif
+}
+
+// The level that is asked for, or the highest one that there is.
+inline Level available(Level most) noexcept {
+  const Level best = best_level();
+  return most < best ? most : best;
+}
+
+inline constexpr bool kHasLevels = ROBCOGEN_BATCH_LEVELS != 0;
+
+// Element k of state i stands at data[k * element + i * state].
+template <class Number>
+struct Strided {
+  Number* data;
+  std::ptrdiff_t element;
+  std::ptrdiff_t state;
+};
+
+// Stands for the type of one state's value where a plain array of numbers is given.
+struct AnyVector {};
+
+// Structure of arrays: element k of state i stands at data[k * stride + i]. Fastest: states are loaded as they stand.
+template <class Value, class Number>
+struct ByElement {
+  Number* data;
+  std::ptrdiff_t stride;
+};
+
+// Array of structures: element k of state i stands at data[i * stride + k].
+template <class Value, class Number>
+struct ByState {
+  Number* data;
+  std::ptrdiff_t stride;  // 0: states stand without gaps
+};
+
+// `stride` is at least the number of states. One that is a multiple of 4096 bytes, as of 512 doubles, makes elements of
+// a state compete for one place in the cache: add 8.
+template <class Value = AnyVector, class Number>
+ByElement<Value, Number> by_element(Number* data, std::ptrdiff_t stride) noexcept {
+  static_assert(std::is_floating_point_v<Number>, "numbers, element by element");
+  return {data, stride};
+}
+
+namespace detail {
+
+template <class T, bool kIsNumber = std::is_floating_point_v<T>>
+struct NumberOf {
+  using type = T;
+};
+template <class T>
+struct NumberOf<T, false> {
+  using type = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const T&>().data())>>;
+};
+
+// Numbers without a meaning of their own, that may be given as such: Eigen's vectors and matrices, and single numbers.
+// Twists, gravity and their like are named where they are given: by_state<Twist>(…).
+template <class T>
+constexpr bool kIsPlain = std::is_floating_point_v<T> || std::is_base_of_v<Eigen::EigenBase<T>, T>;
+
+template <class Value, class T>
+constexpr bool kFits = std::is_same_v<Value, T> || (std::is_same_v<Value, AnyVector> && kIsPlain<T>);
+
+// Whether an argument of type T takes numbers From that mean a Value.
+template <class T, class Value, class Number, class From>
+constexpr bool kTakes = kFits<Value, T>&& std::is_same_v<std::remove_const_t<From>, Number>;
+
+template <class T>
+constexpr std::ptrdiff_t kElements = sizeof(T) / sizeof(typename NumberOf<T>::type);
+
+}  // namespace detail
+
+// `stride` is at least the number of elements of a state; without it, states stand without gaps.
+template <class Value = AnyVector, class Number, class = std::enable_if_t<std::is_floating_point_v<Number>>>
+ByState<Value, Number> by_state(Number* data, std::ptrdiff_t stride = 0) noexcept {
+  return {data, stride};
+}
+
+// An array of values: of Eigen's vectors, of twists, …
+template <class T, class = std::enable_if_t<!std::is_floating_point_v<T>>>
+auto by_state(T* states) noexcept {
+  using Value = std::remove_const_t<T>;
+  using Plain = typename detail::NumberOf<Value>::type;
+  using Number = std::conditional_t<std::is_const_v<T>, const Plain, Plain>;
+  static_assert(sizeof(Value) % sizeof(Number) == 0 && std::is_standard_layout_v<Value>, "numbers without gaps");
+  return ByState<Value, Number>{reinterpret_cast<Number*>(states), 0};
+}
+
+// An argument of a function over many states, a T each.
+template <class T>
+class Input {
+ public:
+  using Number = typename detail::NumberOf<T>::type;
+
+  template <class Value, class From, class = std::enable_if_t<detail::kTakes<T, Value, Number, From>>>
+  Input(const ByElement<Value, From>& states) noexcept : array_{states.data, states.stride, 1} {}
+  template <class Value, class From, class = std::enable_if_t<detail::kTakes<T, Value, Number, From>>>
+  Input(const ByState<Value, From>& states) noexcept
+      : array_{states.data, 1, states.stride != 0 ? states.stride : detail::kElements<T>} {}
+  // The same in all states. It must live as long as the call.
+  Input(const T& value) noexcept : array_{reinterpret_cast<const Number*>(&value), 1, 0} {}
+
+  const Strided<const Number>& array() const noexcept { return array_; }
+
+ private:
+  Strided<const Number> array_;
+};
+
+// A result of a function over many states, a T each. It must not overlap an argument.
+template <class T>
+class Output {
+ public:
+  using Number = typename detail::NumberOf<T>::type;
+
+  template <class Value, class = std::enable_if_t<detail::kFits<Value, T>>>
+  Output(const ByElement<Value, Number>& states) noexcept : array_{states.data, states.stride, 1} {}
+  template <class Value, class = std::enable_if_t<detail::kFits<Value, T>>>
+  Output(const ByState<Value, Number>& states) noexcept
+      : array_{states.data, 1, states.stride != 0 ? states.stride : detail::kElements<T>} {}
+
+  const Strided<Number>& array() const noexcept { return array_; }
+
+ private:
+  Strided<Number> array_;
+};
+
+}  // namespace robcogen::batch

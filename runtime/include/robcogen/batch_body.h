@@ -1,0 +1,79 @@
+// What generated functions over many states are made of: a block of states at a time, one in each lane.
+#pragma once
+
+#include <cstddef>
+
+#include "robcogen/batch.h"
+#include "robcogen/lanes.h"
+
+namespace robcogen::batch {
+namespace {  // each file's own, as lanes are
+
+// The states of one block, of `count` that there are. In the last block, lanes without a state repeat the last one, so
+// that nothing is read or written beyond.
+template <class Scalar>
+class Block {
+ public:
+  using Value = NativeLanes<Scalar>;
+  static constexpr int kSize = lanes::kInRegister<Scalar>;
+
+  explicit Block(std::ptrdiff_t count) noexcept : count_(count) {}
+
+  bool is_left() const noexcept { return first_ < count_; }
+  void advance() noexcept { first_ += kSize; }
+
+  template <int kElements>
+  void load(const Strided<const Scalar>& from, Value* to) const noexcept {
+    const Scalar* data = from.data + first_ * from.state;
+    if (left() < kSize) {
+      load_some(from, kElements, to);
+    } else if (from.state == 1) {
+      for (int k = 0; k < kElements; ++k) to[k] = Value::load(data + k * from.element);
+    } else {
+      for (int k = 0; k < kElements; ++k) to[k] = Value::gather(data + k * from.element, from.state);
+    }
+  }
+
+  template <int kElements>
+  void store(const Value* from, const Strided<Scalar>& to) const noexcept {
+    Scalar* data = to.data + first_ * to.state;
+    if (left() < kSize) {
+      store_some(from, kElements, to);
+    } else if (to.state == 1) {
+      for (int k = 0; k < kElements; ++k) from[k].store(data + k * to.element);
+    } else {
+      for (int k = 0; k < kElements; ++k) from[k].scatter(data + k * to.element, to.state);
+    }
+  }
+
+ private:
+  std::ptrdiff_t left() const noexcept { return count_ - first_; }
+
+  void load_some(const Strided<const Scalar>& from, int elements, Value* to) const noexcept {
+    for (int k = 0; k < elements; ++k) {
+      Scalar numbers[kSize];
+      for (int i = 0; i < kSize; ++i) {
+        const std::ptrdiff_t state = i < left() ? first_ + i : count_ - 1;
+        numbers[i] = from.data[k * from.element + state * from.state];
+      }
+      to[k] = Value::load(numbers);
+    }
+  }
+
+  void store_some(const Value* from, int elements, const Strided<Scalar>& to) const noexcept {
+    for (int k = 0; k < elements; ++k)
+      for (int i = 0; i < left(); ++i) to.data[k * to.element + (first_ + i) * to.state] = from[k][i];
+  }
+
+  std::ptrdiff_t first_ = 0;
+  std::ptrdiff_t count_;
+};
+
+// Numbers that all states share, in all lanes.
+template <class Scalar>
+void spread(const Scalar* from, int count, NativeLanes<Scalar>* to) noexcept {
+  for (int i = 0; i < count; ++i) to[i] = NativeLanes<Scalar>(from[i]);
+}
+
+}  // namespace
+}  // namespace robcogen::batch

@@ -1,0 +1,295 @@
+// Functions over many states: <name>/batch.h, Eigen types over arrays, and what the library compiles beneath it,
+// <name>/batch.cpp, which chooses the bodies for the processor that it runs on, and the bodies, <name>/batch/<group>.h,
+// instantiated in a source for each processor.
+#include <algorithm>
+#include <cmath>
+
+#include "backend/cpp/layout.h"
+#include "backend/cpp/lower.h"
+#include "backend/cpp/printers.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Program;
+using symbolic::Role;
+
+// An array of a function: what a state has of it. Parameters belong to all states.
+struct Array {
+  std::string name;
+  std::string type;  // of one state
+  int size = 0;
+  bool is_output = false;
+  bool is_parameters = false;
+  bool is_gravity = false;
+};
+
+std::string input_type(const InputArray& input) {
+  const auto size = static_cast<int>(input.elements.size());
+  if (input.role != Role::inertia_factor) return type_of(input);
+  const auto rows = static_cast<int>(std::lround(std::sqrt(size)));
+  return matrix_type(rows, rows);
+}
+
+// Inputs, then outputs, as the kernel has them.
+std::vector<Array> arrays(const Program& program) {
+  std::vector<Array> result;
+  const std::vector<Parameter> names = parameters(program);
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    const InputArray& input = program.inputs[i];
+    const auto size = static_cast<int>(input.elements.size());
+    result.push_back(
+        {names[i].name, input_type(input), size, false, input.role == Role::parameters, input.role == Role::gravity});
+  }
+  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+    const OutputArray& output = program.outputs[i];
+    const std::string& name = names[program.inputs.size() + i].name;
+    result.push_back({name, type_of(output), output.rows * output.columns, true, false, false});
+  }
+  return result;
+}
+
+// What compiled functions take of an array.
+std::string strided(const Array& array, const std::string& scalar) {
+  if (array.is_parameters) return "const " + scalar + "*";
+  return "const robcogen::batch::Strided<" + std::string(array.is_output ? "" : "const ") + scalar + ">&";
+}
+
+// Parameters, the number of states, then the others; `with_names` or types alone.
+std::vector<std::string> compiled_parameters(const Program& program, const std::string& scalar, bool with_names) {
+  const auto name = [&](const std::string& n) { return with_names ? " " + n : ""; };
+  std::vector<std::string> list, others;
+  for (const Array& a : arrays(program)) (a.is_parameters ? list : others).push_back(strided(a, scalar) + name(a.name));
+  list.push_back("std::ptrdiff_t" + name("n"));
+  list.insert(list.end(), others.begin(), others.end());
+  return list;
+}
+
+// The same as arguments.
+std::vector<std::string> passed_on(const Program& program) {
+  std::vector<std::string> list, others;
+  for (const Array& a : arrays(program)) (a.is_parameters ? list : others).push_back(a.name);
+  list.emplace_back("n");
+  list.insert(list.end(), others.begin(), others.end());
+  return list;
+}
+
+std::vector<const Callable*> callables_of(const Api& api, const std::string& group) {
+  std::vector<const Callable*> result;
+  for (const Callable& c : api.callables)
+    if (c.function->group == group) result.push_back(&c);
+  return result;
+}
+
+// `template <Level, class Scalar> void f(…) noexcept`, without its end.
+std::string body_declaration(const Callable& callable, const std::string& tail) {
+  return "template <robcogen::batch::Level kLevel, class Scalar>\n" +
+         declaration("void " + callable.kernel, compiled_parameters(callable.function->program, "Scalar", true), tail);
+}
+
+// Declared in the interface, and defined where the processor is chosen.
+std::string chooser_declaration(const Callable& callable, const std::string& tail) {
+  std::vector<std::string> list = compiled_parameters(callable.function->program, "Scalar", true);
+  list.emplace_back("robcogen::batch::Level most");
+  return "template <class Scalar>\n" + declaration("void " + callable.kernel, list, tail);
+}
+
+std::string chooser(const Callable& callable) {
+  const std::vector<std::string> arguments = passed_on(callable.function->program);
+  const auto body = [&](const std::string& level) {
+    return "body::" + callable.kernel + "<robcogen::batch::Level::" + level + ", Scalar>";
+  };
+  std::string text = chooser_declaration(callable, " noexcept {");
+  text += "  [[maybe_unused]] const robcogen::batch::Level level = robcogen::batch::available(most);\n";
+  text += "  if constexpr (robcogen::batch::kHasLevels) {\n";
+  for (const std::string level : {"avx512", "avx2"}) {
+    const std::string condition = "    if (level == robcogen::batch::Level::" + level + ")";
+    const std::string line = call(condition + " return " + body(level), arguments, 0);
+    const bool fits = line.find('\n') == line.size() - 1;
+    text += fits ? line : condition + "\n" + call("return " + body(level), arguments, 6);
+  }
+  return text + "  }\n" + call(body("baseline"), arguments, 2) + "}\n";
+}
+
+// Explicit instantiations for both precisions; `extra` ends the list of types.
+std::string instantiations(
+    const Callable& callable,
+    const std::string& arguments,
+    const std::vector<std::string>& extra = {}) {
+  std::string text;
+  for (const std::string scalar : {"double", "float"}) {
+    std::vector<std::string> list = compiled_parameters(callable.function->program, scalar, false);
+    list.insert(list.end(), extra.begin(), extra.end());
+    text += declaration("template void " + callable.kernel + "<" + arguments + scalar + ">", list, " noexcept;");
+  }
+  return text;
+}
+
+std::string lanes_of(const Array& array) {
+  return array.name + "_lanes";
+}
+
+std::string definition(const Api& api, const Callable& callable) {
+  const Program& program = callable.function->program;
+  std::string values, once, load, store;
+  std::vector<std::string> arguments;
+  for (const Array& a : arrays(program)) {
+    const std::string lanes = lanes_of(a), size = std::to_string(a.size);
+    values += "  Value " + lanes + "[" + (a.size == 0 ? "1" : size) + "];\n";
+    arguments.push_back(lanes);
+    if (a.is_parameters)
+      once += call("robcogen::batch::spread", {a.name, size, lanes}, 2);
+    else if (a.is_output)
+      store += call("block.template store<" + size + ">", {lanes, a.name}, 4);
+    else
+      load += call("block.template load<" + size + ">", {a.name, lanes}, 4);
+  }
+  return body_declaration(callable, " noexcept {") + "  using Value = robcogen::NativeLanes<Scalar>;\n" + values +
+         once + "  for (robcogen::batch::Block<Scalar> block(n); block.is_left(); block.advance()) {\n" + load +
+         call("::" + api.space + "::kernel::" + callable.kernel, arguments, 4) + store + "  }\n}\n";
+}
+
+// A function of the interface, without gravity where standard gravity takes its place.
+std::string function(const Api& api, const Callable& callable, bool single_precision, bool with_gravity) {
+  const std::string kernels = single_precision ? "::" + api.space + "::batch::kernel::" : "kernel::";
+  const std::vector<Array> all = arrays(callable.function->program);
+  std::vector<std::string> list, inputs, arguments, passed;
+  std::string sizes;
+  for (const Array& a : all) {
+    if (a.is_parameters) {
+      list.push_back("const " + a.type + "& " + a.name);
+      arguments.push_back(a.name + ".data()");
+      continue;
+    }
+    const bool is_left_out = a.is_gravity && !with_gravity;
+    const std::string type = std::string("robcogen::batch::") + (a.is_output ? "Output" : "Input") + "<" + a.type + ">";
+    passed.push_back((is_left_out ? type + "(Gravity::standard())" : a.name) + ".array()");
+    if (is_left_out) continue;
+    inputs.push_back("const " + type + "& " + a.name);
+    sizes += (sizes.empty() ? "" : ", ") + a.name + " " + std::to_string(a.size);
+  }
+  list.emplace_back("std::ptrdiff_t n");
+  arguments.emplace_back("n");
+  list.insert(list.end(), inputs.begin(), inputs.end());
+  arguments.insert(arguments.end(), passed.begin(), passed.end());
+  list.emplace_back("robcogen::batch::Level most = robcogen::batch::Level::avx512");
+  arguments.emplace_back("most");
+  std::string text;
+  if (!single_precision) {
+    if (with_gravity)
+      for (const std::string& line : callable.function->summary) text += comment(line);
+    else
+      text += comment("As above, under standard gravity.");
+    text += comment("Elements of a state: " + sizes + ".");
+  }
+  return text + declaration("inline void " + callable.name, list, " noexcept {") +
+         call(kernels + callable.kernel + "<Scalar>", arguments, 2) + "}\n";
+}
+
+// Scopes of free functions and of those that are members of what one returns, in order.
+std::vector<std::string> all_scopes(const Api& api, const std::string& group) {
+  std::vector<std::string> result = scopes(api, group);
+  for (const Callable* c : callables_of(api, group))
+    if (std::find(result.begin(), result.end(), c->function->scope) == result.end())
+      result.push_back(c->function->scope);
+  return result;
+}
+
+// All functions of one scope. They may leave out gravity where those of one state may.
+std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
+  std::vector<std::string> parts;
+  const auto add = [&](const Callable& c, bool with_gravity) {
+    parts.push_back(function(api, c, single_precision, with_gravity));
+  };
+  for (const Overload& o : overloads(api, group, scope)) {
+    add(*o.callable, !o.adds_standard_gravity);
+    if (!o.arguments.empty() && !o.arguments.back().default_value.empty()) add(*o.callable, false);
+  }
+  for (const Callable* c : callables_of(api, group))
+    if (!c->owner.empty() && c->function->scope == scope) add(*c, true);
+  return paragraphs(parts);
+}
+
+std::string interface(const Api& api, bool single_precision) {
+  std::vector<std::string> parts;
+  for (const std::string& group : api.library->groups) {
+    for (const std::string& scope : all_scopes(api, group)) {
+      const std::string text = scope_text(api, group, scope, single_precision);
+      parts.push_back(scope.empty() ? text : in_namespace(scope, text));
+    }
+  }
+  return in_namespace(single_precision ? "f32::batch" : "batch", paragraphs(parts));
+}
+
+}  // namespace
+
+std::string print_batch(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  std::vector<std::string> choosers;
+  for (const Callable& c : api.callables) choosers.push_back(chooser_declaration(c, " noexcept;"));
+  std::vector<std::string> headers = {"\"robcogen/batch.h\"", "\"" + header_path(library.name, "types") + "\""};
+  if (api.is_parametric()) headers.push_back("\"" + header_path(library.name, kParameters) + "\"");
+  const std::string kernels = in_namespace("batch::kernel", paragraphs(choosers));
+  return paragraphs(
+      {banner(library, path, "functions over n states at once, in double and (namespace f32) single precision") +
+           "//\n"
+           "// Arguments say how states are laid out: robcogen::batch::by_element(data, stride), by_state(data), or "
+           "one "
+           "value for\n"
+           "// all states. Matrices stand column by column. Units and frames are those of the functions of one state. "
+           "Results must\n"
+           "// not overlap arguments. n may be any number; nothing beyond n states is read or written.\n"
+           "//\n"
+           "// Results are those of single calls up to rounding: products are fused into sums where the processor can. "
+           "A state\n"
+           "// never has to do with another. To share the work between threads, give each a range of the states.\n"
+           "//\n"
+           "// `most` is the best processor to make use of; more than the machine has is never used.\n",
+       "#pragma once\n", includes({"<cstddef>"}), includes(headers),
+       in_namespace(api.space, paragraphs({kernels, interface(api, false), interface(api, true)}))});
+}
+
+std::string print_batch_choice(const Api& api, const std::string& path) {
+  std::vector<std::string> bodies, choosers;
+  for (const Callable& c : api.callables) {
+    bodies.push_back(body_declaration(c, " noexcept;"));
+    choosers.push_back(chooser(c) + "\n" + instantiations(c, "", {"robcogen::batch::Level"}));
+  }
+  return paragraphs(
+      {banner(*api.library, path, "the choice of a processor's bodies"),
+       includes({"\"robcogen/batch.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+       in_namespace(
+           api.space + "::batch",
+           paragraphs({in_namespace("body", paragraphs(bodies)), in_namespace("kernel", paragraphs(choosers))}))});
+}
+
+std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path) {
+  std::vector<std::string> bodies;
+  for (const Callable* c : callables_of(api, group)) bodies.push_back(definition(api, *c));
+  return paragraphs(
+      {banner(*api.library, path, "bodies over many states, compiled once for each processor"), "#pragma once\n",
+       includes({"\"robcogen/batch_body.h\"", "\"" + kernel_path(api.library->name, group) + "\""}),
+       in_namespace(api.space + "::batch::body", paragraphs(bodies))});
+}
+
+std::string print_batch_level(
+    const Api& api,
+    const std::string& group,
+    const std::string& level,
+    const std::string& path) {
+  std::vector<std::string> kernels;
+  for (const Callable* c : callables_of(api, group))
+    kernels.push_back(instantiations(*c, "robcogen::batch::Level::" + level + ", "));
+  const std::string text = paragraphs(
+      {includes({"\"" + batch_path(api.library->name, group) + "\""}),
+       in_namespace(api.space + "::batch::body", paragraphs(kernels))});
+  const std::string head = banner(*api.library, path, "bodies over many states, for one processor");
+  if (level == kLevels[0]) return paragraphs({head, text});
+  return paragraphs(
+      {head, includes({"\"robcogen/batch.h\""}), "#if ROBCOGEN_BATCH_LEVELS\n", text,
+       "#endif  // ROBCOGEN_BATCH_LEVELS\n"});
+}
+
+}  // namespace robcogen::backend::cpp
