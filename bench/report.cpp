@@ -1,10 +1,11 @@
 // Measures all robots and reports: tables on the console, everything as JSON, times against degrees of freedom as SVG.
 //
-//     report [--nm PROGRAM] [--json FILE] [--chart FILE] [--compiler TEXT] [--flags TEXT]
+//     report [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--compiler TEXT] [--flags TEXT]
 //            <benchmark program>=<static library> …
 //
-// Runs each benchmark program on one processor, and looks up the size of the kernels in the library. The files are
-// written only when every program did its work. Exit status 1: one did not; 2: usage or output.
+// Runs each benchmark program on one processor, looks up the size of the kernels in the library and, given the
+// commands, compiles its sources once more to see how long that takes: the library of `x_bench` is the target `x`.
+// Files are written only when every program did its work. Exit status 1: one did not; 2: usage or output.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -18,6 +19,7 @@
 
 #include "chart.h"
 #include "comparison.h"
+#include "compile_time.h"
 #include "machine.h"
 #include "report_json.h"
 #include "tables.h"
@@ -34,7 +36,7 @@ struct Robot {
 };
 
 struct Arguments {
-  std::string nm = "nm", json, chart, compiler, flags;
+  std::string nm = "nm", compile_commands, json, chart, compiler, flags;
   std::vector<Robot> robots;
 };
 
@@ -43,6 +45,7 @@ std::optional<Arguments> read_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   const std::map<std::string, std::string*> options = {
       {"--nm", &arguments.nm},
+      {"--compile-commands", &arguments.compile_commands},
       {"--json", &arguments.json},
       {"--chart", &arguments.chart},
       {"--compiler", &arguments.compiler},
@@ -91,6 +94,20 @@ std::optional<Results> measure(const std::string& program) {
   return results;
 }
 
+// What is known of the library without running it. Without it, the table is still worth printing.
+void look_at_library(const Arguments& arguments, const Robot& robot, Results& results) {
+  results.bytes = kernel_sizes(output_of(quoted(arguments.nm) + " -S -C " + quoted(robot.library)).value_or(""));
+  if (arguments.compile_commands.empty()) return;
+  const std::string program = std::filesystem::path(robot.program).stem().string();
+  const std::string target = program.substr(0, program.rfind("_bench"));
+  try {
+    const std::vector<Compilation> list = compilations(text_of(arguments.compile_commands), target);
+    results.compile_seconds = compile_time(list, robot.program + ".o");
+  } catch (const nlohmann::json::exception& e) {
+    fmt::print(stderr, "report: no time of compilation: {}\n", e.what());
+  }
+}
+
 bool write(const std::string& path, const std::string& text) {
   if (path.empty()) return true;
   std::ofstream file(path, std::ios::binary);
@@ -106,9 +123,14 @@ bool write(const std::string& path, const std::string& text) {
 
 void print_legend(const Setup& setup) {
   fmt::print(
-      "\nns: processor time of one call with sin and cos, median of {} repetitions over 1024 states in turn; instr:\n"
-      "multiplications and additions, fused where one feeds the other; path: cycles of the longest chain; bytes: the\n"
-      "compiled kernel; x: time of the other library / time of the generated code.\n",
+      "\nns: processor time of one call with sin and cos, median of {} repetitions over 1024 states in turn; given "
+      "trig:\n"
+      "of a call that takes them; batch: of one state in calls for many; instr: multiplications and additions, fused\n"
+      "where one feeds the other; path: cycles of the longest chain; bound: the greater of path and instr / 2; "
+      "cycles:\n"
+      "measured, sin and cos given, and their ratio to the bound; bytes: the compiled kernel; compiled: processor "
+      "time\n"
+      "for all sources of the library; x: time of the other library / time of the generated code.\n",
       setup.repetitions);
   fmt::print(
       "{}{}\n",
@@ -121,25 +143,20 @@ int report(const Arguments& arguments) {
   const Setup setup = {arguments.compiler,     arguments.flags, processor_name(),
                        pin_to_one_processor(), kRepetitions,    kMinTime};
   std::vector<Results> all;
-  std::vector<std::map<std::string, long>> all_sizes;
   fmt::print("{}", function_heading());
-  for (const auto& [program, library] : arguments.robots) {
-    const std::optional<Results> results = measure(program);
+  for (const Robot& robot : arguments.robots) {
+    std::optional<Results> results = measure(robot.program);
     if (!results) continue;
-    // Without sizes the table is still worth printing.
-    const std::map<std::string, long> sizes =
-        kernel_sizes(output_of(quoted(arguments.nm) + " -S -C " + quoted(library)).value_or(""));
-    fmt::print("{}", function_rows(*results, sizes));
+    look_at_library(arguments, robot, *results);
+    fmt::print("{}", function_rows(*results));
     std::fflush(stdout);
     all.push_back(*results);
-    all_sizes.push_back(sizes);
   }
   const std::string compared = comparison_table(all);
   if (!compared.empty()) fmt::print("\n{}", compared);
   print_legend(setup);
   if (all.size() < arguments.robots.size()) return 1;
-  const bool written =
-      write(arguments.json, report_json(setup, all, all_sizes)) && write(arguments.chart, svg(chart_panels(all)));
+  const bool written = write(arguments.json, report_json(setup, all)) && write(arguments.chart, svg(chart_panels(all)));
   return written ? 0 : 2;
 }
 
@@ -151,8 +168,8 @@ int main(int argc, char** argv) {
   if (!arguments) {
     std::fprintf(
         stderr,
-        "usage: %s [--nm PROGRAM] [--json FILE] [--chart FILE] [--compiler TEXT] [--flags TEXT]\n"
-        "       <benchmark program>=<static library> ...\n",
+        "usage: %s [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--compiler TEXT]\n"
+        "       [--flags TEXT] <benchmark program>=<static library> ...\n",
         argv[0]);
     return 2;
   }

@@ -37,6 +37,11 @@ Json method_json(const Setup& setup, const std::vector<Results>& robots) {
 Json units_json() {
   return {
       {"time", "ns of processor time for one call"},
+      {"given_trig", "ns for one call that takes sines and cosines"},
+      {"batch", "ns for one state, in calls for many"},
+      {"bound_cycles", "the greater of critical path and half the instructions"},
+      {"gigahertz", "from a chain of additions, in the same run"},
+      {"compile_time", "s of processor time for all sources of the library"},
       {"bytes", "compiled kernel"},
       {"counts",
        "operations of one call; instructions: mul and add, fused where one feeds the other; critical_path: "
@@ -44,7 +49,7 @@ Json units_json() {
       {"ratio", "median time of the peer / median time of the generated code"}};
 }
 
-Json function_json(const Function& function, const std::map<std::string, long>& sizes) {
+Json function_json(const Results& results, const Function& function) {
   Json json = {{"name", function.name}, {"kernel", function.kernel}, {"time", time_json(function.time)}};
   if (!function.counts.empty()) {
     for (const std::string& count : kCounts) {
@@ -52,8 +57,12 @@ Json function_json(const Function& function, const std::map<std::string, long>& 
       json["counts"][count] = found == function.counts.end() ? 0 : found->second;
     }
   }
-  const auto size = sizes.find(function.kernel);
-  if (size != sizes.end()) json["bytes"] = size->second;
+  if (function.given_trig) json["given_trig"] = time_json(*function.given_trig);
+  if (function.batch) json["batch"] = time_json(*function.batch);
+  if (const auto bound = least_cycles(function)) json["bound_cycles"] = *bound;
+  if (const auto measured = cycles(results, function)) json["cycles_given_trig"] = *measured;
+  const auto size = results.bytes.find(function.kernel);
+  if (size != results.bytes.end()) json["bytes"] = size->second;
   return json;
 }
 
@@ -69,10 +78,12 @@ Json comparison_json(const Comparison& comparison) {
   return json;
 }
 
-Json robot_json(const Results& results, const std::map<std::string, long>& sizes) {
-  Json json = {{"robot", results.robot},     {"joints", results.joints},     {"floating_base", results.floating_base},
-               {"functions", Json::array()}, {"comparisons", Json::array()}, {"absent", Json::array()}};
-  for (const Function& f : results.functions) json["functions"].push_back(function_json(f, sizes));
+Json robot_json(const Results& results) {
+  Json json = {{"robot", results.robot}, {"joints", results.joints}, {"floating_base", results.floating_base}};
+  if (results.gigahertz > 0) json["gigahertz"] = results.gigahertz;
+  if (results.compile_seconds) json["compile_time"] = *results.compile_seconds;
+  for (const char* list : {"functions", "comparisons", "absent"}) json[list] = Json::array();
+  for (const Function& f : results.functions) json["functions"].push_back(function_json(results, f));
   for (const Comparison& c : comparisons(results)) json["comparisons"].push_back(comparison_json(c));
   for (const Absence& a : results.absent) json["absent"].push_back({{"library", a.library}, {"reason", a.reason}});
   return json;
@@ -80,14 +91,11 @@ Json robot_json(const Results& results, const std::map<std::string, long>& sizes
 
 }  // namespace
 
-std::string report_json(
-    const Setup& setup,
-    const std::vector<Results>& robots,
-    const std::vector<std::map<std::string, long>>& sizes) {
+std::string report_json(const Setup& setup, const std::vector<Results>& robots) {
   Json report = {{"machine", machine_json(setup, robots)}, {"compiler", setup.compiler}, {"flags", setup.flags},
                  {"method", method_json(setup, robots)},   {"units", units_json()},      {"robots", Json::array()},
                  {"geometric_means", Json::array()}};
-  for (std::size_t i = 0; i < robots.size(); ++i) report["robots"].push_back(robot_json(robots[i], sizes[i]));
+  for (const Results& results : robots) report["robots"].push_back(robot_json(results));
   for (const Mean& m : geometric_means(robots)) {
     report["geometric_means"].push_back(
         {{"peer", m.peer}, {"quantity", m.quantity}, {"ratio", m.ratio}, {"robots", m.robots}});

@@ -1,7 +1,6 @@
 // The report as data.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +19,7 @@ struct Setup {
   double min_time = 0;  // of a repetition, s
 };
 
-// All rows, ratios, means and absences, with units and setup; no host, path or date. `sizes` has for each robot the
-// bytes of its kernels.
-std::string report_json(
-    const Setup& setup,
-    const std::vector<Results>& robots,
-    const std::vector<std::map<std::string, long>>& sizes);
+// All rows, ratios, means and absences, with units and setup; no host, path or date.
+std::string report_json(const Setup& setup, const std::vector<Results>& robots);
 
 }  // namespace robcogen::bench

@@ -32,6 +32,10 @@ write_benchmark(leg_bench [=[
  {"run_name": "Judge/inverse_dynamics", "family_index": 2, "run_type": "iteration", "cpu_time": 109.2},
  {"run_name": "inverse_dynamics", "family_index": 0, "run_type": "iteration", "cpu_time": 21.84},
  {"run_name": "inverse_dynamics", "family_index": 0, "run_type": "aggregate", "cpu_time": 47.7},
+ {"run_name": "Leg/inverse_dynamics/given_trig", "family_index": 4, "run_type": "iteration", "cpu_time": 33},
+ {"run_name": "inverse_dynamics/batch", "family_index": 5, "run_type": "iteration", "cpu_time": 512, "items_per_second": 2e8},
+ {"run_name": "of_nothing/batch", "family_index": 6, "run_type": "iteration", "cpu_time": 7},
+ {"run_name": "clock/1024", "family_index": 7, "run_type": "iteration", "cpu_time": 512},
  {"run_name": "Slow judge/inverse_dynamics", "family_index": 3, "run_type": "iteration", "cpu_time": 1000}]}]=])
 # Twice as slow, and Judge 20 times as slow as that: its geometric mean is 10.
 write_benchmark(arm_bench [=[
@@ -52,15 +56,27 @@ END")
 write_benchmark(broken_bench "no JSON")
 write_script(disagreeing_bench "echo 'Judge disagrees' >&2; exit 1")
 
+# Two sources of the leg, of which each takes a compiler's time, and one of another library.
+write_script(compiler "[ \"$1 $3\" = '-o -c' ] && [ $4 != broken.cpp ] && echo object > \"$2\"")
+foreach(source leg/CMakeFiles/leg.dir/a leg/CMakeFiles/leg.dir/b leg/CMakeFiles/leg_test.dir/c CMakeFiles/broken.dir/broken)
+  cmake_path(GET source FILENAME name)
+  list(APPEND entries "{\"directory\": \"${DIRECTORY}\", \"command\": \"./compiler -o ${source}.o -c ${name}.cpp\"}")
+endforeach()
+list(JOIN entries "," entries)
+file(WRITE ${DIRECTORY}/commands.json "[${entries}]")
+
 set(files --json ${DIRECTORY}/report.json --chart ${DIRECTORY}/chart.svg)
 execute_process(
-  COMMAND ${REPORT} --nm ${DIRECTORY}/nm ${files} --compiler "Judge's C++ 12" --flags -O7 ${DIRECTORY}/leg_bench=libleg.a
+  COMMAND ${REPORT} --nm ${DIRECTORY}/nm --compile-commands ${DIRECTORY}/commands.json ${files} --compiler "Judge's C++ 12" --flags -O7 ${DIRECTORY}/leg_bench=libleg.a
           ${DIRECTORY}/arm_bench=libarm.a
   OUTPUT_VARIABLE table
   RESULT_VARIABLE status)
 foreach(row
-    "Leg +inverse_dynamics +21.8 +33 +24 +0 +2 +36 +44 +588"
-    "Leg +strange +5.0 +- +- +- +- +- +- +-"
+    "Leg, 2 degrees of freedom; compiled in [0-9.]+ s; 2.00 GHz"
+    " +inverse_dynamics +21.8 +33.0 +5.0 +33 +24 +0 +0 +2 +36 +44 +44 +66 +1.50 +588"
+    " +strange +5.0 +- +- +- +- +- +- +- +- +- +- +- +- +-"
+    " +of_nothing/batch +7.0 +- +- +- +- +- +- +- +- +- +- +- +- +-"
+    "Arm, 18 degrees of freedom"
     "robot, DoF +quantity +RobCoGen +Judge +Slow judge"
     "Leg, 2 +inverse dynamics +21.8 +109.2 +5.0x +1000.0 +45.8x"
     "Arm, 18 +inverse dynamics +43.7 +873.6 +20.0x +-"
@@ -84,6 +100,16 @@ expect_json("Judge's C++ 12" compiler)
 expect_json(-O7 flags)
 expect_json(2 machine processors)
 expect_json(1024 method states)
+expect_json(2 robots 0 gigahertz)
+expect_json(33 robots 0 functions 0 given_trig median)
+expect_json(5 robots 0 functions 0 batch median)
+expect_json(44 robots 0 functions 0 bound_cycles)
+expect_json(66 robots 0 functions 0 cycles_given_trig)
+string(JSON seconds GET "${json}" robots 0 compile_time)
+string(JSON none ERROR_VARIABLE absent GET "${json}" robots 1 compile_time)
+if(absent STREQUAL NOTFOUND OR EXISTS ${DIRECTORY}/leg_bench.o)
+  message(FATAL_ERROR "no sources took ${none} s, or an object is left behind")
+endif()
 expect_json(588 robots 0 functions 0 bytes)
 expect_json(36 robots 0 functions 0 counts instructions)
 expect_json(21.84 robots 0 comparisons 0 time median)

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace robcogen::bench {
 
-const std::vector<std::string> kCounts = {"mul", "add", "div", "sincos", "instructions", "critical_path"};
+const std::vector<std::string> kCounts = {"mul", "add", "div", "sqrt", "sincos", "instructions", "critical_path"};
 const std::vector<std::string> kQuantities = {"inverse_dynamics", "forward_dynamics", "inertia_matrix", "jacobian"};
 
 namespace {
@@ -49,13 +50,45 @@ void read_context(const nlohmann::json& context, Results& results) {
   results.frequency_scaling = context.value("cpu_scaling_enabled", false);
 }
 
+// Of one call; where a call is said to work on several states (items), of one of them.
+double nanoseconds_of(const nlohmann::json& entry) {
+  const double states_per_second = entry.value("items_per_second", 0.0);
+  return states_per_second > 0 ? 1e9 / states_per_second : entry.at("cpu_time").get<double>();
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// What another benchmark measured, which may be the same function otherwise called: `<function>/given_trig` or
+// `<function>/batch`, the robot's name before it or not. Whether it was.
+bool is_variant(const std::string& name, const Time& time, Results& results) {
+  for (const auto& [end, member] :
+       {std::pair("/given_trig", &Function::given_trig), std::pair("/batch", &Function::batch)}) {
+    if (!ends_with(name, end)) continue;
+    for (Function& f : results.functions) {
+      if (name != f.name + end && !ends_with(name, "/" + f.name + end)) continue;
+      f.*member = time;
+      return true;
+    }
+  }
+  return false;
+}
+
+constexpr const char* kClock = "clock/";  // and the number of cycles
+
 // One benchmark, of all its repetitions.
 void read_benchmark(const std::vector<nlohmann::json>& repetitions, Results& results) {
   const nlohmann::json& first = repetitions.front();
   std::vector<double> nanoseconds;
-  for (const nlohmann::json& entry : repetitions) nanoseconds.push_back(entry.at("cpu_time").get<double>());
+  for (const nlohmann::json& entry : repetitions) nanoseconds.push_back(nanoseconds_of(entry));
   const Time time = time_of(nanoseconds);
   const std::string name = first.at("run_name").get<std::string>();
+  if (name.rfind(kClock, 0) == 0) {
+    results.gigahertz = std::strtod(name.c_str() + std::strlen(kClock), nullptr) / time.median;
+    return;
+  }
+  if (is_variant(name, time, results)) return;
   const std::size_t slash = name.find('/');
   const std::string library = name.substr(0, slash);
   if (std::find(results.peers.begin(), results.peers.end(), library) != results.peers.end()) {
@@ -81,8 +114,31 @@ Results read_results(const std::string& json) {
     if (entry.value("run_type", "") != "iteration") continue;  // means and the like
     repetitions[entry.at("family_index").get<int>()].push_back(entry);
   }
-  for (const auto& [family, entries] : repetitions) read_benchmark(entries, results);
+  // Variants after the functions that they are of.
+  const auto is_variant_name = [](const std::vector<nlohmann::json>& entries) {
+    const std::string name = entries.front().at("run_name").get<std::string>();
+    return ends_with(name, "/given_trig") || ends_with(name, "/batch");
+  };
+  for (const bool variants : {false, true}) {
+    for (const auto& [family, entries] : repetitions) {
+      if (is_variant_name(entries) == variants) read_benchmark(entries, results);
+    }
+  }
   return results;
+}
+
+std::optional<double> least_cycles(const Function& function) {
+  if (function.counts.empty()) return std::nullopt;
+  const auto count = [&](const char* what) {
+    const auto found = function.counts.find(what);
+    return found == function.counts.end() ? 0.0 : static_cast<double>(found->second);
+  };
+  return std::max(count("critical_path"), count("instructions") / 2);
+}
+
+std::optional<double> cycles(const Results& results, const Function& function) {
+  if (!function.given_trig || results.gigahertz == 0) return std::nullopt;
+  return function.given_trig->median * results.gigahertz;
 }
 
 std::map<std::string, long> kernel_sizes(const std::string& listing) {

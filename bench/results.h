@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct Function {
   std::string name;    // of its benchmark
   std::string kernel;  // that it calls
   Time time;
-  std::map<std::string, long> counts;  // of operations; zeros are left out
+  std::map<std::string, long> counts;   // of operations; zeros are left out
+  std::optional<Time> given_trig = {};  // of a call that takes sines and cosines
+  std::optional<Time> batch = {};       // of one state, in calls for many at once
 };
 
 // The same quantity by another library.
@@ -44,10 +47,21 @@ struct Results {
   std::vector<std::string> peers;  // in the order in which they are listed everywhere
   std::vector<Absence> absent;
   std::map<std::string, std::string> compared;  // quantity -> the function that is set against peers
+  double gigahertz =
+      0;  // cycles a nanosecond while this was measured, from additions that wait for each other; 0: unknown
+  std::optional<double> compile_seconds;  // of the library
+  std::map<std::string, long> bytes;      // of the compiled kernels, by name; may lack some
   int processors = 0;
   int megahertz = 0;
   bool frequency_scaling = false;
 };
+
+// Cycles below which no call gets on a processor with two units for products and sums, when none overlaps with the
+// next: its critical path, or half its instructions. nullopt where nothing was counted.
+std::optional<double> least_cycles(const Function& function);
+
+// The cycles of a call with sines and cosines given, as `least_cycles` has them; nullopt where that was not measured.
+std::optional<double> cycles(const Results& results, const Function& function);
 
 // The operation counts that are shown, and the quantities that are compared, in the order in which they are shown.
 extern const std::vector<std::string> kCounts;

@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "clock.h"
 #include "functions.h"
 
 #ifdef ROBCOGEN_BENCH_URDF
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
   const R instance = bench::instance<R>(robot);
   const std::vector<bench::State<R>> states = bench::random_states<R>(robot, instance);
   bench::add_functions<R>(robot, states);
+  bench::add_clock();
 #ifdef ROBCOGEN_BENCH_URDF
   std::vector<robcogen::peers::Candidate> candidates;
   if (!bench::add_peers<R>(robot, states, candidates)) return 1;

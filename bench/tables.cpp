@@ -15,7 +15,18 @@ struct Column {
   const char* title;
   int width;
 };
-const std::vector<Column> kColumns = {{"mul", 6}, {"add", 6}, {"div", 4}, {"sincos", 6}, {"instr", 6}, {"path", 6}};
+const std::vector<Column> kColumns = {{"mul", 6},    {"add", 6},   {"div", 4}, {"sqrt", 5},
+                                      {"sincos", 7}, {"instr", 6}, {"path", 5}};
+
+const std::string kNone = "-";
+
+std::string number(std::optional<double> value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : kNone;
+}
+
+std::string median_of(const std::optional<Time>& time) {
+  return time ? number(time->median, 1) : kNone;
+}
 
 std::string peer_heading(const std::vector<std::string>& peers) {
   std::string line = fmt::format("{:<22} {:<18} {:>10}", "robot, DoF", "quantity", "RobCoGen");
@@ -91,23 +102,31 @@ std::string absent_rows(const std::vector<Results>& robots) {
 }  // namespace
 
 std::string function_heading() {
-  std::string line = fmt::format("{:<16} {:<44} {:>9}", "robot", "function", "ns");
+  std::string line = fmt::format("{:<44} {:>9} {:>10} {:>9}", "function", "ns", "given trig", "batch");
   for (const Column& column : kColumns) line += fmt::format(" {:>{}}", column.title, column.width);
-  return line + fmt::format(" {:>9}\n", "bytes");
+  return line + fmt::format(" {:>6} {:>7} {:>6} {:>7}\n", "bound", "cycles", "ratio", "bytes");
 }
 
-std::string function_rows(const Results& results, const std::map<std::string, long>& sizes) {
-  std::string rows;
+std::string function_rows(const Results& results) {
+  std::string rows = fmt::format("{}, {} degrees of freedom", results.robot, degrees_of_freedom(results));
+  if (results.compile_seconds) rows += fmt::format("; compiled in {:.1f} s", *results.compile_seconds);
+  if (results.gigahertz > 0) rows += fmt::format("; {:.2f} GHz", results.gigahertz);
+  rows += "\n";
   for (const Function& f : results.functions) {
-    rows += fmt::format("{:<16} {:<44} {:>9.1f}", results.robot, f.name, f.time.median);
+    rows += fmt::format(
+        "  {:<42} {:>9.1f} {:>10} {:>9}", f.name, f.time.median, median_of(f.given_trig), median_of(f.batch));
     for (std::size_t i = 0; i < kCounts.size(); ++i) {
       // A benchmark leaves zeros out; one of a kernel without counts has none at all.
       const auto count = f.counts.find(kCounts[i]);
       const std::string text = f.counts.empty() ? "-" : std::to_string(count == f.counts.end() ? 0 : count->second);
       rows += fmt::format(" {:>{}}", text, kColumns[i].width);
     }
-    const auto size = sizes.find(f.kernel);
-    rows += fmt::format(" {:>9}\n", size == sizes.end() ? "-" : std::to_string(size->second));
+    const std::optional<double> bound = least_cycles(f), measured = cycles(results, f);
+    const auto size = results.bytes.find(f.kernel);
+    rows += fmt::format(
+        " {:>6} {:>7} {:>6} {:>7}\n", number(bound, 0), number(measured, 0),
+        bound && measured && *bound > 0 ? number(*measured / *bound, 2) : kNone,
+        size == results.bytes.end() ? kNone : std::to_string(size->second));
   }
   return rows;
 }

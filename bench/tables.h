@@ -1,7 +1,6 @@
 // The report as text for a console.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -9,9 +8,10 @@
 
 namespace robcogen::bench {
 
-// Of the generated functions: time, operation counts, and bytes of the kernels; `sizes` may lack some.
+// Of the generated functions: times, operation counts, what no call gets below, and bytes of the kernels; a line about
+// the robot stands before its functions.
 std::string function_heading();
-std::string function_rows(const Results& results, const std::map<std::string, long>& sizes);
+std::string function_rows(const Results& results);
 
 // Of the generated code and all peers: times and ratios, their geometric means, and who was not measured and why. Empty
 // when there is nothing to compare.
