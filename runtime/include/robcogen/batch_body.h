@@ -28,9 +28,9 @@ class Block {
     if (left() < kSize) {
       load_some(from, kElements, to);
     } else if (from.state == 1) {
-      for (int k = 0; k < kElements; ++k) to[k] = Value::load(data + k * from.element);
+      in_fours<kElements>([&](int k, const Scalar* at) { to[k] = Value::load(at); }, data, from.element);
     } else {
-      for (int k = 0; k < kElements; ++k) to[k] = Value::gather(data + k * from.element, from.state);
+      in_fours<kElements>([&](int k, const Scalar* at) { to[k] = Value::gather(at, from.state); }, data, from.element);
     }
   }
 
@@ -40,13 +40,26 @@ class Block {
     if (left() < kSize) {
       store_some(from, kElements, to);
     } else if (to.state == 1) {
-      for (int k = 0; k < kElements; ++k) from[k].store(data + k * to.element);
+      in_fours<kElements>([&](int k, Scalar* at) { from[k].store(at); }, data, to.element);
     } else {
-      for (int k = 0; k < kElements; ++k) from[k].scatter(data + k * to.element, to.state);
+      in_fours<kElements>([&](int k, Scalar* at) { from[k].scatter(at, to.state); }, data, to.element);
     }
   }
 
  private:
+  // move(k, where element k stands) for each. Four at a time are two thirds of the instructions of one at a time.
+  template <int kElements, class Move, class Number>
+  static void in_fours(Move move, Number* data, std::ptrdiff_t stride) noexcept {
+    int k = 0;
+    for (; k + 4 <= kElements; k += 4, data += 4 * stride) {
+      move(k, data);
+      move(k + 1, data + stride);
+      move(k + 2, data + 2 * stride);
+      move(k + 3, data + 3 * stride);
+    }
+    for (; k < kElements; ++k, data += stride) move(k, data);
+  }
+
   std::ptrdiff_t left() const noexcept { return count_ - first_; }
 
   void load_some(const Strided<const Scalar>& from, int elements, Value* to) const noexcept {

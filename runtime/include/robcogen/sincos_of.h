@@ -42,18 +42,18 @@ ROBCOGEN_INLINE Doubles doubles(const Bits<Doubles>& b) noexcept {
   return x;
 }
 
-// a - t and what rounding took off it (Knuth 1997, sec. 4.2.2). Exact also where the compiler fuses t = k p, which is
-// exact by itself.
+// a - t and what rounding took off it (Dekker 1971), where |a| is not smaller than |t| or nothing is taken off. Exact
+// also where the compiler fuses t = k p, which is exact by itself.
 template <class Doubles>
 ROBCOGEN_INLINE Doubles difference(const Doubles& a, const Doubles& t, Doubles& error) noexcept {
   const Doubles result = a - t;
-  const Doubles back = result - a;
-  error = (a - (result - back)) - (t + back);
+  error = (a - result) - t;
   return result;
 }
 
 // For |x| <= kMost. Reduced by multiples of pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody,
-// Waite 1980), to an angle and its tail; minimax polynomials in the angle's square, of relative error 2^-57 and
+// Waite 1980), to an angle and its tail: where a difference is smaller than what it is taken from, it has few enough
+// bits to be exact. Minimax polynomials in the angle's square, of relative error 2^-57 and
 // absolute error 2^-59 on [-pi/4, pi/4] (Remez exchange, coefficients rounded to double). The result is within 0.8 ulp.
 //
 // The highest bit of `beyond` is set where |x| is larger, or x is no number.
@@ -71,10 +71,8 @@ ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosin
   Doubles error1, error2;
   const Doubles first = positive - k * 0x1.921fb54400000p+0;  // exact
   const Doubles second = difference(first, k * 0x1.0b4611a600000p-34, error1);
-  const Doubles third = difference(second, k * 0x1.3198a2e000000p-69, error2);
-  const Doubles rest = (error1 + error2) - k * 0x1.b839a252049c1p-104;
-  const Doubles r = third + rest;
-  const Doubles tail = (third - r) + rest;
+  const Doubles r = difference(second, k * 0x1.3198a2e000000p-69, error2);
+  const Doubles tail = (error1 + error2) - k * 0x1.b839a252049c1p-104;
 
   const Doubles z = r * r, half = 0.5 * z;
   const Doubles s =
@@ -89,12 +87,13 @@ ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosin
                 z * (-2.7557314352335047e-07 + z * (2.087572327348275e-09 + z * -1.1359647814765908e-11))));
   const Doubles sin_r = r + (z * r * s + (tail - half * tail));
   const Doubles one_less = 1.0 - half;
-  const Doubles cos_r = one_less + (((1.0 - one_less) - half) + (z * z * c - r * tail));
+  const Doubles cos_r = one_less + (((1.0 - one_less) - half - r * tail) + z * z * c);
 
   const Bits<Doubles> odd = -(quadrant & 1);
   const Bits<Doubles> s_bits = bits(sin_r), c_bits = bits(cos_r), both = (s_bits ^ c_bits) & odd;
-  sine = doubles<Doubles>((s_bits ^ both) ^ ((quadrant & 2) << 62) ^ sign);
-  cosine = doubles<Doubles>((c_bits ^ both) ^ (((quadrant + 1) & 2) << 62));
+  const Bits<Doubles> turned = (quadrant & 2) << 62;
+  sine = doubles<Doubles>((s_bits ^ both) ^ (turned ^ sign));
+  cosine = doubles<Doubles>((c_bits ^ both) ^ (turned ^ (odd << 63)));
 }
 
 template <class Integers>
