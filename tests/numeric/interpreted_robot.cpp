@@ -62,7 +62,8 @@ InterpretedRobot::InterpretedRobot(
     const model::KinematicTree& robot,
     const model::DesiredTransforms& desired,
     const std::vector<std::string>& steps,
-    std::vector<double> parameters)
+    std::vector<double> parameters,
+    const algorithm::LinkFrames& frames)
     : floating_(robot.floating_base),
       dof_(robot.dof()),
       parameters_(std::move(parameters)),
@@ -71,7 +72,8 @@ InterpretedRobot::InterpretedRobot(
     tables_.add_transform(
         pair_name(pair.left.name, "X", pair.right.name), frame_index(robot, pair.left), frame_index(robot, pair.right));
   std::vector<std::string> passes = steps;
-  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  formulation.frames = frames;
   for (const std::string& group : algorithm::groups()) {
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
       const std::string name = f.program.name;

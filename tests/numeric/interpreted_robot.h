@@ -26,12 +26,13 @@ class InterpretedRobot {
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces all functions and optimises them by `steps`.
+  // Traces all functions, in these link frames, and optimises them by `steps`.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
       const std::vector<std::string>& steps = all_steps(),
-      std::vector<double> parameters = {});
+      std::vector<double> parameters = {},
+      const algorithm::LinkFrames& frames = {});
 
   // The robot and its desired transforms and Jacobians; valid as long as this object.
   reflection::Robot tables() const { return tables_.robot(); }

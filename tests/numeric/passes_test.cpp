@@ -3,6 +3,8 @@
 // All are held against the reference with the tolerances of the checks, which are a few hundred roundings.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "interpreted_robot.h"
 #include "random_robot.h"
 #include "symbolic/text.h"
@@ -43,6 +45,64 @@ TEST(Passes, ChangeNoResult) {
       if (found.empty()) continue;
       const KinematicTree small = shrink(robot, [&](const KinematicTree& r) { return !report(r).empty(); });
       FAIL() << "seed " << seed << ", " << text_of(passes) << found << "shrunk to\n" << describe(small);
+    }
+  }
+}
+
+// A robot together with link frames, so that both are shrunk.
+algorithm::LinkFrames random_frames(const KinematicTree& robot, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  algorithm::LinkFrames frames;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    algorithm::LinkFrame frame;
+    if (uniform(0, 1) < 0.4)
+      frame.turn = model::Quantity(uniform(-3, 3));
+    else if (uniform(0, 1) < 0.5)
+      frame.turn = model::Quantity(Number::pi_multiple(static_cast<int>(uniform(-2, 3)), 2));
+    if (uniform(0, 1) < 0.6) frame.slide = model::Quantity(uniform(-0.5, 0.5));
+    frame.turns_with_joint = uniform(0, 1) < 0.5;
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+// Whatever link frames the recursions compute in, the joints and the base feel the same; with regrouped mass properties
+// and without.
+TEST(LinkFrames, ChangeNoResult) {
+  std::vector<std::string> physical = all_steps();
+  std::erase(physical, "regroup");
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 200); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 50000;
+    const KinematicTree robot = random_robot(seed, {.max_joints = 10});
+    const std::vector<std::string>& steps = i % 3 == 0 ? physical : all_steps();
+    const auto report = [&](const KinematicTree& r) {
+      return check_all(InterpretedRobot(r, random_desired(seed, r), steps, {}, random_frames(r, seed)), seed, 1)
+          .failure_report();
+    };
+    const std::string found = report(robot);
+    if (found.empty()) continue;
+    const KinematicTree small = shrink(robot, [&](const KinematicTree& r) { return !report(r).empty(); });
+    FAIL() << "seed " << seed << ", " << found << "shrunk to\n" << describe(small);
+  }
+}
+
+// The frames that the search finds.
+TEST(LinkFrames, ThatAreFoundChangeNoResult) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 51000;
+    const KinematicTree robot = random_robot(seed, {.max_joints = 8});
+    algorithm::Formulation formulation;
+    formulation.effort = 1;
+    algorithm::Formulations formulations(robot, formulation);
+    for (const algorithm::LinkFrames& frames :
+         {formulations.newton_euler().frames, formulations.inertia().frames,
+          formulations.forward_dynamics().formulation.frames}) {
+      const std::string found =
+          check_all(InterpretedRobot(robot, {}, all_steps(), {}, frames), seed, 1).failure_report();
+      EXPECT_EQ(found, "") << "seed " << seed << " " << describe(robot);
     }
   }
 }

@@ -73,7 +73,7 @@ class ArticulatedBodies {
     if (base && !setup_.floating()) return;
     setup_.trace.section(name, "link " + name + ": articulated inertia and bias wrench");
     Spatial own = link_wrench(setup_.trace, setup_.mass(link), motion);
-    load_.subtract_external(link, own);
+    load_.subtract_external(setup_, link, own);
     bias = {children_bias.angular + own.angular, children_bias.linear + own.linear};
     inertia = children_inertia + rigid(setup_.mass(link));
     name_inertia(name, inertia);

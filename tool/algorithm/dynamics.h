@@ -62,10 +62,22 @@ enum class ForwardDynamicsMethod {
   inertia_matrix,      // bias forces, inertia matrix and elimination along ancestors: tables 5.1, 6.2, sec. 6.5
 };
 
-// The one of less predicted time: the longer of the critical path and half the instructions.
-ForwardDynamicsMethod forward_dynamics_method(const model::KinematicTree& tree, const Formulation& formulation = {});
+struct ForwardDynamicsChoice {
+  ForwardDynamicsMethod method = ForwardDynamicsMethod::articulated_bodies;
+  Formulation formulation;
+};
 
-// By that method: q, qd, tau [, base_velocity] -> qdd [, base_acceleration].
+// The method of less predicted time, the longer of the critical path and half the instructions; each in the link frames
+// that suit it.
+ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation = {});
+
+// q, qd, tau [, base_velocity] -> qdd [, base_acceleration].
+symbolic::Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const ForwardDynamicsChoice& choice);
+// As chosen.
 symbolic::Program forward_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,

@@ -11,7 +11,8 @@ struct Choice {
 };
 
 constexpr std::array kChoices = {
-    Choice{"regroup", &Formulation::regroup}, Choice{"choose-fd", &Formulation::choose_forward_dynamics}};
+    Choice{"regroup", &Formulation::regroup}, Choice{"choose-fd", &Formulation::choose_forward_dynamics},
+    Choice{"frames", &Formulation::choose_frames}, Choice{"turn-inertia", &Formulation::turn_inertia}};
 
 }  // namespace
 

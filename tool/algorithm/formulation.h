@@ -4,11 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/link_frames.h"
+
 namespace robcogen::algorithm {
 
 struct Formulation {
   bool regroup = true;                  // mass properties that a joint does not feel move to the parent (regroup.h)
   bool choose_forward_dynamics = true;  // by inertia matrix where that is quicker; else always by articulated bodies
+  bool choose_frames = true;            // turned and slid along joint axes, where that is cheaper (link_frames.h)
+  bool turn_inertia = true;             // of links, instead of the vectors of the recursion, where that is cheaper
+  int effort = 0;                       // of the search for such frames (frame_search.h); 0: none
+  LinkFrames frames = {};               // those that were found; empty: the model's
 };
 
 // Names of the choices, in the order of the fields.

@@ -1,6 +1,7 @@
 // Forward dynamics by articulated bodies, or by solving with the joint-space inertia matrix, whichever takes less time.
 #include "algorithm/articulated_bodies.h"
 #include "algorithm/dynamics.h"
+#include "algorithm/frame_search.h"
 #include "algorithm/inverse_dynamics.h"
 #include "algorithm/joint_space_inertia.h"
 #include "symbolic/count.h"
@@ -81,15 +82,31 @@ bool is_elimination_cheap(const model::KinematicTree& tree) {
 
 }  // namespace
 
-ForwardDynamicsMethod forward_dynamics_method(const model::KinematicTree& tree, const Formulation& formulation) {
-  if (!formulation.choose_forward_dynamics || !is_elimination_cheap(tree))
-    return ForwardDynamicsMethod::articulated_bodies;
-  const auto time = [&](ForwardDynamicsMethod method) {
-    return symbolic::predicted_time(traced(tree, "forward_dynamics", Loads::gravity, formulation, method));
+ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation) {
+  const Loads loads = tree.floating_base ? Loads::gravity : Loads::standard_gravity;
+  const auto cheapest = [&](ForwardDynamicsMethod method) {
+    const auto trace = [&](const model::KinematicTree& part, const Formulation& choice) {
+      return traced(part, "forward_dynamics", loads, choice, method);
+    };
+    ForwardDynamicsChoice choice{method, formulation};
+    choice.formulation.frames = cheap_frames(tree, formulation, trace);
+    return choice;
   };
-  return time(ForwardDynamicsMethod::inertia_matrix) < time(ForwardDynamicsMethod::articulated_bodies)
-             ? ForwardDynamicsMethod::inertia_matrix
-             : ForwardDynamicsMethod::articulated_bodies;
+  const auto time = [&](const ForwardDynamicsChoice& choice) {
+    return symbolic::predicted_time(traced(tree, "forward_dynamics", loads, choice.formulation, choice.method));
+  };
+  ForwardDynamicsChoice bodies = cheapest(ForwardDynamicsMethod::articulated_bodies);
+  if (!formulation.choose_forward_dynamics || !is_elimination_cheap(tree)) return bodies;
+  ForwardDynamicsChoice matrix = cheapest(ForwardDynamicsMethod::inertia_matrix);
+  return time(matrix) < time(bodies) ? matrix : bodies;
+}
+
+Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const ForwardDynamicsChoice& choice) {
+  return traced(tree, name, loads, choice.formulation, choice.method);
 }
 
 Program forward_dynamics(
@@ -97,7 +114,7 @@ Program forward_dynamics(
     const std::string& name,
     Loads loads,
     const Formulation& formulation) {
-  return traced(tree, name, loads, formulation, forward_dynamics_method(tree, formulation));
+  return forward_dynamics(tree, name, loads, forward_dynamics_choice(tree, formulation));
 }
 
 }  // namespace robcogen::algorithm

@@ -35,7 +35,7 @@ class Recursion {
     setup_.trace.section(name, "link " + name + ": force and moment");
     Spatial own = link_wrench(
         setup_.trace, setup_.mass(link), motion, !base && !setup_.parent_matters(link) && is_revolute(link));
-    if (loads_) loads_->subtract_external(link, own);
+    if (loads_) loads_->subtract_external(setup_, link, own);
     total += own;
     algorithm::name(setup_.trace.graph, total.linear, name + "_f");
     algorithm::name(setup_.trace.graph, total.angular, name + "_n");

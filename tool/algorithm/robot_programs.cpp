@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "algorithm/dynamics.h"
+#include "algorithm/frame_search.h"
 #include "algorithm/kinematics.h"
 #include "algorithm/transform_kinds.h"
 
@@ -37,7 +38,8 @@ void add_overloads(
         "link's origin.");
 }
 
-std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, const Formulation& formulation) {
+std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, Formulations& formulations) {
+  const Formulation& formulation = formulations.newton_euler();
   std::vector<RobotFunction> list;
   const std::string group = "inverse_dynamics";
   if (!tree.floating_base) {
@@ -53,7 +55,7 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, con
        "holds (Featherstone 2008, sec. 9.4).",
        "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
       [&](const std::string& kernel, Loads loads) {
-        return unactuated_base_inverse_dynamics(tree, kernel, loads, formulation);
+        return unactuated_base_inverse_dynamics(tree, kernel, loads, formulations.unactuated_base());
       });
   add_overloads(
       list, tree, group, "inverse_dynamics_fully_actuated",
@@ -66,7 +68,8 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, con
   return list;
 }
 
-std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, const Formulation& formulation) {
+std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, Formulations& formulations) {
+  const Formulation& formulation = formulations.newton_euler();
   std::vector<RobotFunction> list;
   const std::string group = "bias_forces";
   const std::string base =
@@ -94,9 +97,10 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, const Fo
   return list;
 }
 
-std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree, const Formulation& formulation) {
+std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree, Formulations& formulations) {
   std::vector<RobotFunction> list;
-  const bool by_matrix = forward_dynamics_method(tree, formulation) == ForwardDynamicsMethod::inertia_matrix;
+  const ForwardDynamicsChoice& choice = formulations.forward_dynamics();
+  const bool by_matrix = choice.method == ForwardDynamicsMethod::inertia_matrix;
   const std::string what = "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: ";
   std::vector<std::string> summary{
       what + (by_matrix ? "bias forces, and elimination in the joint-space inertia matrix (Featherstone 2008, ch. 6)."
@@ -105,7 +109,7 @@ std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree, con
     summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
   add_overloads(
       list, tree, "forward_dynamics", "forward_dynamics", summary,
-      [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads, formulation); });
+      [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads, choice); });
   return list;
 }
 
@@ -379,19 +383,64 @@ const std::vector<std::string>& default_groups() {
   return names;
 }
 
+const Formulation& Formulations::newton_euler() {
+  if (!newton_euler_) {
+    const Loads loads = tree_.floating_base ? Loads::gravity : Loads::standard_gravity;
+    newton_euler_ = common_;
+    newton_euler_->frames = cheap_frames(tree_, common_, [&](const KinematicTree& part, const Formulation& f) {
+      return algorithm::newton_euler(part, "inverse_dynamics", loads, f);
+    });
+  }
+  return *newton_euler_;
+}
+
+const Formulation& Formulations::unactuated_base() {
+  if (!unactuated_base_) {
+    unactuated_base_ = common_;
+    unactuated_base_->frames = cheap_frames(tree_, newton_euler(), [](const KinematicTree& part, const Formulation& f) {
+      return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
+    });
+  }
+  return *unactuated_base_;
+}
+
+const Formulation& Formulations::inertia() {
+  if (!inertia_) {
+    inertia_ = common_;
+    inertia_->frames = cheap_frames(tree_, common_, [](const KinematicTree& part, const Formulation& f) {
+      return joint_space_inertia(part, "joint_space_inertia", f);
+    });
+  }
+  return *inertia_;
+}
+
+const ForwardDynamicsChoice& Formulations::forward_dynamics() {
+  if (!forward_dynamics_) forward_dynamics_ = forward_dynamics_choice(tree_, common_);
+  return *forward_dynamics_;
+}
+
 std::vector<RobotFunction> functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired,
     const std::string& group,
     const Formulation& formulation) {
-  if (group == "inverse_dynamics") return inverse_dynamics_group(tree, formulation);
-  if (group == "bias_forces") return bias_forces_group(tree, formulation);
-  if (group == "forward_dynamics") return forward_dynamics_group(tree, formulation);
-  if (group == "joint_space_inertia") return joint_space_inertia_group(tree, formulation);
-  if (group == "joint_space_inertia_factor") return joint_space_inertia_factor_group(tree, formulation);
-  if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulation);
+  Formulations formulations(tree, formulation);
+  return functions(tree, desired, group, formulations);
+}
+
+std::vector<RobotFunction> functions(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    Formulations& formulations) {
+  if (group == "inverse_dynamics") return inverse_dynamics_group(tree, formulations);
+  if (group == "bias_forces") return bias_forces_group(tree, formulations);
+  if (group == "forward_dynamics") return forward_dynamics_group(tree, formulations);
+  if (group == "joint_space_inertia") return joint_space_inertia_group(tree, formulations.inertia());
+  if (group == "joint_space_inertia_factor") return joint_space_inertia_factor_group(tree, formulations.inertia());
+  if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulations.newton_euler());
   if (group == "centroidal") return centroidal_group(tree);
-  if (group == "energy") return energy_group(tree, formulation);
+  if (group == "energy") return energy_group(tree, formulations.newton_euler());
   if (group == "transforms") return transforms_group(tree, desired);
   if (group == "jacobians") return jacobians_group(tree, desired);
   if (group == "jacobian_references") return jacobian_references_group(tree, desired);

@@ -1,10 +1,11 @@
 // Every program of a robot, by name: what the back ends print, `eval` runs and `ops` counts.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "algorithm/formulation.h"
+#include "algorithm/dynamics.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -27,8 +28,31 @@ const std::vector<std::string>& groups();
 // The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
 const std::vector<std::string>& default_groups();
 
+// How the programs of a robot are traced: the frames that suit an algorithm are looked for when it is first asked for.
+class Formulations {
+ public:
+  Formulations(const model::KinematicTree& tree, const Formulation& common) : tree_(tree), common_(common) {}
+
+  const Formulation& common() const { return common_; }
+  const Formulation& newton_euler();
+  const Formulation& unactuated_base();
+  const Formulation& inertia();
+  const ForwardDynamicsChoice& forward_dynamics();
+
+ private:
+  const model::KinematicTree& tree_;
+  Formulation common_;
+  std::optional<Formulation> newton_euler_, unactuated_base_, inertia_;
+  std::optional<ForwardDynamicsChoice> forward_dynamics_;
+};
+
 // The functions of one group. Gravity, where it enters, is folded to (0, 0, -9.81) in a fixed-base robot's first
 // overload and an input in the others; external wrenches are inputs of the last.
+std::vector<RobotFunction> functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    Formulations& formulations);
 std::vector<RobotFunction> functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired,

@@ -26,6 +26,12 @@ Setup::Setup(Trace& t, const std::vector<Expression>& q) : trace(t), poses(joint
 
 Setup::Setup(Trace& t, const std::vector<Expression>& q, const Formulation& formulation) : Setup(t, q) {
   if (formulation.regroup) masses = regrouped(trace, poses, masses);
+  if (!formulation.frames.empty()) {
+    FramedLinks framed = in_frames(trace, formulation.frames, q, masses);
+    poses = std::move(framed.poses);
+    masses = std::move(framed.masses);
+    frames_of_model = std::move(framed.frames_of_model);
+  }
   begin_base(trace);
 }
 
@@ -52,8 +58,10 @@ LoadInputs::LoadInputs(Trace& trace, Loads loads) {
   if (loads == Loads::gravity_and_external) external = trace.link_wrench_input();
 }
 
-void LoadInputs::subtract_external(int link, Spatial& wrench) const {
-  if (!external.empty()) wrench -= external[static_cast<std::size_t>(link)];
+void LoadInputs::subtract_external(const Setup& setup, int link, Spatial& wrench) const {
+  if (external.empty()) return;
+  const auto l = static_cast<std::size_t>(link);
+  wrench -= setup.frames_of_model.empty() ? external[l] : to_parent(setup.frames_of_model[l], external[l]);
 }
 
 LinkMotion base_motion(const Vector3& gravity) {

@@ -25,6 +25,7 @@ struct Setup {
   Trace& trace;
   std::vector<Pose> poses;             // by joint: child link in parent link
   std::vector<MassProperties> masses;  // by link
+  std::vector<Pose> frames_of_model;   // by link: the model's link frame, where the formulation has another; or empty
 
   const model::KinematicTree& tree() const { return trace.tree; }
   bool floating() const { return trace.tree.floating_base; }
@@ -44,7 +45,7 @@ struct LoadInputs {
   std::vector<Spatial> external;  // by link; empty when there are none
 
   // Takes the external wrench on this link off the wrench that the link needs.
-  void subtract_external(int link, Spatial& wrench) const;
+  void subtract_external(const Setup& setup, int link, Spatial& wrench) const;
 };
 
 // Base at rest, or moving: its classical acceleration minus gravity.

@@ -41,7 +41,7 @@ struct ModelOptions {
   bool strict = false;
   import::UrdfOptions urdf;
   std::string error_format = "gnu";
-  std::vector<std::string> passes;
+  Steps steps;
 
   void declare(CLI::App& subcommand);
   // Loads the robot and prints diagnostics to standard error; nullopt when there was an error.

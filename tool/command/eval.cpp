@@ -72,10 +72,12 @@ symbolic::Program program_of(const Robot& robot, const Options& options) {
   if (auto program = kinematics_program(robot, options.function)) return *program;
   std::vector<std::string> names;
   std::optional<symbolic::Program> found;
-  std::vector<std::string> passes = options.model.passes;
-  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  std::vector<std::string> passes = options.model.steps.names;
+  algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  formulation.effort = options.model.steps.effort;
+  algorithm::Formulations formulations(robot.tree, formulation);
   for (const std::string& group : algorithm::groups()) {
-    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, {}, group, formulation)) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, {}, group, formulations)) {
       names.push_back(f.scope.empty() ? f.name : f.scope + "." + f.name);
       if (names.back() == options.function) found = std::move(f.program);
     }
@@ -242,7 +244,7 @@ symbolic::Arrays<double> arguments(
 
 symbolic::Program program_of(const Transforms& transforms, const Options& options) {
   std::vector<std::string> names;
-  for (const algorithm::TransformFunction& f : trace(transforms, options.model.passes)) {
+  for (const algorithm::TransformFunction& f : trace(transforms, options.model.steps)) {
     names.push_back(dotted(f.scope, f.name));
     if (names.back() == options.function) return f.program;
   }

@@ -152,8 +152,8 @@ Status generate_robot(const Options& options) {
   if (!robot) return wrong_input;
   return write_libraries(options, robot->read, [&](const backend::Language& language) {
     const std::vector<std::string> groups = groups_of(language, options.groups);
-    if (language.caches_parameters) return library_with_cache(*robot, options.names, groups, options.model.passes);
-    return library(*robot, options.names, groups, options.model.passes, primitives_of(options));
+    if (language.caches_parameters) return library_with_cache(*robot, options.names, groups, options.model.steps);
+    return library(*robot, options.names, groups, options.model.steps, primitives_of(options));
   });
 }
 
@@ -170,7 +170,7 @@ Status generate_transforms(const Options& options) {
   const std::optional<Transforms> transforms = options.model.load_transforms();
   if (!transforms) return wrong_input;
   return write_libraries(options, transforms->read, [&](const backend::Language&) {
-    return library(*transforms, options.names, options.model.passes, primitives_of(options));
+    return library(*transforms, options.names, options.model.steps, primitives_of(options));
   });
 }
 

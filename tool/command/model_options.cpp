@@ -69,18 +69,23 @@ void require_groups_of_transforms(const std::vector<std::string>& asked) {
 }
 
 void ModelOptions::declare(CLI::App& subcommand) {
-  passes = steps();
   subcommand.add_option("model", model, "Robot (.kindsl or .urdf), motions (.motdsl) or transforms (.ctdsl)")
       ->required();
   subcommand.add_option("--desired", desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand.add_flag("--strict", strict, "Warnings of the desired-transforms document are errors");
-  subcommand.add_option("--passes", passes, "Which steps of optimisation run: a comma-separated list, or none")
+  subcommand.add_option("--passes", steps.names, "Which steps of optimisation run: a comma-separated list, or none")
       ->delimiter(',')
       ->check(CLI::IsMember([] {
-        std::vector<std::string> names = steps();
+        std::vector<std::string> names = all_steps();
         names.push_back("none");
         return names;
       }()));
+  subcommand
+      .add_option(
+          "--effort", steps.effort,
+          "How long to look for link frames in which the dynamics cost less: 0 not at all, 1 two seconds for forty "
+          "joints, n that many times as long")
+      ->check(CLI::Range(0, 1000));
   declare_urdf_options(subcommand, urdf);
   declare_error_format(subcommand, error_format);
 }
@@ -121,7 +126,7 @@ std::optional<Programs> ModelOptions::load_programs(const std::vector<std::strin
             "{} transforms of {} variables and {} parameters", document.transforms.size(), document.variables.size(),
             document.parameters.size()),
         {}};
-    for (algorithm::TransformFunction& f : trace(*transforms, passes))
+    for (algorithm::TransformFunction& f : trace(*transforms, steps))
       programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
     return programs;
   }
@@ -135,12 +140,12 @@ std::optional<Programs> ModelOptions::load_programs(const std::vector<std::strin
           robot->tree.floating_base ? "floating" : "fixed"),
       {}};
   if (cached) {
-    backend::Library library = library_with_cache(*robot, {}, ordered_groups(groups), passes);
+    backend::Library library = library_with_cache(*robot, {}, ordered_groups(groups), steps);
     for (std::vector<backend::Function>* functions : {&library.functions, &library.updates})
       for (backend::Function& f : *functions) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
     return programs;
   }
-  for (algorithm::RobotFunction& f : trace(*robot, ordered_groups(groups), passes))
+  for (algorithm::RobotFunction& f : trace(*robot, ordered_groups(groups), steps))
     programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;
 }

@@ -170,7 +170,7 @@ void require_traceable(const Robot& robot) {
                        robot.model.string(), robot.tree.name, robot.tree.dof(), kMostJoints)};
 }
 
-std::vector<std::string> steps() {
+std::vector<std::string> all_steps() {
   std::vector<std::string> all = algorithm::choices();
   all.insert(all.end(), pass::names().begin(), pass::names().end());
   return all;
@@ -179,13 +179,15 @@ std::vector<std::string> steps() {
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& steps) {
+    const Steps& steps) {
   require_traceable(robot);
-  std::vector<std::string> passes = steps;
-  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  std::vector<std::string> passes = steps.names;
+  algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  formulation.effort = steps.effort;
+  algorithm::Formulations formulations(robot.tree, formulation);
   std::vector<algorithm::RobotFunction> all;
   for (const std::string& group : groups) {
-    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulation)) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulations)) {
       f.program = pass::run(std::move(f.program), passes);
       all.push_back(std::move(f));
     }
@@ -209,7 +211,7 @@ backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& steps,
+    const Steps& steps,
     Primitives primitives) {
   backend::Library result;
   result.name = names.name;
@@ -254,12 +256,13 @@ backend::Library library_with_cache(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& steps) {
+    const Steps& steps) {
   if (robot.tree.parameters.empty()) return library(robot, names, groups, steps);
   // Split before the passes, which put parameters and variables together in one sum.
-  std::vector<std::string> choices, passes;
-  for (const std::string& step : steps)
-    (std::count(pass::names().begin(), pass::names().end(), step) == 0 ? choices : passes).push_back(step);
+  Steps choices{{}, steps.effort};
+  std::vector<std::string> passes;
+  for (const std::string& step : steps.names)
+    (std::count(pass::names().begin(), pass::names().end(), step) == 0 ? choices.names : passes).push_back(step);
   backend::Library result = library(robot, names, groups, choices);
   std::vector<symbolic::Program> programs;
   for (backend::Function& function : result.functions) programs.push_back(std::move(function.program));

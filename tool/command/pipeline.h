@@ -63,13 +63,20 @@ void require_traceable(const Robot& robot);
 
 // What can be switched off one by one on the way from a model to its programs: the choices of a formulation, then the
 // passes.
-std::vector<std::string> steps();
+std::vector<std::string> all_steps();
+
+// Those that are taken, and how hard to look for what is cheap: the search for link frames may trace that many times
+// the statements of effort 1; 0 leaves it out.
+struct Steps {
+  std::vector<std::string> names = all_steps();
+  int effort = 1;
+};
 
 // All functions of these groups, by these steps. The robot must be traceable.
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& steps);
+    const Steps& steps);
 
 // Whether transforms come as products of primitives too, and of which convention.
 using Primitives = std::optional<model::MovedFramePosition>;
@@ -87,7 +94,7 @@ backend::Library library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& steps,
+    const Steps& steps,
     Primitives primitives = std::nullopt);
 
 // The same, where the functions of a robot with parameters read what follows from these from a cache.
@@ -95,6 +102,6 @@ backend::Library library_with_cache(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& steps);
+    const Steps& steps);
 
 }  // namespace robcogen::command

@@ -200,8 +200,8 @@ std::optional<Transforms> load_transforms(
   return transforms;
 }
 
-std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const std::vector<std::string>& steps) {
-  std::vector<std::string> passes = steps;
+std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const Steps& steps) {
+  std::vector<std::string> passes = steps.names;
   algorithm::take_formulation(passes);  // of dynamics: there are none
   std::vector<algorithm::TransformFunction> all = algorithm::transform_functions(transforms.document);
   for (algorithm::TransformFunction& f : all) f.program = pass::run(std::move(f.program), passes);
@@ -211,7 +211,7 @@ std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, co
 backend::Library library(
     const Transforms& transforms,
     const LibraryNames& names,
-    const std::vector<std::string>& steps,
+    const Steps& steps,
     Primitives primitives) {
   const model::CoordinateTransforms& document = transforms.document;
   backend::Library result;

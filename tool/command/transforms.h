@@ -28,7 +28,7 @@ std::optional<Transforms> load_transforms(
     Diagnostics& diagnostics);
 
 // All functions, by these steps.
-std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const std::vector<std::string>& steps);
+std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const Steps& steps);
 
 // The only group of functions that such a library has.
 inline constexpr const char* kTransformsGroup = "transforms";
@@ -37,7 +37,7 @@ inline constexpr const char* kTransformsGroup = "transforms";
 backend::Library library(
     const Transforms& transforms,
     const LibraryNames& names,
-    const std::vector<std::string>& steps,
+    const Steps& steps,
     Primitives primitives = std::nullopt);
 
 }  // namespace robcogen::command

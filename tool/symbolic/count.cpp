@@ -1,54 +1,72 @@
 #include "symbolic/count.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
+#include <span>
 
 namespace robcogen::symbolic {
 namespace {
 
-struct Use {
-  int count = 0;
-  std::vector<int> sums;  // additions that use it
+// The users of every statement, one after the other: those of statement i from first[i] on.
+struct Uses {
+  std::vector<int> first;
+  std::vector<int> users;  // -1: an output
+
+  std::span<const int> of(std::size_t i) const {
+    return std::span(users).subspan(
+        static_cast<std::size_t>(first[i]), static_cast<std::size_t>(first[i + 1] - first[i]));
+  }
 };
 
-std::vector<Use> uses_of(const Program& p) {
-  std::vector<Use> uses(p.statements.size());
-  const auto note = [&](const Operand& o, int user, bool in_sum) {
-    if (o.kind != Operand::Kind::statement) return;
-    Use& use = uses[static_cast<std::size_t>(o.index)];
-    ++use.count;
-    if (in_sum) use.sums.push_back(user);
+Uses uses_of(const Program& p) {
+  const auto for_each = [&](const auto& note) {
+    for (std::size_t i = 0; i < p.statements.size(); ++i) {
+      const Statement& s = p.statements[i];
+      note(s.a, static_cast<int>(i));
+      if (is_binary(s.op)) note(s.b, static_cast<int>(i));
+    }
+    for (const OutputArray& array : p.outputs)
+      for (const Operand& o : array.values) note(o, -1);
   };
-  for (std::size_t i = 0; i < p.statements.size(); ++i) {
-    const Statement& s = p.statements[i];
-    const bool sum = s.op == Op::add || s.op == Op::subtract;
-    note(s.a, static_cast<int>(i), sum);
-    if (is_binary(s.op)) note(s.b, static_cast<int>(i), sum);
-  }
-  for (const OutputArray& array : p.outputs)
-    for (const Operand& o : array.values) note(o, -1, false);
+  Uses uses{std::vector<int>(p.statements.size() + 1, 0), {}};
+  for_each([&](const Operand& o, int) {
+    if (o.kind == Operand::Kind::statement) ++uses.first[static_cast<std::size_t>(o.index) + 1];
+  });
+  std::partial_sum(uses.first.begin(), uses.first.end(), uses.first.begin());
+  uses.users.resize(static_cast<std::size_t>(uses.first.back()));
+  std::vector<int> next = uses.first;
+  for_each([&](const Operand& o, int user) {
+    if (o.kind == Operand::Kind::statement)
+      uses.users[static_cast<std::size_t>(next[static_cast<std::size_t>(o.index)]++)] = user;
+  });
   return uses;
 }
 
 // Products that disappear: every use is a sum of its own that has not absorbed another product yet. Those with fewest
 // uses first: they block fewest others.
 int fused_products(const Program& p) {
-  const std::vector<Use> uses = uses_of(p);
+  const Uses uses = uses_of(p);
+  const auto is_sum = [&](int user) {
+    return user >= 0 && (p.statements[static_cast<std::size_t>(user)].op == Op::add ||
+                         p.statements[static_cast<std::size_t>(user)].op == Op::subtract);
+  };
   std::vector<std::size_t> candidates;
-  for (std::size_t i = 0; i < p.statements.size(); ++i)
-    if (p.statements[i].op == Op::multiply && uses[i].count > 0 &&
-        static_cast<int>(uses[i].sums.size()) == uses[i].count)
-      candidates.push_back(i);
+  for (std::size_t i = 0; i < p.statements.size(); ++i) {
+    if (p.statements[i].op != Op::multiply) continue;
+    const std::span<const int> users = uses.of(i);
+    if (!users.empty() && std::all_of(users.begin(), users.end(), is_sum)) candidates.push_back(i);
+  }
   std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
-    return uses[a].count < uses[b].count;
+    return uses.of(a).size() < uses.of(b).size();
   });
   std::vector<bool> taken(p.statements.size(), false);
   int fused = 0;
-  for (std::size_t i : candidates) {
-    const std::vector<int>& sums = uses[i].sums;
+  for (const std::size_t i : candidates) {
+    const std::span<const int> sums = uses.of(i);
     if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) continue;  // m + m
     if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) continue;
-    for (int u : sums) taken[static_cast<std::size_t>(u)] = true;
+    for (const int u : sums) taken[static_cast<std::size_t>(u)] = true;
     ++fused;
   }
   return fused;
@@ -93,6 +111,10 @@ int critical_path(const Program& p) {
   return longest;
 }
 
+bool has_parameters(const Program& p) {
+  return std::any_of(p.inputs.begin(), p.inputs.end(), [](const InputArray& a) { return a.role == Role::parameters; });
+}
+
 // What is left to compute when all that follows from the parameters alone is given.
 Program given_parameters(const Program& p) {
   std::vector<bool> is_parameter;
@@ -121,6 +143,8 @@ Program given_parameters(const Program& p) {
   }
   for (OutputArray& array : rest.outputs)
     for (Operand& o : array.values) o = moved(o);
+  for (InputArray& array : rest.inputs)
+    if (array.role == Role::parameters) array.role = Role::value;
   return rest;
 }
 
@@ -157,8 +181,15 @@ OperationCount count(const Program& p) {
 }
 
 int predicted_time(const Program& program) {
-  const OperationCount c = count(given_parameters(program));
+  const OperationCount c = count(has_parameters(program) ? given_parameters(program) : program);
   return std::max(c.critical_path, c.instructions / 2);
+}
+
+int work(const Program& program) {
+  if (has_parameters(program)) return work(given_parameters(program));
+  int operations = 0;
+  for (const Statement& s : program.statements) operations += is_binary(s.op) ? 1 : 0;
+  return 2 * operations - fused_products(program);
 }
 
 }  // namespace robcogen::symbolic

@@ -25,4 +25,8 @@ OperationCount count(const Program& program);
 // critical path, no less than half the instructions.
 int predicted_time(const Program& program);
 
+// What programs of one purpose are compared by: operations, and instructions after fusing once more. What follows from
+// parameters alone is given.
+int work(const Program& program);
+
 }  // namespace robcogen::symbolic

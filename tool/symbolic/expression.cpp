@@ -204,6 +204,13 @@ void Graph::split_factor(const Expression& x, Number& factor, int& rest) const {
   }
 }
 
+std::optional<std::array<Expression, 2>> Graph::terms(const Expression& x) {
+  const Node n = nodes_[static_cast<std::size_t>(x.node())];
+  if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) return std::nullopt;
+  const Expression first(this, n.a, x.negative()), second(this, n.b, x.negative() != (n.op == Op::subtract));
+  return std::array{first, second};
+}
+
 Expression Graph::add(Expression a, Expression b) {
   if (a.is_constant() && b.is_constant()) return constant(a.number() + b.number());
   if (a.node() == b.node()) {
@@ -218,10 +225,9 @@ Expression Graph::add(Expression a, Expression b) {
     split_factor(b, factor_b, rest_b);
     if (rest_a == rest_b) return constant(factor_a + factor_b) * positive(rest_a);
     for (const auto& [sum, other] : {std::pair(a, b), std::pair(b, a)}) {
-      const Node n = nodes_[static_cast<std::size_t>(sum.node())];
-      if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) continue;
-      const Expression first(this, n.a, sum.negative());
-      const Expression second(this, n.b, sum.negative() != (n.op == Op::subtract));
+      const std::optional<std::array<Expression, 2>> both = terms(sum);
+      if (!both) continue;
+      const auto& [first, second] = *both;
       // (t + c1) + c2
       if (other.is_constant() && first.is_constant()) return second + (first + other);
       if (other.is_constant() && second.is_constant()) return first + (second + other);
@@ -229,6 +235,14 @@ Expression Graph::add(Expression a, Expression b) {
       if (first.node() == other.node() && first.negative() != other.negative()) return second;
       if (second.node() == other.node() && second.negative() != other.negative()) return first;
     }
+  }
+  if (rewrite_) {
+    // (p + r) + (q - r)
+    const std::optional<std::array<Expression, 2>> terms_a = terms(a), terms_b = terms(b);
+    if (terms_a && terms_b)
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+          if ((*terms_a)[i] == -(*terms_b)[k]) return (*terms_a)[1 - i] + (*terms_b)[1 - k];
   }
   // Canonical form: the operand that was made first stands first; a common sign moves outwards.
   const bool ordered = a.node() < b.node();

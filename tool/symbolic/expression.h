@@ -5,7 +5,9 @@
 // of PI exactly, so the structural sparsity of joints, inertias and branches needs no special code in the algorithms.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -131,6 +133,8 @@ class Graph {
   Expression positive(int node) { return Expression(this, node, false); }
   // x as factor * rest with a constant factor; factor is 1 when x has none.
   void split_factor(const Expression& x, Number& factor, int& rest) const;
+  // The two terms of a sum or difference.
+  std::optional<std::array<Expression, 2>> terms(const Expression& x);
 
   bool rewrite_;
   std::vector<Node> nodes_;

@@ -1,0 +1,44 @@
+// Turns and slides of link frames that make something vanish.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/formulation.h"
+
+namespace robcogen::algorithm {
+
+class FrameCandidates {
+ public:
+  FrameCandidates(const model::KinematicTree& tree, const Formulation& formulation);
+
+  // The present one first; no two equal. Of the child of the joint.
+  std::vector<model::Quantity> turns(int joint, const LinkFrames& frames) const;
+  std::vector<model::Quantity> slides(int joint, const model::Quantity& turn, const LinkFrames& frames) const;
+
+ private:
+  // The axis of a joint, seen from the model's frame of its parent link.
+  struct Axis {
+    bool is_known = false;     // direction, in numbers
+    bool is_parallel = false;  // to the parent's z axis
+    double sign = 1.0;         // of its z component
+    double normal = 0.0;       // angle of the common normal, or of the offset from axis to axis
+    double twist = 0.0;        // angle from there to the joint frame's x axis; of both for parallel axes
+    bool has_offset = false;   // parallel axes: apart from each other
+    model::Quantity foot;      // of the common normal along the parent's z axis
+    model::Quantity along;     // the way from there along the joint's axis
+  };
+  // First moments and pseudo-inertia of a link in the model's frame, those that matter.
+  struct Mass {
+    bool is_known = false;
+    double h[3] = {};
+    double s[3][3] = {};
+  };
+
+  const model::KinematicTree& tree_;
+  std::vector<Axis> axes_;    // by joint
+  std::vector<Mass> masses_;  // by link
+
+  static Axis axis_of(const model::Joint& joint);
+};
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,18 @@
+// A robot reduced to what one link has to do with.
+#pragma once
+
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::algorithm {
+
+// The links between the base and a joint, and all beyond the joint. No user frames.
+struct LimbView {
+  model::KinematicTree tree;
+  std::vector<int> joints;  // by joint of the view: the joint of the robot
+};
+
+LimbView limb_view(const model::KinematicTree& tree, int joint);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,48 @@
+// Frames that the recursions compute in, where those of the model cost more.
+//
+// A link's frame may turn about, and slide along, the axis of its joint without that anything changes that the joints
+// feel. And it need not turn with the joint: then the vectors of the recursion stay and the link's constant mass
+// properties turn instead, 2 to 9 products for 20, and chains of parallel axes are computed in one frame.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithm/newton_euler.h"
+
+namespace robcogen::algorithm {
+
+// Where the recursions see a link: the frame of the model turned by `turn` (rad) about its z axis and moved by `slide`
+// (m) along it. Both are constants, or depend on parameters alone.
+struct LinkFrame {
+  model::Quantity turn;
+  model::Quantity slide;
+  bool turns_with_joint = true;
+};
+
+// By joint: the frame of its child. Empty: the frames of the model.
+using LinkFrames = std::vector<LinkFrame>;
+
+// Poses of the children in their parents by joint, and what belongs to each link, for the recursions.
+struct FramedLinks {
+  std::vector<Pose> poses;             // by joint
+  std::vector<MassProperties> masses;  // by link
+  std::vector<Pose> frames_of_model;   // by link: the model's link frame in the frame of the recursions
+};
+
+// `masses` are in the frames of the model.
+FramedLinks in_frames(
+    Trace& trace,
+    const LinkFrames& frames,
+    const std::vector<Expression>& q,
+    const std::vector<MassProperties>& masses);
+
+// A joint's placement, split where its axis is not parallel to that of the parent: what leads to the common normal's
+// foot on the joint's axis, and the rest of the way along that axis, which commutes with the joint's own motion.
+struct AxisPlacement {
+  std::vector<model::PrimitiveTransform> to_axis;
+  model::Quantity along;
+};
+AxisPlacement axis_placement(const model::Placement& placement);
+
+}  // namespace robcogen::algorithm
