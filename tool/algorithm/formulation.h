@@ -1,6 +1,7 @@
 // Choices between forms of the same dynamics. Any of them can be switched off: results differ by rounding only.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ struct Formulation {
   bool turn_inertia = true;             // of links, instead of the vectors of the recursion, where that is cheaper
   int effort = 0;                       // of the search for such frames (frame_search.h); 0: none
   LinkFrames frames = {};               // those that were found; empty: the model's
+
+  // For traces that are made to be compared: nothing has a name, and what the model says is computed already (together
+  // with `frames` only).
+  bool is_draft = false;
+  std::shared_ptr<const LinkNumbers> numbers = nullptr;
 };
 
 // Names of the choices, in the order of the fields.

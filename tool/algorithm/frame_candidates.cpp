@@ -39,14 +39,20 @@ void add(std::vector<Quantity>& list, const Quantity& q) {
   if (!known) list.push_back(q);
 }
 
-double value(const Expression& e) {
-  return e.number().value();
-}
-
-bool is_constant(const MassProperties& m) {
-  const auto constant = [](const Vector3& v) { return v[0].is_constant() && v[1].is_constant() && v[2].is_constant(); };
-  return constant(m.first_moment) && constant(m.pseudo_inertia[0]) && constant(m.pseudo_inertia[1]) &&
-         constant(m.pseudo_inertia[2]);
+std::optional<MassNumbers> numbers_of(const MassProperties& m) {
+  MassNumbers result;
+  bool known = m.mass.is_constant();
+  result.mass = known ? m.mass.number() : Number();
+  const auto take = [&](const Expression& e, Number& number) {
+    known = known && e.is_constant();
+    if (known) number = e.number();
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    take(m.first_moment[i], result.first_moment[i]);
+    for (std::size_t k = 0; k < 3; ++k) take(m.pseudo_inertia[i][k], result.pseudo_inertia[i][k]);
+  }
+  if (!known) return std::nullopt;
+  return result;
 }
 
 }  // namespace
@@ -90,14 +96,14 @@ FrameCandidates::FrameCandidates(const model::KinematicTree& tree, const Formula
   Formulation plain = formulation;
   plain.frames.clear();
   const Setup setup(trace, trace.joint_input("q", symbolic::Role::joint_position), plain);
-  for (std::size_t l = 0; l < masses_.size(); ++l) {
-    if (!is_constant(setup.masses[l])) continue;
-    masses_[l].is_known = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      masses_[l].h[i] = value(setup.masses[l].first_moment[i]);
-      for (std::size_t k = 0; k < 3; ++k) masses_[l].s[i][k] = value(setup.masses[l].pseudo_inertia[i][k]);
-    }
-  }
+  for (std::size_t l = 0; l < masses_.size(); ++l) masses_[l] = numbers_of(setup.masses[l]);
+}
+
+std::shared_ptr<const LinkNumbers> FrameCandidates::numbers() const {
+  if (!tree_.parameters.empty()) return nullptr;
+  LinkNumbers result{axis_placements(tree_), {}};
+  for (const std::optional<MassNumbers>& mass : masses_) result.masses.push_back(mass.value());
+  return std::make_shared<const LinkNumbers>(std::move(result));
 }
 
 std::vector<Quantity> FrameCandidates::turns(int joint, const LinkFrames& frames) const {
@@ -114,14 +120,14 @@ std::vector<Quantity> FrameCandidates::turns(int joint, const LinkFrames& frames
     const Axis& axis = axes_[at(child)];
     if (axis.is_known && (!axis.is_parallel || axis.has_offset)) add_both(axis.normal);
   }
-  const Mass& mass = masses_[at(link)];
-  if (mass.is_known) {
-    const double h = std::hypot(mass.h[0], mass.h[1]);
-    if (h > 0) add_both(std::atan2(mass.h[1], mass.h[0]));
-    if (mass.s[0][1] != 0) add_both(0.5 * std::atan2(2 * mass.s[0][1], mass.s[0][0] - mass.s[1][1]));
+  if (const auto& mass = masses_[at(link)]) {
+    const auto h = [&](std::size_t i) { return mass->first_moment[i].value(); };
+    const auto s = [&](std::size_t i, std::size_t k) { return mass->pseudo_inertia[i][k].value(); };
+    if (h(0) != 0 || h(1) != 0) add_both(std::atan2(h(1), h(0)));
+    if (s(0, 1) != 0) add_both(0.5 * std::atan2(2 * s(0, 1), s(0, 0) - s(1, 1)));
     const double slide = now.slide.is_constant() ? now.slide.number().value() : 0.0;
-    const double xz = mass.s[0][2] - slide * mass.h[0], yz = mass.s[1][2] - slide * mass.h[1];
-    if (std::hypot(xz, yz) > kNothing * std::hypot(mass.s[0][2], mass.s[1][2])) add_both(std::atan2(yz, xz));
+    const double xz = s(0, 2) - slide * h(0), yz = s(1, 2) - slide * h(1);
+    if (std::hypot(xz, yz) > kNothing * std::hypot(s(0, 2), s(1, 2))) add_both(std::atan2(yz, xz));
   }
   const Axis& own = axes_[at(joint)];
   if (own.is_known) {
@@ -152,11 +158,13 @@ std::vector<Quantity> FrameCandidates::slides(int joint, const Quantity& turn, c
       add(list, -own.along);
     }
   }
-  const Mass& mass = masses_[at(link)];
-  if (mass.is_known && turn.is_constant()) {
+  const auto& mass = masses_[at(link)];
+  if (mass && turn.is_constant()) {
     const double c = std::cos(turn.number().value()), s = std::sin(turn.number().value());
-    const double hx = c * mass.h[0] + s * mass.h[1], hy = c * mass.h[1] - s * mass.h[0];
-    const double xz = c * mass.s[0][2] + s * mass.s[1][2], yz = c * mass.s[1][2] - s * mass.s[0][2];
+    const double x = mass->first_moment[0].value(), y = mass->first_moment[1].value();
+    const double zx = mass->pseudo_inertia[0][2].value(), zy = mass->pseudo_inertia[1][2].value();
+    const double hx = c * x + s * y, hy = c * y - s * x;
+    const double xz = c * zx + s * zy, yz = c * zy - s * zx;
     const double least = kNothing * std::hypot(hx, hy);
     if (std::abs(hx) > least) add(list, length(xz / hx));
     if (std::abs(hy) > least) add(list, length(yz / hy));

@@ -1,6 +1,8 @@
 // Turns and slides of link frames that make something vanish.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "algorithm/formulation.h"
@@ -10,6 +12,9 @@ namespace robcogen::algorithm {
 class FrameCandidates {
  public:
   FrameCandidates(const model::KinematicTree& tree, const Formulation& formulation);
+
+  // Where all of the model is numbers.
+  std::shared_ptr<const LinkNumbers> numbers() const;
 
   // The present one first; no two equal. Of the child of the joint.
   std::vector<model::Quantity> turns(int joint, const LinkFrames& frames) const;
@@ -27,16 +32,10 @@ class FrameCandidates {
     model::Quantity foot;      // of the common normal along the parent's z axis
     model::Quantity along;     // the way from there along the joint's axis
   };
-  // First moments and pseudo-inertia of a link in the model's frame, those that matter.
-  struct Mass {
-    bool is_known = false;
-    double h[3] = {};
-    double s[3][3] = {};
-  };
 
   const model::KinematicTree& tree_;
-  std::vector<Axis> axes_;    // by joint
-  std::vector<Mass> masses_;  // by link
+  std::vector<Axis> axes_;                          // by joint
+  std::vector<std::optional<MassNumbers>> masses_;  // by link, in the model's frame; those that matter
 
   static Axis axis_of(const model::Joint& joint);
 };

@@ -17,11 +17,6 @@ std::size_t at(int index) {
 constexpr long kStatements = 4'000'000;
 constexpr int kRounds = 2;
 
-int cost_of(const symbolic::Program& program) {
-  const symbolic::OperationCount c = symbolic::count(program);
-  return c.mul + c.add + c.instructions;
-}
-
 class Search {
  public:
   Search(const model::KinematicTree& tree, const Formulation& formulation, const TraceOf& trace)
@@ -29,6 +24,7 @@ class Search {
         formulation_(formulation),
         trace_(trace),
         candidates_(tree, formulation),
+        numbers_(candidates_.numbers()),
         frames_(formulation.frames),
         left_(kStatements * formulation.effort) {
     if (frames_.empty()) frames_.resize(tree.joints.size());
@@ -49,22 +45,39 @@ class Search {
   const Formulation& formulation_;
   const TraceOf& trace_;
   FrameCandidates candidates_;
+  std::shared_ptr<const LinkNumbers> numbers_;       // of a robot without parameters
+  std::shared_ptr<const LinkNumbers> view_numbers_;  // of the view at hand
   LinkFrames frames_;
   long left_;
 
   // Of the part of the robot that a limb belongs to, in these frames.
   int cost(const LimbView& view, const LinkFrames& frames) {
     Formulation choice = formulation_;
+    choice.is_draft = true;
+    choice.numbers = view_numbers_;
     choice.frames.clear();
     for (const int j : view.joints) choice.frames.push_back(frames[at(j)]);
     const symbolic::Program program = trace_(view.tree, choice);
     left_ -= static_cast<long>(program.statements.size());
-    return cost_of(program);
+    return symbolic::work(program);
+  }
+
+  // The numbers of the view's joints and links.
+  std::shared_ptr<const LinkNumbers> numbers_of(const LimbView& view) const {
+    if (!numbers_) return nullptr;
+    LinkNumbers result;
+    result.masses.push_back(numbers_->masses[0]);
+    for (const int j : view.joints) {
+      result.placements.push_back(numbers_->placements[at(j)]);
+      result.masses.push_back(numbers_->masses[at(tree_.joints[at(j)].child)]);
+    }
+    return std::make_shared<const LinkNumbers>(std::move(result));
   }
 
   bool improve(int joint) {
     if (left_ <= 0) return false;
     const LimbView view = limb_view(tree_, joint);
+    view_numbers_ = numbers_of(view);
     int best = cost(view, frames_);
     const int before = best;
     const auto attempt = [&](const LinkFrames& frames) {

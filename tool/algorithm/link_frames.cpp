@@ -145,8 +145,12 @@ double magnitude(const Vector3& v) {
 
 class Framing {
  public:
-  Framing(Trace& trace, const LinkFrames& frames, const std::vector<Expression>& q)
-      : trace_(trace), frames_(frames), q_(q), turned_by_(trace.tree.links.size()) {}
+  Framing(
+      Trace& trace,
+      const LinkFrames& frames,
+      const std::vector<AxisPlacement>& placements,
+      const std::vector<Expression>& q)
+      : trace_(trace), frames_(frames), placements_(placements), q_(q), turned_by_(trace.tree.links.size()) {}
 
   FramedLinks run(const std::vector<MassProperties>& masses) {
     const model::KinematicTree& tree = trace_.tree;
@@ -172,6 +176,7 @@ class Framing {
  private:
   Trace& trace_;
   const LinkFrames& frames_;
+  const std::vector<AxisPlacement>& placements_;
   const std::vector<Expression>& q_;
   std::vector<std::optional<PlaneRotation>> turned_by_;  // by link: from its frame to the recursion's, when they differ
 
@@ -197,7 +202,7 @@ class Framing {
   Pose pose(int j) {
     const model::Joint& joint = trace_.tree.joints[at(j)];
     const int parent_joint = trace_.tree.parent_joint_of(j);
-    const AxisPlacement placement = axis_placement(joint.placement);
+    const AxisPlacement& placement = placements_[at(j)];
     const LinkFrame& frame = frames_[at(j)];
     const bool revolute = joint.type == model::JointType::revolute;
     std::vector<PrimitiveTransform> list;
@@ -240,12 +245,19 @@ AxisPlacement axis_placement(const Placement& placement) {
   return split_numerically(placement, r);
 }
 
+std::vector<AxisPlacement> axis_placements(const model::KinematicTree& tree) {
+  std::vector<AxisPlacement> placements;
+  for (const model::Joint& joint : tree.joints) placements.push_back(axis_placement(joint.placement));
+  return placements;
+}
+
 FramedLinks in_frames(
     Trace& trace,
     const LinkFrames& frames,
+    const std::vector<AxisPlacement>& placements,
     const std::vector<Expression>& q,
     const std::vector<MassProperties>& masses) {
-  return Framing(trace, frames, q).run(masses);
+  return Framing(trace, frames, placements, q).run(masses);
 }
 
 }  // namespace robcogen::algorithm

@@ -5,6 +5,7 @@
 // properties turn instead, 2 to 9 products for 20, and chains of parallel axes are computed in one frame.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,13 +31,6 @@ struct FramedLinks {
   std::vector<Pose> frames_of_model;   // by link: the model's link frame in the frame of the recursions
 };
 
-// `masses` are in the frames of the model.
-FramedLinks in_frames(
-    Trace& trace,
-    const LinkFrames& frames,
-    const std::vector<Expression>& q,
-    const std::vector<MassProperties>& masses);
-
 // A joint's placement, split where its axis is not parallel to that of the parent: what leads to the common normal's
 // foot on the joint's axis, and the rest of the way along that axis, which commutes with the joint's own motion.
 struct AxisPlacement {
@@ -44,5 +38,28 @@ struct AxisPlacement {
   model::Quantity along;
 };
 AxisPlacement axis_placement(const model::Placement& placement);
+// By joint.
+std::vector<AxisPlacement> axis_placements(const model::KinematicTree& tree);
+
+// `masses` are in the frames of the model.
+FramedLinks in_frames(
+    Trace& trace,
+    const LinkFrames& frames,
+    const std::vector<AxisPlacement>& placements,
+    const std::vector<Expression>& q,
+    const std::vector<MassProperties>& masses);
+
+// The mass properties of a link in numbers.
+struct MassNumbers {
+  Number mass;
+  std::array<Number, 3> first_moment;
+  std::array<std::array<Number, 3>, 3> pseudo_inertia;
+};
+
+// What many traces of one robot take from its model, computed once.
+struct LinkNumbers {
+  std::vector<AxisPlacement> placements;  // by joint
+  std::vector<MassNumbers> masses;        // by link, in the frames of the model; those that matter
+};
 
 }  // namespace robcogen::algorithm

@@ -14,25 +14,46 @@ void begin_base(Trace& trace) {
   trace.section(base, "base " + base + ": motion");
 }
 
+MassProperties mass_properties_of(Trace& trace, const model::Link& link) {
+  trace.section(link.name, "link " + link.name + ": mass properties");
+  return mass_properties(trace, link);
+}
+
+MassProperties lift(Trace& trace, const MassNumbers& numbers) {
+  MassProperties m;
+  m.mass = trace.graph.constant(numbers.mass);
+  for (std::size_t i = 0; i < 3; ++i) {
+    m.first_moment[i] = trace.graph.constant(numbers.first_moment[i]);
+    for (std::size_t k = 0; k < 3; ++k) m.pseudo_inertia[i][k] = trace.graph.constant(numbers.pseudo_inertia[i][k]);
+  }
+  return m;
+}
+
 }  // namespace
 
 Setup::Setup(Trace& t, const std::vector<Expression>& q) : trace(t), poses(joint_poses(t, q)) {
-  for (const model::Link& link : trace.tree.links) {
-    trace.section(link.name, "link " + link.name + ": mass properties");
-    masses.push_back(mass_properties(trace, link));
-  }
+  for (const model::Link& link : tree().links) masses.push_back(mass_properties_of(trace, link));
   begin_base(trace);
 }
 
-Setup::Setup(Trace& t, const std::vector<Expression>& q, const Formulation& formulation) : Setup(t, q) {
-  if (formulation.regroup) masses = regrouped(trace, poses, masses);
-  if (!formulation.frames.empty()) {
-    FramedLinks framed = in_frames(trace, formulation.frames, q, masses);
-    poses = std::move(framed.poses);
-    masses = std::move(framed.masses);
-    frames_of_model = std::move(framed.frames_of_model);
+Setup::Setup(Trace& t, const std::vector<Expression>& q, const Formulation& formulation) : trace(t) {
+  if (formulation.is_draft) trace.graph.forget_names();
+  if (formulation.numbers) {
+    for (const MassNumbers& numbers : formulation.numbers->masses) masses.push_back(lift(trace, numbers));
+    move_into(in_frames(trace, formulation.frames, formulation.numbers->placements, q, masses));
+    return;
   }
+  poses = joint_poses(trace, q);
+  for (const model::Link& link : tree().links) masses.push_back(mass_properties_of(trace, link));
+  if (formulation.regroup) masses = regrouped(trace, poses, masses);
+  if (!formulation.frames.empty()) move_into(in_frames(trace, formulation.frames, axis_placements(tree()), q, masses));
   begin_base(trace);
+}
+
+void Setup::move_into(FramedLinks&& framed) {
+  poses = std::move(framed.poses);
+  masses = std::move(framed.masses);
+  frames_of_model = std::move(framed.frames_of_model);
 }
 
 std::vector<JointView> Setup::children(int link) const {

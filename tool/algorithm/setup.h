@@ -35,6 +35,9 @@ struct Setup {
   std::vector<JointView> children(int link) const;
   // Whether what a link passes to its parent matters: a fixed base takes everything.
   bool parent_matters(int link) const;
+
+ private:
+  void move_into(FramedLinks&& framed);
 };
 
 // Gravity and external wrenches of a program. Declares its inputs: call after all other inputs.

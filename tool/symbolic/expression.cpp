@@ -163,11 +163,11 @@ int Graph::cost_since(std::size_t mark) const {
 }
 
 void Graph::begin_section(std::string title, std::string prefix) {
-  sections_.push_back({std::move(title), std::move(prefix)});
+  if (names_matter_) sections_.push_back({std::move(title), std::move(prefix)});
 }
 
 void Graph::name(const Expression& e, const std::string& name) {
-  if (!e.graph()) return;
+  if (!e.graph() || !names_matter_) return;
   const auto node = static_cast<std::size_t>(e.node());
   if (nodes_[node].kind != Node::Kind::operation || !names_[node].empty()) return;
   // The node holds the value without its sign.
@@ -325,9 +325,10 @@ Program Graph::program(
       if (n.b >= 0) s.b = operand_of[static_cast<std::size_t>(n.b)];
       s.section = new_section[section];
       s.named = !names_[i].empty();
-      s.name = unique(
-          s.named ? names_[i]
-                  : sections_[section].prefix + "_t" + std::to_string(next_number[sections_[section].prefix]++));
+      if (names_matter_)
+        s.name = unique(
+            s.named ? names_[i]
+                    : sections_[section].prefix + "_t" + std::to_string(next_number[sections_[section].prefix]++));
       here = {Operand::Kind::statement, static_cast<int>(p.statements.size()), false};
       p.statements.push_back(std::move(s));
     }

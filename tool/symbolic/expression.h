@@ -89,6 +89,8 @@ class Graph {
   // What was built since the mark: operations, plus instructions when a sum swallows one of its products.
   int cost_since(std::size_t mark) const;
 
+  // For graphs whose programs are counted only: no sections and names from now on, and statements without names.
+  void forget_names() { names_matter_ = false; }
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);
   // Gives the value a name unless it has one, or is a constant or an input. Where only the negated value is computed,
@@ -137,6 +139,7 @@ class Graph {
   std::optional<std::array<Expression, 2>> terms(const Expression& x);
 
   bool rewrite_;
+  bool names_matter_ = true;
   std::vector<Node> nodes_;
   std::vector<Number> constants_;
   std::vector<int> section_of_;
