@@ -32,12 +32,30 @@ Quantity length(double value) {
   return Quantity(*Number::parse(print_double(std::abs(value) < 1e-14 ? 0.0 : value)));
 }
 
-void add(std::vector<Quantity>& list, const Quantity& q) {
-  const bool known = std::any_of(list.begin(), list.end(), [&](const Quantity& other) {
-    return q.is_constant() && other.is_constant() && std::abs(q.number().value() - other.number().value()) < kSame;
-  });
-  if (!known) list.push_back(q);
-}
+// Candidates under construction: each call is a rule, whether it has something to offer or not.
+class CandidateList {
+ public:
+  std::vector<Candidate> list;
+
+  void skip(int rules = 1) { next_ += rules; }
+  void add(const Quantity& q) {
+    const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& other) {
+      const Quantity& o = other.value;
+      return q.is_constant() && o.is_constant() && std::abs(q.number().value() - o.number().value()) < kSame;
+    });
+    if (!known) list.push_back({next_, q});
+    ++next_;
+  }
+  // A direction and its normal.
+  void add_direction(double a) {
+    const double within = std::remainder(a, 2 * kQuarter);
+    add(angle(within));
+    add(angle(within + kQuarter));
+  }
+
+ private:
+  int next_ = 0;
+};
 
 std::optional<MassNumbers> numbers_of(const MassProperties& m) {
   MassNumbers result;
@@ -106,28 +124,29 @@ std::shared_ptr<const LinkNumbers> FrameCandidates::numbers() const {
   return std::make_shared<const LinkNumbers>(std::move(result));
 }
 
-std::vector<Quantity> FrameCandidates::turns(int joint, const LinkFrames& frames) const {
+std::vector<Candidate> FrameCandidates::turns(int joint, const LinkFrames& frames) const {
   const LinkFrame& now = frames[at(joint)];
   const int link = tree_.joints[at(joint)].child;
-  std::vector<Quantity> list{now.turn};
-  const auto add_both = [&](double a) {
-    const double within = std::remainder(a, 2 * kQuarter);
-    add(list, angle(within));
-    add(list, angle(within + kQuarter));
+  CandidateList turns;
+  turns.add(now.turn);
+  turns.add(Quantity());
+  const auto direction = [&](bool exists, double x, double y, double divisor = 1.0) {
+    if (exists)
+      turns.add_direction(std::atan2(y, x) / divisor);
+    else
+      turns.skip(2);
   };
-  add(list, Quantity());
-  for (const int child : tree_.links[at(link)].child_joints) {
-    const Axis& axis = axes_[at(child)];
-    if (axis.is_known && (!axis.is_parallel || axis.has_offset)) add_both(axis.normal);
-  }
-  if (const auto& mass = masses_[at(link)]) {
-    const auto h = [&](std::size_t i) { return mass->first_moment[i].value(); };
-    const auto s = [&](std::size_t i, std::size_t k) { return mass->pseudo_inertia[i][k].value(); };
-    if (h(0) != 0 || h(1) != 0) add_both(std::atan2(h(1), h(0)));
-    if (s(0, 1) != 0) add_both(0.5 * std::atan2(2 * s(0, 1), s(0, 0) - s(1, 1)));
+  const auto& mass = masses_[at(link)];
+  const auto h = [&](std::size_t i) { return mass->first_moment[i].value(); };
+  const auto s = [&](std::size_t i, std::size_t k) { return mass->pseudo_inertia[i][k].value(); };
+  if (mass) {
+    direction(h(0) != 0 || h(1) != 0, h(0), h(1));
+    direction(s(0, 1) != 0, s(0, 0) - s(1, 1), 2 * s(0, 1), 2.0);
     const double slide = now.slide.is_constant() ? now.slide.number().value() : 0.0;
     const double xz = s(0, 2) - slide * h(0), yz = s(1, 2) - slide * h(1);
-    if (std::hypot(xz, yz) > kNothing * std::hypot(s(0, 2), s(1, 2))) add_both(std::atan2(yz, xz));
+    direction(std::hypot(xz, yz) > kNothing * std::hypot(s(0, 2), s(1, 2)), xz, yz);
+  } else {
+    turns.skip(6);
   }
   const Axis& own = axes_[at(joint)];
   if (own.is_known) {
@@ -135,28 +154,32 @@ std::vector<Quantity> FrameCandidates::turns(int joint, const LinkFrames& frames
     double offset = own.twist;
     if (own.is_parallel && parent >= 0 && frames[at(parent)].turn.is_constant())
       offset -= own.sign * frames[at(parent)].turn.number().value();
-    add(list, angle(-std::remainder(offset, kQuarter)));
+    turns.add(angle(-std::remainder(offset, kQuarter)));
+  } else {
+    turns.skip();
   }
-  return list;
+  for (const int child : tree_.links[at(link)].child_joints) {
+    const Axis& axis = axes_[at(child)];
+    direction(axis.is_known && (!axis.is_parallel || axis.has_offset), std::cos(axis.normal), std::sin(axis.normal));
+  }
+  return turns.list;
 }
 
-std::vector<Quantity> FrameCandidates::slides(int joint, const Quantity& turn, const LinkFrames& frames) const {
-  const LinkFrame& now = frames[at(joint)];
+std::vector<Candidate> FrameCandidates::slides(int joint, const Quantity& turn, const LinkFrames& frames) const {
   const int link = tree_.joints[at(joint)].child;
-  std::vector<Quantity> list{now.slide};
-  add(list, Quantity());
-  for (const int child : tree_.links[at(link)].child_joints)
-    if (axes_[at(child)].is_known) add(list, axes_[at(child)].foot);
+  CandidateList slides;
+  slides.add(frames[at(joint)].slide);
+  slides.add(Quantity());
   const Axis& own = axes_[at(joint)];
   const int parent = tree_.parent_joint_of(joint);
-  if (own.is_known) {
-    if (own.is_parallel) {
-      const Quantity parents = parent >= 0 ? frames[at(parent)].slide : Quantity();
-      const Quantity way = parents - own.foot;
-      add(list, own.sign < 0 ? -way : way);
-    } else {
-      add(list, -own.along);
-    }
+  if (!own.is_known) {
+    slides.skip();
+  } else if (own.is_parallel) {
+    const Quantity parents = parent >= 0 ? frames[at(parent)].slide : Quantity();
+    const Quantity way = parents - own.foot;
+    slides.add(own.sign < 0 ? -way : way);
+  } else {
+    slides.add(-own.along);
   }
   const auto& mass = masses_[at(link)];
   if (mass && turn.is_constant()) {
@@ -166,10 +189,24 @@ std::vector<Quantity> FrameCandidates::slides(int joint, const Quantity& turn, c
     const double hx = c * x + s * y, hy = c * y - s * x;
     const double xz = c * zx + s * zy, yz = c * zy - s * zx;
     const double least = kNothing * std::hypot(hx, hy);
-    if (std::abs(hx) > least) add(list, length(xz / hx));
-    if (std::abs(hy) > least) add(list, length(yz / hy));
+    const auto vanishing = [&](double product, double moment) {
+      if (std::abs(moment) > least)
+        slides.add(length(product / moment));
+      else
+        slides.skip();
+    };
+    vanishing(xz, hx);
+    vanishing(yz, hy);
+  } else {
+    slides.skip(2);
   }
-  return list;
+  for (const int child : tree_.links[at(link)].child_joints) {
+    if (axes_[at(child)].is_known)
+      slides.add(axes_[at(child)].foot);
+    else
+      slides.skip();
+  }
+  return slides.list;
 }
 
 }  // namespace robcogen::algorithm

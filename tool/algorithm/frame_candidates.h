@@ -9,6 +9,12 @@
 
 namespace robcogen::algorithm {
 
+// By the same rule two limbs of one shape get corresponding frames.
+struct Candidate {
+  int rule = 0;
+  model::Quantity value;
+};
+
 class FrameCandidates {
  public:
   FrameCandidates(const model::KinematicTree& tree, const Formulation& formulation);
@@ -16,9 +22,9 @@ class FrameCandidates {
   // Where all of the model is numbers.
   std::shared_ptr<const LinkNumbers> numbers() const;
 
-  // The present one first; no two equal. Of the child of the joint.
-  std::vector<model::Quantity> turns(int joint, const LinkFrames& frames) const;
-  std::vector<model::Quantity> slides(int joint, const model::Quantity& turn, const LinkFrames& frames) const;
+  // Rule 0 keeps what there is; no two are equal. Of the child of the joint.
+  std::vector<Candidate> turns(int joint, const LinkFrames& frames) const;
+  std::vector<Candidate> slides(int joint, const model::Quantity& turn, const LinkFrames& frames) const;
 
  private:
   // The axis of a joint, seen from the model's frame of its parent link.

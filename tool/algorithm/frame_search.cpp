@@ -1,6 +1,8 @@
 #include "algorithm/frame_search.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "algorithm/frame_candidates.h"
 #include "algorithm/limb_view.h"
@@ -9,17 +11,50 @@
 namespace robcogen::algorithm {
 namespace {
 
+using model::KinematicTree;
+
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
 // Statements that may be traced at effort 1.
-constexpr long kStatements = 4'000'000;
-constexpr int kRounds = 2;
+constexpr long kStatements = 2'000'000;
+constexpr int kRounds = 3;
+
+// Whether two joints carry limbs of the same joints in the same order.
+bool have_one_shape(const KinematicTree& tree, int a, int b) {
+  const model::Joint &first = tree.joints[at(a)], &second = tree.joints[at(b)];
+  const std::vector<int>&beyond_first = tree.links[at(first.child)].child_joints,
+        &beyond_second = tree.links[at(second.child)].child_joints;
+  return first.type == second.type &&
+         std::equal(
+             beyond_first.begin(), beyond_first.end(), beyond_second.begin(), beyond_second.end(),
+             [&](int x, int y) { return have_one_shape(tree, x, y); });
+}
+
+// The joint and all beyond it, depth first.
+void append_limb(const KinematicTree& tree, int joint, std::vector<int>& joints) {
+  joints.push_back(joint);
+  for (const int child : tree.links[at(tree.joints[at(joint)].child)].child_joints) append_limb(tree, child, joints);
+}
+
+std::vector<int> limb(const KinematicTree& tree, int joint) {
+  std::vector<int> joints;
+  append_limb(tree, joint, joints);
+  return joints;
+}
+
+// An accepted change.
+struct Step {
+  int joint = 0;
+  int turn_rule = 0, slide_rule = 0;
+  bool turns = true;
+  std::optional<bool> parent_turns = {};
+};
 
 class Search {
  public:
-  Search(const model::KinematicTree& tree, const Formulation& formulation, const TraceOf& trace)
+  Search(const KinematicTree& tree, const Formulation& formulation, const TraceOf& trace)
       : tree_(tree),
         formulation_(formulation),
         trace_(trace),
@@ -31,17 +66,16 @@ class Search {
   }
 
   LinkFrames run() {
-    const std::vector<int> joints = tree_.topological();
     for (int round = 0; round < kRounds; ++round) {
-      bool better = false;
-      for (const int j : joints) better |= improve(j);
-      if (!better) break;
+      taken_.clear();
+      visit(0);
+      if (taken_.empty()) break;
     }
     return frames_;
   }
 
  private:
-  const model::KinematicTree& tree_;
+  const KinematicTree& tree_;
   const Formulation& formulation_;
   const TraceOf& trace_;
   FrameCandidates candidates_;
@@ -49,6 +83,67 @@ class Search {
   std::shared_ptr<const LinkNumbers> view_numbers_;  // of the view at hand
   LinkFrames frames_;
   long left_;
+  std::vector<Step> taken_;  // in this round
+
+  // All limbs that hang on a link; one that is like an earlier one follows it.
+  void visit(int link) {
+    struct Done {
+      int joint;
+      std::size_t first, last;  // of taken_
+      int cost;
+    };
+    std::vector<Done> done;
+    for (const int joint : tree_.links[at(link)].child_joints) {
+      const auto twin = std::find_if(
+          done.begin(), done.end(), [&](const Done& other) { return have_one_shape(tree_, other.joint, joint); });
+      const std::size_t first = taken_.size();
+      if (twin == done.end() || !follow(joint, twin->joint, twin->first, twin->last, twin->cost)) {
+        improve(joint);
+        visit(tree_.joints[at(joint)].child);
+      }
+      done.push_back({joint, first, taken_.size(), whole_cost(joint)});
+    }
+  }
+
+  int whole_cost(int joint) {
+    const LimbView view = limb_view(tree_, joint);
+    view_numbers_ = numbers_of(view);
+    return cost(view, frames_);
+  }
+
+  // Takes the steps of a limb of the same shape; whether that costs the same there. Otherwise nothing changes.
+  bool follow(int joint, int leader, std::size_t first, std::size_t last, int expected) {
+    const LinkFrames before = frames_;
+    const std::vector<int> from = limb(tree_, leader), to = limb(tree_, joint);
+    std::map<int, int> counterpart;
+    for (std::size_t i = 0; i < from.size(); ++i) counterpart[from[i]] = to[i];
+    for (std::size_t i = first; i < last; ++i) {
+      const Step& step = taken_[i];
+      const auto own = counterpart.find(step.joint);
+      if (own == counterpart.end() || !take(own->second, step)) {
+        frames_ = before;
+        return false;
+      }
+    }
+    if (whole_cost(joint) == expected) return true;
+    frames_ = before;
+    return false;
+  }
+
+  bool take(int joint, const Step& step) {
+    const auto find = [](const std::vector<Candidate>& list, int rule) {
+      return std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.rule == rule; });
+    };
+    const std::vector<Candidate> turns = candidates_.turns(joint, frames_);
+    const auto turn = find(turns, step.turn_rule);
+    if (turn == turns.end()) return false;
+    const std::vector<Candidate> slides = candidates_.slides(joint, turn->value, frames_);
+    const auto slide = find(slides, step.slide_rule);
+    if (slide == slides.end()) return false;
+    frames_[at(joint)] = {turn->value, slide->value, step.turns};
+    if (step.parent_turns) frames_[at(tree_.parent_joint_of(joint))].turns_with_joint = *step.parent_turns;
+    return true;
+  }
 
   // Of the part of the robot that a limb belongs to, in these frames.
   int cost(const LimbView& view, const LinkFrames& frames) {
@@ -74,55 +169,46 @@ class Search {
     return std::make_shared<const LinkNumbers>(std::move(result));
   }
 
-  bool improve(int joint) {
-    if (left_ <= 0) return false;
+  // Turns, then slides at the best turn; each with and without the joint's turning.
+  void improve(int joint) {
     const LimbView view = limb_view(tree_, joint);
     view_numbers_ = numbers_of(view);
     int best = cost(view, frames_);
-    const int before = best;
-    const auto attempt = [&](const LinkFrames& frames) {
+    const auto attempt = [&](const LinkFrame& frame, Step step) {
       if (left_ <= 0) return;
+      LinkFrames frames = frames_;
+      frames[at(joint)] = frame;
+      if (step.parent_turns) frames[at(tree_.parent_joint_of(joint))].turns_with_joint = *step.parent_turns;
       const int c = cost(view, frames);
       if (c >= best) return;
       best = c;
-      frames_ = frames;
+      frames_ = std::move(frames);
+      step.joint = joint;
+      step.turns = frame.turns_with_joint;
+      taken_.push_back(step);
     };
-    const auto with = [&](int j, const LinkFrame& frame) {
-      LinkFrames frames = frames_;
-      frames[at(j)] = frame;
-      return frames;
+    const auto attempt_both = [&](const model::Quantity& turn, const model::Quantity& slide, const Step& step) {
+      for (const bool turns : {true, false})
+        if (turns || formulation_.turn_inertia) attempt({turn, slide, turns}, step);
     };
     if (formulation_.choose_frames) {
-      for (const model::Quantity& turn : candidates_.turns(joint, frames_)) {
-        for (const model::Quantity& slide : candidates_.slides(joint, turn, frames_)) {
-          for (const bool turns : {true, false}) {
-            if (!turns && !formulation_.turn_inertia) continue;
-            attempt(with(joint, {turn, slide, turns}));
-          }
-        }
-      }
+      for (const Candidate& turn : candidates_.turns(joint, frames_))
+        attempt_both(turn.value, frames_[at(joint)].slide, {.turn_rule = turn.rule});
+      const model::Quantity turn = frames_[at(joint)].turn;
+      for (const Candidate& slide : candidates_.slides(joint, turn, frames_))
+        attempt_both(turn, slide.value, {.slide_rule = slide.rule});
     }
-    if (formulation_.turn_inertia) {
-      const int parent = tree_.parent_joint_of(joint);
-      for (const bool own : {true, false}) {
-        LinkFrame frame = frames_[at(joint)];
-        frame.turns_with_joint = own;
-        attempt(with(joint, frame));
-        if (parent < 0) continue;
-        for (const bool parents : {true, false}) {
-          LinkFrames frames = with(joint, frame);
-          frames[at(parent)].turns_with_joint = parents;
-          attempt(frames);
-        }
-      }
-    }
-    return best < before;
+    if (!formulation_.turn_inertia) return;
+    attempt_both(frames_[at(joint)].turn, frames_[at(joint)].slide, {});
+    if (tree_.parent_joint_of(joint) < 0) return;
+    for (const bool parent_turns : {true, false})
+      attempt_both(frames_[at(joint)].turn, frames_[at(joint)].slide, {.parent_turns = parent_turns});
   }
 };
 
 }  // namespace
 
-LinkFrames cheap_frames(const model::KinematicTree& tree, const Formulation& formulation, const TraceOf& trace) {
+LinkFrames cheap_frames(const KinematicTree& tree, const Formulation& formulation, const TraceOf& trace) {
   if (formulation.effort <= 0 || (!formulation.choose_frames && !formulation.turn_inertia)) return formulation.frames;
   return Search(tree, formulation, trace).run();
 }
