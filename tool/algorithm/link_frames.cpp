@@ -1,8 +1,11 @@
 #include "algorithm/link_frames.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace robcogen::algorithm {
 namespace {
@@ -160,7 +163,11 @@ class Framing {
       const std::string& name = tree.links[at(joint.child)].name;
       trace_.section(joint.name, "joint " + joint.name + ": placement");
       result.poses[at(j)] = pose(j);
-      trace_.section(name, "link " + name + ": mass properties");
+      trace_.section(
+          name, "link " + name + ": mass properties" +
+                    (frames_[at(j)].turns_with_joint
+                         ? ""
+                         : ", that turn with joint " + joint.name + " in the place of the vectors, which are more"));
       Pose& model = result.frames_of_model[at(joint.child)];
       model = pose_of(trace_, model_in_frame(frames_[at(j)]), {});
       MassProperties& mass = result.masses[at(joint.child)];
@@ -229,6 +236,28 @@ class Framing {
 };
 
 }  // namespace
+
+std::string description(const model::KinematicTree& tree, const LinkFrames& frames) {
+  const auto amount = [&](const Quantity& q) {
+    return q.is_constant() ? fmt::format("{:.4g}", q.number().value()) : model::print(q, tree.parameters);
+  };
+  std::string placed, turning;
+  for (std::size_t j = 0; j < frames.size(); ++j) {
+    const std::string& link = tree.links[at(tree.joints[j].child)].name;
+    const LinkFrame& frame = frames[j];
+    if (!frame.turn.is_zero() || !frame.slide.is_zero()) {
+      placed += (placed.empty() ? "" : "; ") + link;
+      if (!frame.turn.is_zero()) placed += " turned by " + amount(frame.turn) + " rad";
+      if (!frame.slide.is_zero()) placed += " moved by " + amount(frame.slide) + " m";
+    }
+    if (!frame.turns_with_joint) turning += (turning.empty() ? "" : ", ") + link;
+  }
+  std::string text;
+  if (!placed.empty()) text = "Links are seen in frames of their own, where products vanish: " + placed + ".";
+  if (turning.empty()) return text;
+  if (!text.empty()) text += " ";
+  return text + "Instead of the vectors the mass properties turn with the joint of: " + turning + ".";
+}
 
 AxisPlacement axis_placement(const Placement& placement) {
   AxisPlacement whole{primitives_of(placement.translation, placement.rotation), Quantity()};

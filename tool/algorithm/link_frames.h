@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithm/newton_euler.h"
@@ -48,6 +49,9 @@ FramedLinks in_frames(
     const std::vector<AxisPlacement>& placements,
     const std::vector<Expression>& q,
     const std::vector<MassProperties>& masses);
+
+// One line: which links are seen in which frames; empty when all are in the model's.
+std::string description(const model::KinematicTree& tree, const LinkFrames& frames);
 
 // The mass properties of a link in numbers.
 struct MassNumbers {

@@ -14,6 +14,16 @@ using model::KinematicTree;
 
 using Build = std::function<symbolic::Program(const std::string& kernel, Loads loads)>;
 
+// Says how functions are computed.
+void add_method(std::vector<RobotFunction>& list, const std::string& name, const std::string& method) {
+  if (method.empty()) return;
+  for (RobotFunction& f : list) {
+    if (f.name != name) continue;
+    f.method = method;
+    f.summary.push_back(method);
+  }
+}
+
 // The overloads of one function. With a floating base gravity is always an argument: it says how the base is oriented.
 void add_overloads(
     std::vector<RobotFunction>& list,
@@ -47,6 +57,7 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, For
         list, tree, group, "inverse_dynamics",
         {"Joint forces tau (N m, N) for joint accelerations qdd: recursive Newton-Euler (Featherstone 2008, ch. 5)."},
         [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
+    add_method(list, "inverse_dynamics", description(tree, formulation.frames));
     return list;
   }
   add_overloads(
@@ -65,6 +76,8 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, For
        "coordinates, "
        "angular first."},
       [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
+  add_method(list, "inverse_dynamics", description(tree, formulations.unactuated_base().frames));
+  add_method(list, "inverse_dynamics_fully_actuated", description(tree, formulation.frames));
   return list;
 }
 
@@ -94,6 +107,8 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, Formulat
        {},
        {},
        coriolis_forces(tree, "coriolis_forces", formulation)});
+  for (const char* name : {"bias_forces", "gravity_forces", "coriolis_forces"})
+    add_method(list, name, description(tree, formulation.frames));
   return list;
 }
 
@@ -101,20 +116,22 @@ std::vector<RobotFunction> forward_dynamics_group(const KinematicTree& tree, For
   std::vector<RobotFunction> list;
   const ForwardDynamicsChoice& choice = formulations.forward_dynamics();
   const bool by_matrix = choice.method == ForwardDynamicsMethod::inertia_matrix;
-  const std::string what = "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: ";
-  std::vector<std::string> summary{
-      what + (by_matrix ? "bias forces, and elimination in the joint-space inertia matrix (Featherstone 2008, ch. 6)."
-                        : "articulated-body algorithm (Featherstone 2008, ch. 7).")};
+  const std::string method =
+      by_matrix ? "bias forces, and elimination in the joint-space inertia matrix (Featherstone 2008, ch. 6)."
+                : "articulated-body algorithm (Featherstone 2008, ch. 7).";
+  std::vector<std::string> summary{"Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: " + method};
   if (tree.floating_base)
     summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
   add_overloads(
       list, tree, "forward_dynamics", "forward_dynamics", summary,
       [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads, choice); });
+  add_method(list, "forward_dynamics", description(tree, choice.formulation.frames));
+  for (RobotFunction& f : list) f.method = "By " + method + (f.method.empty() ? "" : " " + f.method);
   return list;
 }
 
 std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree, const Formulation& formulation) {
-  return {
+  std::vector<RobotFunction> list = {
       {"joint_space_inertia",
        "",
        "joint_space_inertia",
@@ -125,6 +142,8 @@ std::vector<RobotFunction> joint_space_inertia_group(const KinematicTree& tree, 
        {},
        {},
        joint_space_inertia(tree, "joint_space_inertia", formulation)}};
+  add_method(list, "joint_space_inertia", description(tree, formulation.frames));
+  return list;
 }
 
 std::vector<RobotFunction> joint_space_inertia_factor_group(const KinematicTree& tree, const Formulation& formulation) {
@@ -136,7 +155,7 @@ std::vector<RobotFunction> joint_space_inertia_factor_group(const KinematicTree&
   };
   const std::string rows = tree.floating_base ? "(6 + n) rows: base first, in base coordinates, angular first."
                                               : "n rows, joints in the order of the model.";
-  return {
+  std::vector<RobotFunction> list = {
       {group,
        "",
        group,
@@ -150,10 +169,12 @@ std::vector<RobotFunction> joint_space_inertia_factor_group(const KinematicTree&
           "solve", {"y = H^-1 x, by substitution along the ancestors of each coordinate.", rows}, inertia_factor_solve),
       of_factor("inverse", {"H^-1, symmetric; structural zeros are literal.", rows}, inertia_factor_inverse),
       of_factor("inverse_L", {"L^-1, with the zeros of L.", rows}, inertia_factor_inverse_L)};
+  add_method(list, group, description(tree, formulation.frames));
+  return list;
 }
 
 std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, const Formulation& formulation) {
-  return {
+  std::vector<RobotFunction> list = {
       {"coriolis_matrix",
        "",
        "coriolis_matrix",
@@ -167,6 +188,8 @@ std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, cons
        {},
        {},
        coriolis_matrix(tree, "coriolis_matrix", formulation)}};
+  add_method(list, "coriolis_matrix", description(tree, formulation.frames));
+  return list;
 }
 
 std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
@@ -205,6 +228,7 @@ std::vector<RobotFunction> energy_group(const KinematicTree& tree, const Formula
   if (tree.floating_base) summary.push_back("`base_velocity` is in base coordinates, angular first.");
   list.push_back(
       {"energy", "", "kinetic_energy", summary, {}, {}, kinetic_energy(tree, "kinetic_energy", formulation)});
+  add_method(list, "kinetic_energy", description(tree, formulation.frames));
   add_overloads(
       list, tree, "energy", "potential_energy",
       {std::string("Potential energy (J) of ") + (tree.floating_base ? "the robot" : "the moving links") +

@@ -103,6 +103,7 @@ struct Function {
   std::vector<int> columns;               // jacobians: joint index of each column
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
+  std::string method = {};  // how it is computed, where there was a choice
   // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the
   // program of their amounts, a row each.
   std::vector<PrimitiveData> primitives = {};

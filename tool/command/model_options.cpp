@@ -142,11 +142,12 @@ std::optional<Programs> ModelOptions::load_programs(const std::vector<std::strin
   if (cached) {
     backend::Library library = library_with_cache(*robot, {}, ordered_groups(groups), steps);
     for (std::vector<backend::Function>* functions : {&library.functions, &library.updates})
-      for (backend::Function& f : *functions) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+      for (backend::Function& f : *functions)
+        programs.list.push_back({dotted(f.scope, f.name), std::move(f.program), std::move(f.method)});
     return programs;
   }
   for (algorithm::RobotFunction& f : trace(*robot, ordered_groups(groups), steps))
-    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program), std::move(f.method)});
   return programs;
 }
 

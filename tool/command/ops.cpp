@@ -19,6 +19,7 @@ struct Options {
 struct Row {
   std::string name;
   symbolic::OperationCount count;
+  std::string method;
 };
 
 // Of the overloads of a function the first: default gravity, no external forces.
@@ -26,7 +27,7 @@ std::vector<Row> rows(const Programs& programs) {
   std::vector<Row> result;
   std::set<std::string> seen;
   for (const NamedProgram& f : programs.list)
-    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::count(f.program)});
+    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::count(f.program), f.method});
   return result;
 }
 
@@ -37,15 +38,17 @@ void print_table(const Programs& programs, const std::vector<Row>& table) {
   fmt::print(
       "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14}\n", "function", width, "mul", "add", "div", "sqrt", "sincos",
       "instructions", "critical path");
-  for (const auto& [name, c] : table)
+  for (const auto& [name, c, method] : table)
     fmt::print(
         "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14}\n", name, width, c.mul, c.add, c.div, c.sqrt, c.sincos,
         c.instructions, c.critical_path);
+  for (const auto& [name, c, method] : table)
+    if (!method.empty()) fmt::print("\n{}: {}\n", name, method);
 }
 
 void print_json(const Programs& programs, const std::vector<Row>& table) {
   nlohmann::ordered_json functions = nlohmann::ordered_json::array();
-  for (const auto& [name, c] : table)
+  for (const auto& [name, c, method] : table) {
     functions.push_back(
         {{"name", name},
          {"mul", c.mul},
@@ -55,6 +58,8 @@ void print_json(const Programs& programs, const std::vector<Row>& table) {
          {"sincos", c.sincos},
          {"instructions", c.instructions},
          {"critical_path", c.critical_path}});
+    if (!method.empty()) functions.back()["method"] = method;
+  }
   const nlohmann::ordered_json report = {{programs.kind, programs.model}, {"functions", functions}};
   fmt::print("{}\n", report.dump(2));
 }

@@ -245,6 +245,7 @@ backend::Library library(
     function.left_frame = frame_index(frames, f.frames.left);
     function.right_frame = frame_index(frames, f.frames.right);
     function.program = std::move(f.program);
+    function.method = std::move(f.method);
     if (primitives && function.scope == "transforms::homogeneous")
       add_product(algorithm::primitive_product(robot.tree, f.frames, *primitives), function);
     result.functions.push_back(std::move(function));

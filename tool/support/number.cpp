@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -22,12 +23,14 @@ std::optional<Rational> reduced(Wide num, Wide den) {
     den = -den;
   }
   Wide a = num < 0 ? -num : num, b = den;
-  while (b != 0) a = std::exchange(b, a % b);
+  constexpr Wide limit = INT64_MAX;
+  while (b != 0 && (a > limit || b > limit)) a = std::exchange(b, a % b);
+  // Most fit into words, which are divided many times as quickly.
+  if (b != 0) a = std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
   if (a > 1) {
     num /= a;
     den /= a;
   }
-  constexpr Wide limit = INT64_MAX;
   if (num > limit || num < -limit || den > limit) return std::nullopt;
   return Rational{static_cast<std::int64_t>(num), static_cast<std::int64_t>(den)};
 }
