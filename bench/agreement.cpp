@@ -55,6 +55,8 @@ const char* name(peers::Quantity quantity) {
       return "inertia_matrix";
     case peers::Quantity::jacobian:
       return "jacobian";
+    case peers::Quantity::transform:
+      return "transform";
   }
   return "";
 }

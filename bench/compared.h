@@ -85,6 +85,13 @@ std::vector<Computed> computed(const Robot& robot, const std::vector<State<R>>& 
                      return full_jacobian(*jacobian, states[i]);
                    }});
   }
+  if (const reflection::Transform* transform = compared_transform(robot)) {
+    all.push_back({peers::Quantity::transform, benchmark_name(*transform), [&states, transform](std::size_t i) {
+                     Eigen::MatrixXd X(4, 4);
+                     transform->homogeneous(reference::cache_of(*states[i].robot), states[i].q.data(), X.data());
+                     return X;
+                   }});
+  }
   return all;
 }
 

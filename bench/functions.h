@@ -209,8 +209,21 @@ inline const reflection::Jacobian* compared_jacobian(const Robot& robot) {
   return widest;
 }
 
+// That between the same frames; null when there is none.
+inline const reflection::Transform* compared_transform(const Robot& robot) {
+  const reflection::Jacobian* jacobian = compared_jacobian(robot);
+  for (const reflection::Transform& t : robot.transforms) {
+    if (jacobian != nullptr && t.left == jacobian->left && t.right == jacobian->right) return &t;
+  }
+  return nullptr;
+}
+
 inline std::string benchmark_name(const reflection::Jacobian& jacobian) {
   return std::string("jacobian/") + jacobian.name;
+}
+
+inline std::string benchmark_name(const reflection::Transform& transform) {
+  return std::string("homogeneous/") + transform.name;
 }
 
 template <class R>
@@ -222,16 +235,27 @@ void add_jacobian(const Robot& robot, const std::vector<State<R>>& states, const
   });
 }
 
+template <class R>
+void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, const reflection::Transform& transform) {
+  const std::string kernel = std::string("homogeneous_") + transform.name;
+  add<R>(robot, states, benchmark_name(transform), kernel, [call = transform.homogeneous](const State<R>& s) {
+    Eigen::Matrix4d X;
+    call(reference::cache_of(*s.robot), s.q.data(), X.data());
+    return X;
+  });
+}
+
 // The tables are empty where a group is missing.
 template <class R>
 void add_kinematics(const Robot& robot, const std::vector<State<R>>& states) {
   if (const reflection::Transform* longest = longest_transform(robot)) {
     const std::string name = longest->name;
-    add<R>(robot, states, "homogeneous/" + name, "homogeneous_" + name, [longest](const State<R>& s) {
-      Eigen::Matrix4d X;
-      longest->homogeneous(reference::cache_of(*s.robot), s.q.data(), X.data());
-      return X;
-    });
+    const reflection::Transform* transform = compared_transform(robot);
+    add_homogeneous<R>(robot, states, *longest);
+    if (transform != nullptr) {
+      if (transform != longest) add_homogeneous<R>(robot, states, *transform);
+      benchmark::AddCustomContext("compared/transform", benchmark_name(*transform));
+    }
     add<R>(robot, states, "motion/" + name, "motion_" + name, [longest](const State<R>& s) {
       Eigen::Matrix<double, 6, 6> X;
       longest->motion(reference::cache_of(*s.robot), s.q.data(), X.data());

@@ -9,7 +9,8 @@
 namespace robcogen::bench {
 
 const std::vector<std::string> kCounts = {"mul", "add", "div", "sqrt", "sincos", "instructions", "critical_path"};
-const std::vector<std::string> kQuantities = {"inverse_dynamics", "forward_dynamics", "inertia_matrix", "jacobian"};
+const std::vector<std::string> kQuantities = {
+    "inverse_dynamics", "forward_dynamics", "inertia_matrix", "jacobian", "transform"};
 
 namespace {
 

@@ -102,7 +102,7 @@ class Dart : public Peer {
 
   std::string name() const override { return "DART"; }
 
-  bool has(Quantity quantity) const override { return quantity != Quantity::jacobian || body_ != nullptr; }
+  bool has(Quantity quantity) const override { return !is_of_link(quantity) || body_ != nullptr; }
 
   void prepare(const std::vector<State>& states) override {
     const auto converted = [&](const Eigen::Matrix<double, 6, 1>& base, const Eigen::VectorXd& joints) {
@@ -137,6 +137,9 @@ class Dart : public Peer {
       case Quantity::jacobian:
         body_->getWorldJacobian();
         break;
+      case Quantity::transform:
+        body_->getWorldTransform();
+        break;
     }
   }
 
@@ -148,6 +151,8 @@ class Dart : public Peer {
         return vector_from_library(order_, skeleton_->getAccelerations());
       case Quantity::inertia_matrix:
         return matrix_from_library(order_, skeleton_->getMassMatrix());
+      case Quantity::transform:
+        return body_->getWorldTransform().matrix();
       case Quantity::jacobian:
         break;
     }

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainfdsolver_recursive_newton_euler.hpp>
+#include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/tree.hpp>
+#include <kdl/treefksolverpos_recursive.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 #include <kdl/treejnttojacsolver.hpp>
 #include <stdexcept>
@@ -126,6 +128,15 @@ Eigen::MatrixXd jacobian_from_kdl(const Order& order, const KDL::Jacobian& J) {
   return rows(Eigen::all, order);
 }
 
+Eigen::MatrixXd pose_from_kdl(const KDL::Frame& pose) {
+  Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) X(i, j) = pose.M(i, j);
+    X(i, 3) = pose.p(i);
+  }
+  return X;
+}
+
 KDL::Vector gravity_of(const Subject& subject) {
   return {subject.gravity.x(), subject.gravity.y(), subject.gravity.z()};
 }
@@ -146,6 +157,7 @@ class Tree : public Peer {
         link_(subject.link),
         inverse_dynamics_(tree_, gravity_of(subject)),
         jacobian_(tree_),
+        pose_of_link_(tree_),
         tau_(tree_.getNrOfJoints()),
         J_(tree_.getNrOfJoints()) {
     if (!link_.empty() && tree_.getSegments().count(link_) == 0)
@@ -155,7 +167,7 @@ class Tree : public Peer {
   std::string name() const override { return "KDL"; }
 
   bool has(Quantity quantity) const override {
-    return quantity == Quantity::inverse_dynamics || (quantity == Quantity::jacobian && !link_.empty());
+    return quantity == Quantity::inverse_dynamics || (is_of_link(quantity) && !link_.empty());
   }
 
   void prepare(const std::vector<State>& states) override { states_ = arguments_of(order_, states); }
@@ -164,10 +176,12 @@ class Tree : public Peer {
     const Arguments& s = states_[state];
     if (quantity == Quantity::inverse_dynamics) inverse_dynamics_.CartToJnt(s.q, s.qd, s.qdd, no_forces_, tau_);
     if (quantity == Quantity::jacobian) jacobian_.JntToJac(s.q, J_, link_);
+    if (quantity == Quantity::transform) pose_of_link_.JntToCart(s.q, pose_, link_);
   }
 
   Eigen::MatrixXd result(Quantity quantity) const override {
     if (quantity == Quantity::jacobian) return jacobian_from_kdl(order_, J_);
+    if (quantity == Quantity::transform) return pose_from_kdl(pose_);
     return vector_from_library(order_, tau_.data);
   }
 
@@ -177,10 +191,12 @@ class Tree : public Peer {
   std::string link_;
   KDL::TreeIdSolver_RNE inverse_dynamics_;
   KDL::TreeJntToJacSolver jacobian_;
+  KDL::TreeFkSolverPos_recursive pose_of_link_;
   KDL::WrenchMap no_forces_;
   std::vector<Arguments> states_;
   KDL::JntArray tau_;
   KDL::Jacobian J_;
+  KDL::Frame pose_;
 };
 
 KDL::Chain chain_of(const KDL::Tree& tree) {
@@ -219,6 +235,7 @@ class Chain : public Peer {
         forward_dynamics_(chain_, gravity_of(subject)),
         parameters_(chain_, gravity_of(subject)),
         jacobian_(chain_),
+        pose_of_link_(chain_),
         no_forces_(chain_.getNrOfSegments(), KDL::Wrench::Zero()),
         result_(chain_.getNrOfJoints()),
         H_(static_cast<int>(chain_.getNrOfJoints())),
@@ -226,7 +243,7 @@ class Chain : public Peer {
 
   std::string name() const override { return "KDL chain"; }
 
-  bool has(Quantity quantity) const override { return quantity != Quantity::jacobian || segments_to_link_ > 0; }
+  bool has(Quantity quantity) const override { return !is_of_link(quantity) || segments_to_link_ > 0; }
 
   void prepare(const std::vector<State>& states) override { states_ = arguments_of(order_, states); }
 
@@ -245,11 +262,15 @@ class Chain : public Peer {
       case Quantity::jacobian:
         jacobian_.JntToJac(s.q, J_, segments_to_link_);
         break;
+      case Quantity::transform:
+        pose_of_link_.JntToCart(s.q, pose_, segments_to_link_);
+        break;
     }
   }
 
   Eigen::MatrixXd result(Quantity quantity) const override {
     if (quantity == Quantity::jacobian) return jacobian_from_kdl(order_, J_);
+    if (quantity == Quantity::transform) return pose_from_kdl(pose_);
     if (quantity == Quantity::inertia_matrix) return matrix_from_library(order_, H_.data);
     return vector_from_library(order_, result_.data);
   }
@@ -262,11 +283,13 @@ class Chain : public Peer {
   KDL::ChainFdSolver_RNE forward_dynamics_;
   KDL::ChainDynParam parameters_;
   KDL::ChainJntToJacSolver jacobian_;
+  KDL::ChainFkSolverPos_recursive pose_of_link_;
   KDL::Wrenches no_forces_;
   std::vector<Arguments> states_;
   KDL::JntArray result_;  // of either dynamics
   KDL::JntSpaceInertiaMatrix H_;
   KDL::Jacobian J_;
+  KDL::Frame pose_;
 };
 
 }  // namespace

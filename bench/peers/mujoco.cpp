@@ -31,7 +31,7 @@ using FilesPtr = std::unique_ptr<mjVFS, Deleter>;
 void ignore(const char*) {}
 
 // Links on fixed joints are fused, as MuJoCo would by default. The only shape left in the URDF is a point at the origin
-// of the link of the Jacobian: it outlives the fusion. A floating joint is added where the URDF has none.
+// of the link that is asked for: it outlives the fusion. A floating joint is added where the URDF has none.
 std::string text_for_mujoco(const Subject& subject) {
   std::string urdf = dynamics_text(subject.urdf);
   if (!subject.link.empty()) {
@@ -106,13 +106,13 @@ class Mujoco : public Peer {
         data_(mj_makeData(model_.get())),
         floating_(subject.floating_base),
         order_(order_of(*model_, subject)),
-        has_jacobian_(!subject.link.empty()),
+        has_link_(!subject.link.empty()),
         vector_(model_->nv),
         J_(6, model_->nv) {}
 
   std::string name() const override { return "MuJoCo"; }
 
-  bool has(Quantity quantity) const override { return quantity != Quantity::jacobian || has_jacobian_; }
+  bool has(Quantity quantity) const override { return !is_of_link(quantity) || has_link_; }
 
   void prepare(const std::vector<State>& states) override {
     const auto converted = [&](const Eigen::Matrix<double, 6, 1>& base, const Eigen::VectorXd& joints) {
@@ -134,7 +134,7 @@ class Mujoco : public Peer {
     state_ = state;
     copy(s.qpos, data_->qpos);
     mj_kinematics(model_.get(), data_.get());
-    mj_comPos(model_.get(), data_.get());
+    if (quantity != Quantity::transform) mj_comPos(model_.get(), data_.get());
     switch (quantity) {
       case Quantity::inverse_dynamics:
         copy(s.qvel, data_->qvel);
@@ -157,6 +157,8 @@ class Mujoco : public Peer {
       case Quantity::jacobian:
         mj_jacGeom(model_.get(), data_.get(), J_.data() + 3 * model_->nv, J_.data(), 0);
         break;
+      case Quantity::transform:
+        break;
     }
   }
 
@@ -164,6 +166,8 @@ class Mujoco : public Peer {
     switch (quantity) {
       case Quantity::jacobian:
         return jacobian();
+      case Quantity::transform:
+        return pose();
       case Quantity::inertia_matrix:
         return inertia_matrix();
       case Quantity::inverse_dynamics:
@@ -198,6 +202,14 @@ class Mujoco : public Peer {
     return matrix_from_library(order_, H);
   }
 
+  // Of the only shape.
+  Eigen::MatrixXd pose() const {
+    Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+    X.topLeftCorner<3, 3>() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data_->geom_xmat);
+    X.topRightCorner<3, 1>() = Eigen::Map<const Eigen::Vector3d>(data_->geom_xpos);
+    return X;
+  }
+
   Eigen::MatrixXd jacobian() const {
     const Eigen::MatrixXd ordered = J_(Eigen::all, order_);
     return ordered.rightCols(model_->nv - (floating_ ? 6 : 0));
@@ -207,7 +219,7 @@ class Mujoco : public Peer {
   DataPtr data_;
   bool floating_;
   Order order_;
-  bool has_jacobian_;
+  bool has_link_;
   std::vector<Arguments> states_;
   std::size_t state_ = 0;   // of the last run
   Eigen::VectorXd vector_;  // what the last run made of it

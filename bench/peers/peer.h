@@ -21,8 +21,13 @@ enum class Quantity {
   inverse_dynamics,  // tau of (q, qd, qdd); floating: (base wrench, tau), the base acceleration given
   forward_dynamics,  // qdd of (q, qd, tau); floating: (base acceleration, qdd), no wrench on the base
   inertia_matrix,    // dense and symmetric; floating: base first
-  jacobian,          // 6 x dof, of the origin of Subject::frame's link, with respect to the base, in base axes
+  jacobian,          // 6 x dof, of the origin of Subject::link, with respect to the base, in base axes
+  transform,         // 4 x 4, from coordinates of Subject::link to those of the base
 };
+
+constexpr bool is_of_link(Quantity quantity) {
+  return quantity == Quantity::jacobian || quantity == Quantity::transform;
+}
 
 // Which robot, and what of it.
 struct Subject {
@@ -30,7 +35,7 @@ struct Subject {
   std::vector<std::string> joints;  // names, in the order of joint vectors
   bool floating_base = false;
   Eigen::Vector3d gravity = {0, 0, -9.81};  // m/s^2, base coordinates
-  std::string link;                         // URDF link of Quantity::jacobian; empty: none is asked for
+  std::string link;                         // URDF link of Jacobian and transform; empty: none is asked for
 };
 
 class Peer {

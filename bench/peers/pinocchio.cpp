@@ -4,6 +4,7 @@
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/frames.hpp>
 #include <pinocchio/algorithm/joint-configuration.hpp>
+#include <pinocchio/algorithm/kinematics.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/parsers/urdf.hpp>
 #include <stdexcept>
@@ -74,7 +75,7 @@ class Pinocchio : public Peer {
 
   std::string name() const override { return "Pinocchio"; }
 
-  bool has(Quantity quantity) const override { return quantity != Quantity::jacobian || !subject_.link.empty(); }
+  bool has(Quantity quantity) const override { return !is_of_link(quantity) || !subject_.link.empty(); }
 
   void prepare(const std::vector<State>& states) override {
     const auto converted = [&](const Eigen::Matrix<double, 6, 1>& base, const Eigen::VectorXd& joints) {
@@ -102,6 +103,10 @@ class Pinocchio : public Peer {
       case Quantity::jacobian:
         pinocchio::computeFrameJacobian(model_, data_, s.q, link_, pinocchio::LOCAL_WORLD_ALIGNED, J_);
         break;
+      case Quantity::transform:
+        pinocchio::forwardKinematics(model_, data_, s.q);
+        pinocchio::updateFramePlacement(model_, data_, link_);
+        break;
     }
   }
 
@@ -113,6 +118,8 @@ class Pinocchio : public Peer {
         return vector_from_library(order_, data_.ddq);
       case Quantity::inertia_matrix:  // the upper triangle is computed
         return matrix_from_library(order_, data_.M.selfadjointView<Eigen::Upper>());
+      case Quantity::transform:
+        return data_.oMf[link_].toHomogeneousMatrix();
       case Quantity::jacobian:
         break;
     }

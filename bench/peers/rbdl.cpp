@@ -49,15 +49,15 @@ class Rbdl : public Peer {
   explicit Rbdl(const Subject& subject)
       : model_(model_of(subject)),
         order_(order_of(model_, subject)),
-        has_jacobian_(!subject.link.empty()),
-        body_(has_jacobian_ ? body_of(model_, subject.link) : 0),
+        has_link_(!subject.link.empty()),
+        body_(has_link_ ? body_of(model_, subject.link) : 0),
         vector_(Eigen::VectorXd::Zero(model_.dof_count)),
         H_(Eigen::MatrixXd::Zero(model_.dof_count, model_.dof_count)),
         J_(Eigen::MatrixXd::Zero(6, model_.dof_count)) {}
 
   std::string name() const override { return "RBDL"; }
 
-  bool has(Quantity quantity) const override { return quantity != Quantity::jacobian || has_jacobian_; }
+  bool has(Quantity quantity) const override { return !is_of_link(quantity) || has_link_; }
 
   void prepare(const std::vector<State>& states) override {
     states_.clear();
@@ -81,11 +81,18 @@ class Rbdl : public Peer {
       case Quantity::jacobian:
         rbdl::CalcPointJacobian6D(model_, s.q, body_, Eigen::Vector3d::Zero(), J_);
         break;
+      case Quantity::transform:
+        rbdl::UpdateKinematicsCustom(model_, &s.q, nullptr, nullptr);
+        pose_.topLeftCorner<3, 3>() = rbdl::CalcBodyWorldOrientation(model_, s.q, body_, false).transpose();
+        pose_.topRightCorner<3, 1>() =
+            rbdl::CalcBodyToBaseCoordinates(model_, s.q, body_, Eigen::Vector3d::Zero(), false);
+        break;
     }
   }
 
   Eigen::MatrixXd result(Quantity quantity) const override {
     if (quantity == Quantity::jacobian) return J_(Eigen::all, order_);
+    if (quantity == Quantity::transform) return pose_;
     if (quantity == Quantity::inertia_matrix) return matrix_from_library(order_, H_);
     return vector_from_library(order_, vector_);
   }
@@ -93,11 +100,12 @@ class Rbdl : public Peer {
  private:
   rbdl::Model model_;
   Order order_;
-  bool has_jacobian_;
+  bool has_link_;
   unsigned body_;
   std::vector<Arguments> states_;
   rbdl::Math::VectorNd vector_;  // of the last run
   rbdl::Math::MatrixNd H_, J_;
+  Eigen::Matrix4d pose_ = Eigen::Matrix4d::Identity();
 };
 
 }  // namespace
