@@ -50,6 +50,7 @@ write_script(nm "cat <<'END'
 leg.cpp.o:
 0000000000000000 0000000000000fff W void leg::kernel::inverse_dynamics<float>(float const*, float*)
 0000000000000000 000000000000024c W void leg::kernel::inverse_dynamics<double>(double const*, double*)
+0000000000000000 0000000000000075 W void leg::batch::kernel::inverse_dynamics<double>(long, double const*)
 0000000000000000 0000000000000111 W void leg::kernel::inverse_dynamics_gravity<double>(double const*, double*)
                  U sin
 END")

@@ -150,6 +150,9 @@ std::map<std::string, long> kernel_sizes(const std::string& listing) {
     const std::size_t scope_at = line.find(scope);
     const std::size_t end = line.find("<double>(");
     if (scope_at == std::string::npos || end == std::string::npos || end < scope_at) continue;
+    // Those of batches call the kernels.
+    const std::string outer = "::batch::";
+    if (scope_at >= outer.size() && line.compare(scope_at - outer.size(), outer.size(), outer) == 0) continue;
     const std::size_t begin = scope_at + scope.size();
     std::istringstream fields(line);
     std::string address, size;
