@@ -2,6 +2,7 @@
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_HAS_<GROUP>                                1 where the library has the group, else 0
+//     ROBCOGEN_BATCH_HEADER                               functions over many states, where the library has them
 //     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, where other libraries are measured too
 //
 // Exit status 1: another library disagrees with the generated code; nothing was timed.
@@ -12,6 +13,10 @@
 
 #include "clock.h"
 #include "functions.h"
+
+#ifdef ROBCOGEN_BATCH_HEADER
+#include "batches.h"
+#endif
 
 #ifdef ROBCOGEN_BENCH_URDF
 #include <cstdio>
@@ -87,6 +92,9 @@ int main(int argc, char** argv) {
   const R instance = bench::instance<R>(robot);
   const std::vector<bench::State<R>> states = bench::random_states<R>(robot, instance);
   bench::add_functions<R>(robot, states);
+#ifdef ROBCOGEN_BATCH_HEADER
+  bench::add_batches<R>(states);
+#endif
   bench::add_clock();
 #ifdef ROBCOGEN_BENCH_URDF
   std::vector<robcogen::peers::Candidate> candidates;

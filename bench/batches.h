@@ -1,0 +1,174 @@
+// The benchmarks of functions over many states, structure of arrays: `<function>/batch`, on the best of the processor's
+// levels, and `<function>/batch/threads/<count>`, where each thread has a range of the states. Times are of one state.
+//
+// Needs ROBCOGEN_BATCH_HEADER and the definitions of robot_bench.cpp.
+#pragma once
+
+#include ROBCOGEN_BATCH_HEADER
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "functions.h"
+
+namespace robcogen::bench {
+
+namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
+
+// So many elements of each state, element by element. Eight states more than there are keep columns from competing for
+// one place in the cache.
+class Columns {
+ public:
+  static constexpr std::ptrdiff_t kStride = kStates + 8;
+
+  explicit Columns(int elements) : numbers_(static_cast<std::size_t>(elements) * kStride) {}
+
+  template <class Values>
+  void set(std::size_t state, const Values& values) {
+    const std::size_t elements = numbers_.size() / kStride;
+    for (std::size_t k = 0; k < elements; ++k) numbers_[k * kStride + state] = values.data()[k];
+  }
+
+  template <class Value = batch::AnyVector>
+  auto from(std::size_t begin) const {
+    return batch::by_element<Value>(numbers_.data() + begin, kStride);
+  }
+  template <class Value = batch::AnyVector>
+  auto to(std::size_t begin) {
+    return batch::by_element<Value>(numbers_.data() + begin, kStride);
+  }
+
+ private:
+  std::vector<double> numbers_;
+};
+
+// The arguments of all functions, and room for their results.
+template <class R>
+struct Arrays {
+  explicit Arrays(const std::vector<State<R>>& states) : robot(states.front().robot) {
+    for (std::size_t i = 0; i < kStates; ++i) {
+      q.set(i, states[i].q);
+      qd.set(i, states[i].qd);
+      qdd.set(i, states[i].qdd);
+      tau.set(i, states[i].tau);
+      base_velocity.set(i, states[i].base_velocity);
+      base_acceleration.set(i, states[i].base_acceleration);
+    }
+  }
+
+  const R* robot;
+  Columns q{R::kDof}, qd{R::kDof}, qdd{R::kDof}, tau{R::kDof}, base_velocity{6}, base_acceleration{6};
+  Columns joint_result{R::kDof}, base_result{6}, matrix{R::InertiaMatrix::SizeAtCompileTime};
+};
+
+// function(arguments…), after the robot's parameters where it has some.
+template <class R, class Function, class... Arguments>
+void call(Function function, [[maybe_unused]] const R& robot, const Arguments&... arguments) {
+  if constexpr (reference::kIsParametric<R>) {
+    function(robot.parameters, arguments...);
+  } else {
+    function(arguments...);
+  }
+}
+
+// Each computes `count` states from `begin` on.
+#if ROBCOGEN_HAS_INVERSE_DYNAMICS
+template <class R>
+void inverse_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
+  const auto n = static_cast<std::ptrdiff_t>(count);
+  const auto q = a.q.from(begin), qd = a.qd.from(begin), qdd = a.qdd.from(begin);
+  if constexpr (R::kFloatingBase) {
+    const auto function = [](const auto&... x) {
+      using namespace generated::batch;  // a qualified name would have to be one of fixed bases, too
+      inverse_dynamics_fully_actuated(x...);
+    };
+    call(
+        function, *a.robot, n, q, qd, qdd, a.base_velocity.template from<Twist>(begin),
+        a.base_acceleration.template from<SpatialAcceleration>(begin), a.joint_result.to(begin),
+        a.base_result.template to<Wrench>(begin));
+  } else {
+    const auto function = [](const auto&... x) { generated::batch::inverse_dynamics(x...); };
+    call(function, *a.robot, n, q, qd, qdd, a.joint_result.to(begin));
+  }
+}
+#endif
+
+#if ROBCOGEN_HAS_FORWARD_DYNAMICS
+template <class R>
+void forward_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
+  const auto n = static_cast<std::ptrdiff_t>(count);
+  const auto function = [](const auto&... x) { generated::batch::forward_dynamics(x...); };
+  const auto q = a.q.from(begin), qd = a.qd.from(begin), tau = a.tau.from(begin);
+  if constexpr (R::kFloatingBase) {
+    call(
+        function, *a.robot, n, q, qd, tau, a.base_velocity.template from<Twist>(begin), a.joint_result.to(begin),
+        a.base_result.template to<SpatialAcceleration>(begin));
+  } else {
+    call(function, *a.robot, n, q, qd, tau, a.joint_result.to(begin));
+  }
+}
+#endif
+
+#if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
+template <class R>
+void joint_space_inertia_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
+  const auto function = [](const auto&... x) { generated::batch::joint_space_inertia(x...); };
+  call(function, *a.robot, static_cast<std::ptrdiff_t>(count), a.q.from(begin), a.matrix.to(begin));
+}
+#endif
+
+template <class R>
+using Compute = void (*)(Arrays<R>& arrays, std::size_t begin, std::size_t count);
+
+template <class R>
+void add_batch(const std::shared_ptr<Arrays<R>>& arrays, const std::string& name, Compute<R> compute) {
+  benchmark::RegisterBenchmark((name + "/batch").c_str(), [arrays, compute](benchmark::State& state) {
+    for (auto _ : state) {
+      compute(*arrays, 0, kStates);
+      benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kStates));
+  });
+}
+
+// Each thread computes its range over and over, so that starting it does not count.
+template <class R>
+void add_threads(const std::shared_ptr<Arrays<R>>& arrays, const std::string& name, Compute<R> compute) {
+  constexpr std::size_t kRepetitions = 1000;
+  const std::size_t most = std::max(1u, std::thread::hardware_concurrency());
+  for (std::size_t count = 1; count <= most; count *= 2) {
+    const auto run = [arrays, compute, count](benchmark::State& state) {
+      for (auto _ : state) {
+        std::vector<std::thread> threads;
+        for (std::size_t t = 0; t < count; ++t) {
+          const std::size_t begin = kStates * t / count, end = kStates * (t + 1) / count;
+          threads.emplace_back([&, begin, end] {
+            for (std::size_t i = 0; i < kRepetitions; ++i) compute(*arrays, begin, end - begin);
+          });
+        }
+        for (std::thread& thread : threads) thread.join();
+      }
+      state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kStates * kRepetitions));
+    };
+    const std::string threads = name + "/batch/threads/" + std::to_string(count);
+    benchmark::RegisterBenchmark(threads.c_str(), run)->UseRealTime();
+  }
+}
+
+template <class R>
+void add_batches(const std::vector<State<R>>& states) {
+  const auto arrays = std::make_shared<Arrays<R>>(states);
+#if ROBCOGEN_HAS_INVERSE_DYNAMICS
+  add_batch<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
+  add_threads<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
+#endif
+#if ROBCOGEN_HAS_FORWARD_DYNAMICS
+  add_batch<R>(arrays, "forward_dynamics", &forward_dynamics_of<R>);
+#endif
+#if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
+  add_batch<R>(arrays, "joint_space_inertia", &joint_space_inertia_of<R>);
+#endif
+}
+
+}  // namespace robcogen::bench
