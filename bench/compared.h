@@ -67,12 +67,12 @@ std::vector<Computed> computed(const Robot& robot, const std::vector<State<R>>& 
   std::vector<Computed> all;
   if constexpr (ROBCOGEN_HAS_INVERSE_DYNAMICS) {
     all.push_back({peers::Quantity::inverse_dynamics, kInverseDynamics<R>, [&states](std::size_t i) {
-                     return flat(inverse_dynamics<R>(states[i]));
+                     return flat(inverse_dynamics<R>(states[i], states[i].q));
                    }});
   }
   if constexpr (ROBCOGEN_HAS_FORWARD_DYNAMICS) {
     all.push_back({peers::Quantity::forward_dynamics, "forward_dynamics", [&states](std::size_t i) {
-                     return flat(forward_dynamics<R>(states[i]));
+                     return flat(forward_dynamics<R>(states[i], states[i].q));
                    }});
   }
   if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA) {

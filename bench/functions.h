@@ -52,22 +52,53 @@ void add(
   });
 }
 
-// What is compared with other libraries: for a floating base, the acceleration of the base is given.
+// Sines and cosines of the joints in each state.
 template <class R>
-auto inverse_dynamics(const State<R>& s) {
+auto trigonometry_of(const std::vector<State<R>>& states) {
+  std::vector<typename R::JointTrigonometry> all;
+  for (const State<R>& s : states) {
+    if constexpr (reference::kIsParametric<R>) {
+      all.emplace_back(s.robot->parameters, s.q);
+    } else {
+      all.emplace_back(s.q);
+    }
+  }
+  return all;
+}
+
+// Times call(state, q), and the same with sines and cosines known in the place of q: `<name>/given_trig`.
+template <class R, class Call>
+void add_with_trigonometry(
+    const Robot& robot,
+    const std::vector<State<R>>& states,
+    const std::string& name,
+    const std::string& kernel,
+    Call call) {
+  add<R>(robot, states, name, kernel, [call](const State<R>& s) { return call(s, s.q); });
+  const State<R>* first = states.data();
+  add<R>(
+      robot, states, name + "/given_trig", kernel, [call, first, all = trigonometry_of<R>(states)](const State<R>& s) {
+        return call(s, all[static_cast<std::size_t>(&s - first)]);
+      });
+}
+
+// What is compared with other libraries: for a floating base, the acceleration of the base is given. `q` may be joint
+// positions with sines and cosines.
+template <class R, class Positions>
+auto inverse_dynamics(const State<R>& s, const Positions& q) {
   if constexpr (R::kFloatingBase) {
-    return s.robot->inverse_dynamics_fully_actuated(s.q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
+    return s.robot->inverse_dynamics_fully_actuated(q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
   } else {
-    return s.robot->inverse_dynamics(s.q, s.qd, s.qdd);
+    return s.robot->inverse_dynamics(q, s.qd, s.qdd);
   }
 }
 
-template <class R>
-auto forward_dynamics(const State<R>& s) {
+template <class R, class Positions>
+auto forward_dynamics(const State<R>& s, const Positions& q) {
   if constexpr (R::kFloatingBase) {
-    return s.robot->forward_dynamics(s.q, s.qd, s.tau, s.base_velocity);
+    return s.robot->forward_dynamics(q, s.qd, s.tau, s.base_velocity);
   } else {
-    return s.robot->forward_dynamics(s.q, s.qd, s.tau);
+    return s.robot->forward_dynamics(q, s.qd, s.tau);
   }
 }
 
@@ -79,26 +110,28 @@ void add_inverse_dynamics(const Robot& robot, const std::vector<State<R>>& state
   const char* compared = kInverseDynamics<R>;
   benchmark::AddCustomContext("compared/inverse_dynamics", compared);
   if constexpr (R::kFloatingBase) {
-    add<R>(robot, states, "inverse_dynamics", "inverse_dynamics", [](const State<R>& s) {
-      return s.robot->inverse_dynamics(s.q, s.qd, s.qdd, s.base_velocity);
-    });
+    add_with_trigonometry<R>(
+        robot, states, "inverse_dynamics", "inverse_dynamics",
+        [](const State<R>& s, const auto& q) { return s.robot->inverse_dynamics(q, s.qd, s.qdd, s.base_velocity); });
   }
-  add<R>(robot, states, compared, compared, [](const State<R>& s) { return inverse_dynamics<R>(s); });
+  add_with_trigonometry<R>(
+      robot, states, compared, compared, [](const State<R>& s, const auto& q) { return inverse_dynamics<R>(s, q); });
 }
 
 template <class R>
 void add_forward_dynamics(const Robot& robot, const std::vector<State<R>>& states) {
   benchmark::AddCustomContext("compared/forward_dynamics", "forward_dynamics");
-  add<R>(
-      robot, states, "forward_dynamics", "forward_dynamics", [](const State<R>& s) { return forward_dynamics<R>(s); });
+  add_with_trigonometry<R>(robot, states, "forward_dynamics", "forward_dynamics", [](const State<R>& s, const auto& q) {
+    return forward_dynamics<R>(s, q);
+  });
 }
 
 template <class R>
 void add_inertia_matrix(const Robot& robot, const std::vector<State<R>>& states) {
   benchmark::AddCustomContext("compared/inertia_matrix", "joint_space_inertia");
-  add<R>(robot, states, "joint_space_inertia", "joint_space_inertia", [](const State<R>& s) {
-    return s.robot->joint_space_inertia(s.q);
-  });
+  add_with_trigonometry<R>(
+      robot, states, "joint_space_inertia", "joint_space_inertia",
+      [](const State<R>& s, const auto& q) { return s.robot->joint_space_inertia(q); });
 }
 
 // The factor and a solution, and what a dense factor of the same matrix takes.
@@ -106,9 +139,9 @@ template <class R>
 void add_inertia_factor(const Robot& robot, const std::vector<State<R>>& states) {
   using InertiaMatrix = typename R::InertiaMatrix;
   using Vector = Eigen::Matrix<typename R::Scalar, InertiaMatrix::RowsAtCompileTime, 1>;
-  add<R>(robot, states, "joint_space_inertia_factor", "joint_space_inertia_factor", [](const State<R>& s) {
-    return s.robot->joint_space_inertia_factor(s.q);
-  });
+  add_with_trigonometry<R>(
+      robot, states, "joint_space_inertia_factor", "joint_space_inertia_factor",
+      [](const State<R>& s, const auto& q) { return s.robot->joint_space_inertia_factor(q); });
   add<R>(
       robot, states, "inertia_factor::solve", "inertia_factor_solve",
       [factor = states[0].robot->joint_space_inertia_factor(states[0].q)](const State<R>& s) {
@@ -132,11 +165,11 @@ void add_inertia_factor(const Robot& robot, const std::vector<State<R>>& states)
 
 template <class R>
 void add_bias_forces(const Robot& robot, const std::vector<State<R>>& states) {
-  add<R>(robot, states, "bias_forces", "bias_forces", [](const State<R>& s) {
+  add_with_trigonometry<R>(robot, states, "bias_forces", "bias_forces", [](const State<R>& s, const auto& q) {
     if constexpr (R::kFloatingBase) {
-      return s.robot->bias_forces(s.q, s.qd, s.base_velocity);
+      return s.robot->bias_forces(q, s.qd, s.base_velocity);
     } else {
-      return s.robot->bias_forces(s.q, s.qd);
+      return s.robot->bias_forces(q, s.qd);
     }
   });
 }
@@ -226,6 +259,27 @@ inline std::string benchmark_name(const reflection::Transform& transform) {
   return std::string("homogeneous/") + transform.name;
 }
 
+// A function of positions alone, of the library's table: the same with sines and cosines known.
+template <class R, class Matrix>
+void add_core(
+    const Robot& robot,
+    const std::vector<State<R>>& states,
+    const std::string& name,
+    const std::string& kernel) {
+  for (const reflection::Function& f : robot.functions) {
+    if (kernel != f.name || f.call_core == nullptr || reference::kIsParametric<R>) continue;
+    const State<R>* first = states.data();
+    add<R>(
+        robot, states, name + "/given_trig", kernel,
+        [first, core = f.call_core, all = trigonometry_of<R>(states)](const State<R>& s) {
+          const auto& at = all[static_cast<std::size_t>(&s - first)];
+          Matrix result;
+          core(s.q.data(), at.sin_data(), at.cos_data(), result.data());
+          return result;
+        });
+  }
+}
+
 template <class R>
 void add_jacobian(const Robot& robot, const std::vector<State<R>>& states, const reflection::Jacobian& jacobian) {
   add<R>(robot, states, benchmark_name(jacobian), jacobian.name, [kernel = jacobian.kernel](const State<R>& s) {
@@ -233,6 +287,7 @@ void add_jacobian(const Robot& robot, const std::vector<State<R>>& states, const
     kernel(reference::cache_of(*s.robot), s.q.data(), J.data());
     return J;
   });
+  add_core<R, Eigen::Matrix<double, 6, R::kDof>>(robot, states, benchmark_name(jacobian), jacobian.name);
 }
 
 template <class R>
@@ -243,6 +298,7 @@ void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, co
     call(reference::cache_of(*s.robot), s.q.data(), X.data());
     return X;
   });
+  add_core<R, Eigen::Matrix4d>(robot, states, benchmark_name(transform), kernel);
 }
 
 // The tables are empty where a group is missing.
@@ -261,6 +317,7 @@ void add_kinematics(const Robot& robot, const std::vector<State<R>>& states) {
       longest->motion(reference::cache_of(*s.robot), s.q.data(), X.data());
       return X;
     });
+    add_core<R, Eigen::Matrix<double, 6, 6>>(robot, states, "motion/" + name, "motion_" + name);
   }
   const reflection::Jacobian* widest = widest_jacobian(robot);
   const reflection::Jacobian* compared = compared_jacobian(robot);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 
 namespace robcogen::test {
@@ -42,22 +43,54 @@ bool read_banner(const std::string& line, Counts& counts) {
   return true;
 }
 
-// Returns the number of kernels in the file.
+// The angle whose sine or cosine a line names: `const Scalar& s_HFE = sin_q[1];`
+void add_angle(const std::string& line, std::set<int>& angles) {
+  static const std::regex pattern(R"(.* = (?:sin|cos)_q\[(\d+)\];)");
+  std::smatch match;
+  if (std::regex_match(line, match, pattern)) angles.insert(std::stoi(match[1]));
+}
+
+// What stands behind `word` up to the parenthesis; empty where the line has no such word.
+std::string name_behind(const std::string& word, const std::string& line) {
+  const std::size_t at = line.find(word);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + word.size();
+  return line.substr(begin, line.find('(', begin) - begin);
+}
+
+// Returns the number of kernels in the file. A kernel that calls its core does what that does, with a sine and cosine
+// of each angle that it reads.
 int check_file(const fs::path& path) {
   std::ifstream file(path);
   int kernels = 0;
-  bool inside = false;
+  bool inside = false, in_cores = false;
   Counts expected{}, found{};
+  std::set<int> angles;
+  std::string name;
+  std::map<std::string, Counts> cores;  // with the sines and cosines that they are given
   for (std::string line; std::getline(file, line);) {
+    if (line == "namespace core {") in_cores = true;
+    if (line == "}  // namespace core") in_cores = false;
     if (read_banner(line, expected)) {
       ++kernels;
       inside = true;
       found = {};
-    } else if (inside && line.starts_with("  ") && !line.starts_with("  //")) {
+      angles.clear();
+    } else if (inside && !name_behind("void ", line).empty()) {
+      name = name_behind("void ", line);
+    } else if (inside && !name_behind("  core::", line).empty()) {
+      const Counts core = cores.at(name_behind("  core::", line));
+      for (std::size_t k = 0; k < found.size(); ++k) found[k] += core[k];
+    } else if (
+        inside && line.starts_with("  ") && !line.starts_with("  //") && !line.starts_with("  robcogen::sincos_")) {
       add_operators(line, found);
+      if (in_cores) add_angle(line, angles);
     } else if (inside && line.starts_with("}")) {
       EXPECT_EQ(found, expected) << path << ", kernel " << kernels;
       inside = false;
+      if (!in_cores) continue;
+      cores[name] = found;
+      cores[name][4] += static_cast<int>(angles.size());
     }
   }
   return kernels;

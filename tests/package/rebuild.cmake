@@ -75,12 +75,12 @@ function(snapshot result)
 endfunction()
 
 set_up()
-expect_build("first build" generate inverse_dynamics.cpp jacobians.cpp parameters.cpp)
+expect_build("first build" generate inverse_dynamics.cpp jacobians.cpp parameters.cpp trigonometry.cpp)
 expect_build("nothing changed")
 expect_build("nothing changed, third build")
 
 edit(hyl.kindsl "mass = 3.982" "mass = 4.982")
-expect_build("edited model" generate inverse_dynamics.cpp jacobians.cpp parameters.cpp)
+expect_build("edited model" generate inverse_dynamics.cpp jacobians.cpp parameters.cpp trigonometry.cpp)
 expect_build("nothing changed after an edit")
 
 edit(hyl.dtdsl "base = fr_base, target = fr_foot" "base = fr_base, target = fr_foot base = fr_base, target = fr_lowerleg")

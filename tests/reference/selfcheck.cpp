@@ -17,6 +17,7 @@
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_parameters.h"
+#include "robcogen/reference/check_trigonometry.h"
 #include "robcogen/reference/command_line.h"
 #include "robcogen/reference/compiled_robot.h"
 
@@ -59,6 +60,7 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     check_jacobians(subject, c, checks);
     check_frame_motions(subject, c, checks);
   }
+  check_trigonometry(robot, subject.cache(), engine, samples, checks);
 }
 
 constexpr int kSetsOfValues = 4;

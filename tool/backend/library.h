@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/files.h"
+#include "symbolic/angle_parts.h"
 #include "symbolic/count.h"
 #include "symbolic/program.h"
 
@@ -104,6 +105,8 @@ struct Function {
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
   std::string method = {};  // how it is computed, where there was a choice
+  // For languages whose functions take given sines and cosines, where the program reads some.
+  std::optional<symbolic::AngleParts> parts = {};
   // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the
   // program of their amounts, a row each.
   std::vector<PrimitiveData> primitives = {};
@@ -133,6 +136,14 @@ struct Library {
   std::vector<Function> updates;
   // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
   std::vector<Function> numbers;
+  // Of a robot, for languages whose functions take given sines and cosines: those of all angles, first an angle for each
+  // joint, its position, then sums. Empty otherwise.
+  struct Trigonometry {
+    int angle_count = 0;
+    symbolic::Program angles;  // [parameters,] q -> all of them
+    Function addition;         // [parameters,] sines and cosines of the joints -> of all angles
+  };
+  std::optional<Trigonometry> trigonometry = {};
   PrimitiveConvention primitives = PrimitiveConvention::none;
   bool has_batches = false;  // each function also over many states at once: C++, robots
 

@@ -152,8 +152,11 @@ Status generate_robot(const Options& options) {
   if (!robot) return wrong_input;
   return write_libraries(options, robot->read, [&](const backend::Language& language) {
     const std::vector<std::string> groups = groups_of(language, options.groups);
-    if (language.caches_parameters) return library_with_cache(*robot, options.names, groups, options.model.steps);
-    return library(*robot, options.names, groups, options.model.steps, primitives_of(options));
+    backend::Library made = language.caches_parameters
+                                ? library_with_cache(*robot, options.names, groups, options.model.steps)
+                                : library(*robot, options.names, groups, options.model.steps, primitives_of(options));
+    if (language.takes_sines) split_angles(made);
+    return made;
   });
 }
 

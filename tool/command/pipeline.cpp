@@ -10,6 +10,7 @@
 #include "export/kinematics.h"
 #include "import/kinematics.h"
 #include "pass/passes.h"
+#include "pass/split_angles.h"
 #include "pass/split_parameters.h"
 #include "support/files.h"
 
@@ -76,9 +77,9 @@ class Constants {
 };
 
 // A function of the library's own machinery.
-backend::Function function_of(symbolic::Program program, std::vector<std::string> summary) {
+backend::Function function_of(const char* group, symbolic::Program program, std::vector<std::string> summary) {
   backend::Function function;
-  function.group = "parameters";
+  function.group = group;
   function.name = function.kernel = program.name;
   function.summary = std::move(summary);
   function.program = std::move(program);
@@ -273,14 +274,29 @@ backend::Library library_with_cache(
   for (std::size_t i = 0; i < programs.size(); ++i)
     result.functions[i].program = pass::run(std::move(split.programs[i]), passes);
   const auto add_update = [&](symbolic::Program& program, const std::string& what) {
-    result.updates.push_back(function_of(pass::run(std::move(program), passes), {"What follows from " + what + "."}));
+    result.updates.push_back(
+        function_of("parameters", pass::run(std::move(program), passes), {"What follows from " + what + "."}));
   };
   add_update(split.kinematics, "kinematics parameters alone");
   add_update(split.dynamics, "dynamics parameters alone");
   add_update(split.both, "kinematics and dynamics parameters together");
   result.numbers.push_back(
-      function_of(algorithm::model_numbers(robot.tree), {"The numbers of the model, a column each."}));
+      function_of("parameters", algorithm::model_numbers(robot.tree), {"The numbers of the model, a column each."}));
   return result;
+}
+
+void split_angles(backend::Library& library) {
+  std::vector<symbolic::Program> programs;
+  for (const backend::Function& function : library.functions) programs.push_back(function.program);
+  std::vector<std::string> joints;
+  for (const backend::JointData& joint : library.joints) joints.push_back(joint.name);
+  pass::SplitAngles split = pass::split_angles(programs, joints);
+  for (std::size_t i = 0; i < programs.size(); ++i) library.functions[i].parts = std::move(split.parts[i]);
+  library.trigonometry = {
+      split.angle_count, std::move(split.angles),
+      function_of(
+          "trigonometry", std::move(split.addition),
+          {"Sines and cosines of all angles from those of the joints: of sums by the addition theorems."})};
 }
 
 }  // namespace robcogen::command

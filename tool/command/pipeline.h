@@ -104,4 +104,7 @@ backend::Library library_with_cache(
     const std::vector<std::string>& groups,
     const Steps& steps);
 
+// Parts the programs of a robot at its sines and cosines.
+void split_angles(backend::Library& library);
+
 }  // namespace robcogen::command

@@ -38,6 +38,8 @@ struct Statement {
 // What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.
 enum class Role {
   joint_position,           // rad or m
+  joint_sine,               // of joint positions, and behind them of sums of these
+  joint_cosine,             // alike
   joint_velocity,           // rad/s or m/s
   joint_acceleration,       // rad/s^2 or m/s^2
   joint_force,              // N m or N

@@ -27,6 +27,8 @@ struct RoleName {
 };
 constexpr std::array kRoles = {
     RoleName{Role::joint_position, "joint_position"},
+    RoleName{Role::joint_sine, "joint_sine"},
+    RoleName{Role::joint_cosine, "joint_cosine"},
     RoleName{Role::joint_velocity, "joint_velocity"},
     RoleName{Role::joint_acceleration, "joint_acceleration"},
     RoleName{Role::joint_force, "joint_force"},

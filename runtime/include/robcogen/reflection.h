@@ -119,6 +119,23 @@ struct Function {
   int inputs;
   int outputs;
   void (*call)(const double* inputs, double* outputs) noexcept;
+  // Where it reads sines or cosines of joints: where these joint positions begin among the inputs, and the same
+  // function of them all, as Trigonometry computes them.
+  int positions = 0;
+  void (*call_core)(const double* inputs, const double* sin_q, const double* cos_q, double* outputs) noexcept = nullptr;
+};
+
+// Sines and cosines of all angles that functions read: first of each joint. `parameters` is the cache of a robot that
+// has some, and else not read.
+struct Trigonometry {
+  int angles = 0;
+  void (*compute)(const double* parameters, const double* q, double* sin_q, double* cos_q) noexcept = nullptr;
+  void (*complete)(
+      const double* parameters,
+      const double* sin_joint,
+      const double* cos_joint,
+      double* sin_q,
+      double* cos_q) noexcept = nullptr;
 };
 
 struct Parameter {
@@ -146,6 +163,7 @@ struct Robot {
   Table<Jacobian> jacobians;
   Table<FrameFunction> frame_functions;
   Table<Function> functions;
+  Trigonometry trigonometry = {};
   // Robots with parameters: `links`, `joints` and `frames` above hold the numbers of the defaults. For other values,
   // `numbers` computes them, in the order of the tables: of a link mass, com and inertia, of joints and frames
   // translation and rotation.

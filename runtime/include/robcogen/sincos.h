@@ -19,25 +19,43 @@ inline SinCos<Scalar> sincos(const Scalar& x) {
   return {sin(x), cos(x)};
 }
 
+// The same into two places.
+template <class Scalar>
+inline void sincos(const Scalar& x, Scalar& sine, Scalar& cosine) {
+  const SinCos<Scalar> both = sincos(x);
+  sine = both.sin;
+  cosine = both.cos;
+}
+
 // glibc computes both for little more than one. GCC finds that out by itself, clang does not.
-inline SinCos<double> sincos(const double& x) noexcept {
+inline void sincos(const double& x, double& sine, double& cosine) noexcept {
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
-  SinCos<double> result;
-  ::sincos(x, &result.sin, &result.cos);
-  return result;
+  ::sincos(x, &sine, &cosine);
 #else
-  return {std::sin(x), std::cos(x)};
+  sine = std::sin(x);
+  cosine = std::cos(x);
 #endif
 }
 
-inline SinCos<float> sincos(const float& x) noexcept {
+inline void sincos(const float& x, float& sine, float& cosine) noexcept {
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
-  SinCos<float> result;
-  ::sincosf(x, &result.sin, &result.cos);
-  return result;
+  ::sincosf(x, &sine, &cosine);
 #else
-  return {std::sin(x), std::cos(x)};
+  sine = std::sin(x);
+  cosine = std::cos(x);
 #endif
+}
+
+inline SinCos<double> sincos(const double& x) noexcept {
+  SinCos<double> both;
+  sincos(x, both.sin, both.cos);
+  return both;
+}
+
+inline SinCos<float> sincos(const float& x) noexcept {
+  SinCos<float> both;
+  sincos(x, both.sin, both.cos);
+  return both;
 }
 
 }  // namespace robcogen

@@ -256,24 +256,56 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) {
   return robcogen::sincos(x).cos;
 }
 
-// Sines and cosines of kSize angles (rad). For double and float, and lanes of them, within 1 ulp below 1e5 rad, as the
+// Whether they are computed together: where that is measured to be faster than the C library. Of fewer than four angles
+// only those of double that leave few lanes empty; of lanes all.
+template <int kCount, class Scalar>
+constexpr bool kPays = lanes::kIsComputed<Scalar> && (kCount >= 4 || !std::is_floating_point_v<Scalar>);
+template <int kCount>
+constexpr bool kPays<kCount, double> = kCount == 2 || kCount >= 4 || (kCount == 3 && lanes::kTogether > 2);
+
+template <int kCount, class Scalar>
+ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+  if constexpr (kCount > 0) {
+    robcogen::sincos(angles[0], sine[0], cosine[0]);
+    one_by_one<kCount - 1>(angles + 1, sine + 1, cosine + 1);
+  }
+}
+
+// Sines and cosines of kCount angles (rad). For double and float, and lanes of them, within 1 ulp below 1e5 rad, as the
 // C library has them beyond, for infinities and for what is no number; the rounding mode must be to nearest. For any
 // other scalar its own sin and cos, found by argument-dependent lookup. To be compiled without -ffast-math, as all
 // generated code.
+template <int kCount, class Scalar>
+ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+  if constexpr (kPays<kCount, Scalar>) {
+    lanes::sincos_of<kCount>(angles, sine, cosine);
+  } else {
+    one_by_one<kCount>(angles, sine, cosine);
+  }
+}
+
+// The same to these places: of angles[i] to the i-th of kTo.
+template <int... kTo, class Scalar>
+ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+  constexpr int kCount = sizeof...(kTo);
+  Scalar sines[kCount], cosines[kCount];
+  sincos_of<kCount>(angles, sines, cosines);
+  int i = 0;
+  ((sine[kTo] = sines[i], cosine[kTo] = cosines[i], ++i), ...);
+}
+
+// The same of these angles only, to places of the same numbers.
+template <int... kAt, class Scalar>
+ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+  const Scalar packed[] = {angles[kAt]...};
+  sincos_to<kAt...>(packed, sine, cosine);
+}
+
+// Sines and cosines of kSize angles as a value.
 template <class Scalar, int kSize>
 class SinCosOf {
  public:
-  explicit SinCosOf(const Scalar* angles) {
-    if constexpr (lanes::kIsComputed<Scalar>) {
-      lanes::sincos_of<kSize>(angles, sin_, cos_);
-    } else {
-      for (int i = 0; i < kSize; ++i) {
-        const SinCos<Scalar> both = robcogen::sincos(angles[i]);
-        sin_[i] = both.sin;
-        cos_[i] = both.cos;
-      }
-    }
-  }
+  explicit SinCosOf(const Scalar* angles) { robcogen::sincos_of<kSize>(angles, sin_, cos_); }
 
   SinCos<Scalar> operator[](int i) const { return {sin_[i], cos_[i]}; }
 

@@ -24,9 +24,10 @@ TEST(Outputs, AreAFunctionOfNameAndGroups) {
   EXPECT_EQ(
       outputs("leg", kGroups),
       (Names{
-          "leg/model.h", "leg/types.h", "leg/parameters.h", "leg/robot.h", "leg/reflection.h", "leg/leg.h",
-          "leg/kernel/parameters.h", "leg/parameters.cpp", "leg/inverse_dynamics.h", "leg/kernel/inverse_dynamics.h",
-          "leg/inverse_dynamics.cpp", "leg/transforms.h", "leg/kernel/transforms.h", "leg/transforms.cpp"}));
+          "leg/model.h", "leg/types.h", "leg/parameters.h", "leg/trigonometry.h", "leg/robot.h", "leg/reflection.h",
+          "leg/leg.h", "leg/kernel/parameters.h", "leg/parameters.cpp", "leg/kernel/trigonometry.h",
+          "leg/trigonometry.cpp", "leg/inverse_dynamics.h", "leg/kernel/inverse_dynamics.h", "leg/inverse_dynamics.cpp",
+          "leg/transforms.h", "leg/kernel/transforms.h", "leg/transforms.cpp"}));
 }
 
 TEST(Outputs, ARobotMayHaveTheNameOfAHeader) {

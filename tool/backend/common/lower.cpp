@@ -21,6 +21,11 @@ bool is_statement(const Operand& o) {
 bool is_sum(Op op) {
   return op == Op::add || op == Op::subtract;
 }
+// By Dialect::binds_parameters.
+bool is_bound(symbolic::Role role) {
+  using symbolic::Role;
+  return role == Role::parameters || role == Role::joint_sine || role == Role::joint_cosine;
+}
 bool is_angle_function(Op op) {
   return op == Op::sine || op == Op::cosine;
 }
@@ -169,7 +174,7 @@ class Lowering {
     std::size_t index = 0;
     for (std::size_t p = 0; p < program_.inputs.size(); ++p) {
       for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k, ++index) {
-        if (program_.inputs[p].role != symbolic::Role::parameters || !inputs_used_[index]) continue;
+        if (!is_bound(program_.inputs[p].role) || !inputs_used_[index]) continue;
         std::string name = scope_.claim(shortened(input_labels_[index]));
         add({Line::Kind::binding, {name}, input_names_[index]});
         input_names_[index] = std::move(name);

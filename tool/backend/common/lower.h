@@ -59,7 +59,7 @@ struct Dialect {
   // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each is a name, an
   // element of an input or a number, and the printer puts the outputs together at the end.
   bool stores = true;
-  // Parameters that are read are named by their labels, a line each, before all else.
+  // Parameters, and given sines and cosines, that are read are named by their labels, a line each, before all else.
   bool binds_parameters = false;
   // Variables of a document come as arguments of their own, by their labels.
   bool names_variables = false;
@@ -78,7 +78,7 @@ struct Dialect {
 std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
 
 // The rules:
-// - Parameters that are read come first, where Dialect::binds_parameters is on.
+// - Parameters, sines and cosines that are read come first, where Dialect::binds_parameters is on.
 // - Sines and cosines of plain inputs come first, one pair an argument; a lone sine or cosine is a definition.
 // - A statement that is used once and that the algorithm did not name stands inside its user, as far as the line has
 //   room: products inside sums first of all, for a compiler fuses them only within one expression. Evaluation order is

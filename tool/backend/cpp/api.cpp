@@ -112,7 +112,7 @@ std::vector<std::string> members_of(const std::string& object, const std::vector
 Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
   const std::vector<Parameter> names = parameters(program);
-  Overload result{&callable, result_type(program), {}, !with_gravity, {}, {}};
+  Overload result{&callable, result_type(program), {}, !with_gravity, false, {}, {}};
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
     if (!with_gravity && input.role == Role::gravity) continue;
@@ -202,6 +202,10 @@ Api api(const Library& library) {
   if (!library.updates.empty()) name_parameters(library, result);
   for (const Function& f : library.updates) result.updates.push_back({&f, f.kernel, f.name, "", ""});
   for (const Function& f : library.numbers) result.numbers.push_back({&f, f.kernel, f.name, "", ""});
+  if (library.trigonometry) {
+    const Function& f = library.trigonometry->addition;
+    result.trigonometry.push_back({&f, f.kernel, f.name, "", ""});
+  }
   return result;
 }
 
@@ -272,6 +276,34 @@ std::vector<Overload> overloads(const Api& api, const std::vector<const Callable
       last.default_value = "Gravity::standard()";
     else
       result.push_back(overload(api, *callable, false));
+  }
+  const std::vector<Overload> plain = result;
+  for (const Overload& o : plain)
+    if (Overload other = with_sines(api, o); other.takes_sines) result.push_back(std::move(other));
+  return result;
+}
+
+Overload with_sines(const Api& api, const Overload& plain) {
+  Overload result = plain;
+  if (!api.takes_sines()) return result;
+  const Program& program = plain.callable->function->program;
+  // Arguments and inputs are arrays, one after another, but for gravity that has no argument.
+  for (std::size_t i = 0, a = 0; i < program.inputs.size(); ++i) {
+    const Role role = program.inputs[i].role;
+    if (role == Role::gravity && plain.adds_standard_gravity) continue;
+    if (role == Role::joint_position) {
+      result.takes_sines = true;
+      result.arguments[a] = {kTrigonometryType, kTrigonometryName, ""};
+      const std::string at = kTrigonometryName;
+      std::vector<std::string> inputs = {at + ".q().data()"};
+      if (plain.callable->function->parts) inputs.insert(inputs.end(), {at + ".sin_data()", at + ".cos_data()"});
+      if (!plain.adds_standard_gravity) {
+        const auto place = result.inputs.erase(result.inputs.begin() + static_cast<std::ptrdiff_t>(i));
+        result.inputs.insert(place, inputs.begin(), inputs.end());
+      }
+      return result;
+    }
+    if (!is_kept(role)) ++a;
   }
   return result;
 }

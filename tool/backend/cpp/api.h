@@ -11,6 +11,10 @@ namespace robcogen::backend::cpp {
 // What functions of robots with parameters take first: of namespace hyl and of hyl::f32 alike.
 inline constexpr const char* kParametersType = "Parameters<Scalar>";
 
+// What takes the place of joint positions, in either precision, and the argument's name.
+inline constexpr const char* kTrigonometryType = "JointTrigonometry";
+inline constexpr const char* kTrigonometryName = "at";
+
 // A function of the library under its C++ names.
 struct Callable {
   const Function* function = nullptr;
@@ -30,8 +34,11 @@ struct Api {
   // Of robots with parameters, whose functions take these first:
   std::vector<std::string> fields, getters;  // by parameter
   std::vector<Callable> updates, numbers;
+  // Of robots whose functions take given sines and cosines: how those of all angles follow from those of the joints.
+  std::vector<Callable> trigonometry;
 
   bool is_parametric() const { return !updates.empty(); }
+  bool takes_sines() const { return !trigonometry.empty(); }
 };
 
 // Refers to the library, which must live as long.
@@ -54,12 +61,14 @@ struct Overload {
   std::string result;
   std::vector<Argument> arguments;
   bool adds_standard_gravity = false;    // has no argument for it, and calls the overload that has one
+  bool takes_sines = false;              // JointTrigonometry in the place of joint positions
   std::vector<Packed> packed = {};       // parameters and variables, where there is no robot
   std::vector<std::string> inputs = {};  // what the kernel gets, unless adds_standard_gravity
 };
 
 // The overloads that these functions make, all of one scope and name. Gravity may be left out wherever no function of
-// its own does without it: then it is standard gravity.
+// its own does without it: then it is standard gravity. Behind those that take joint positions come those that take
+// JointTrigonometry, where there is one.
 std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables);
 
 // The overloads of a group's free functions in this scope, in order.
@@ -67,6 +76,9 @@ std::vector<Overload> overloads(const Api& api, const std::string& group, const 
 
 // The members of a type, but those that it is made by, in order.
 std::vector<Overload> members(const Api& api, const std::string& type);
+
+// The overload that takes JointTrigonometry in the place of joint positions; the same, where there are none.
+Overload with_sines(const Api& api, const Overload& overload);
 
 // The scopes of a group's free functions in the order of their first function.
 std::vector<std::string> scopes(const Api& api, const std::string& group);

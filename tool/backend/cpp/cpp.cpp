@@ -18,7 +18,7 @@ std::string lower_case(std::string text) {
 }  // namespace
 
 std::vector<std::string> stems(bool has_robot) {
-  if (has_robot) return {"model", "types", kParameters, "robot", "reflection"};
+  if (has_robot) return {"model", "types", kParameters, kTrigonometry, "robot", "reflection"};
   return {"model", "types", "reflection"};
 }
 
@@ -72,7 +72,9 @@ std::vector<std::string> outputs(
   std::vector<std::string> files;
   for (const std::string& stem : stems(has_robot)) files.push_back(header_path(name, stem));
   files.push_back(umbrella_path(name));
-  if (has_robot) files.insert(files.end(), {kernel_path(name, kParameters), source_path(name, kParameters)});
+  if (has_robot)
+    for (const char* stem : {kParameters, kTrigonometry})
+      files.insert(files.end(), {kernel_path(name, stem), source_path(name, stem)});
   for (const std::string& group : groups)
     files.insert(files.end(), {header_path(name, group), kernel_path(name, group), source_path(name, group)});
   if (!has_batches) return files;
@@ -94,6 +96,7 @@ std::vector<OutputFile> print(const Library& library) {
   add_header(header_path(name, "model"), print_model);
   add_header(header_path(name, "types"), print_types);
   if (library.has_robot()) add_header(header_path(name, kParameters), print_parameters);
+  if (library.has_robot()) add_header(header_path(name, kTrigonometry), print_trigonometry);
   if (library.has_robot()) add_header(header_path(name, "robot"), print_robot);
   add_header(header_path(name, "reflection"), library.has_robot() ? print_reflection : print_factors);
   add_header(umbrella_path(name), print_umbrella);
@@ -101,7 +104,10 @@ std::vector<OutputFile> print(const Library& library) {
     add(kernel_path(name, group), print_kernels(names, group, kernel_path(name, group)));
     add(source_path(name, group), print_instantiations(names, group, source_path(name, group)));
   };
-  if (library.has_robot()) add_kernels(kParameters);
+  if (library.has_robot()) {
+    add_kernels(kParameters);
+    add_kernels(kTrigonometry);
+  }
   for (const std::string& group : library.groups) {
     add(header_path(name, group), print_interface(names, group, header_path(name, group)));
     add_kernels(group);

@@ -27,6 +27,20 @@ std::string lines(const Field& field, std::size_t indent) {
   return blanks(indent) + "{\n" + blanks(indent + 4) + joined(field.items, separator) + ",\n" + blanks(indent) + "},\n";
 }
 
+// The items with commas in as few lines as hold them, and the end behind the last one.
+std::string filled(const std::vector<std::string>& items, const std::string& end, std::size_t indent) {
+  std::string result, row = blanks(indent);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string next = items[i] + (i + 1 < items.size() ? "," : end);
+    if (row.size() > indent && row.size() + 1 + next.size() > kColumns) {
+      result += row + "\n";
+      row = blanks(indent);
+    }
+    row += (row.size() > indent ? " " : "") + next;
+  }
+  return result + row + "\n";
+}
+
 }  // namespace
 
 std::string comment(const std::string& text, std::size_t indent) {
@@ -66,38 +80,40 @@ std::string declaration(
 std::string call(const std::string& head, const std::vector<std::string>& arguments, std::size_t indent) {
   const std::string line = blanks(indent) + head + "(" + joined(arguments, ", ") + ");";
   if (line.size() <= kColumns || arguments.empty()) return line + "\n";
-  std::string result = blanks(indent) + head + "(\n";
-  std::string row = blanks(indent + 4);
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string next = arguments[i] + (i + 1 < arguments.size() ? "," : ");");
-    if (row.size() > indent + 4 && row.size() + 1 + next.size() > kColumns) {
-      result += row + "\n";
-      row = blanks(indent + 4);
-    }
-    row += (row.size() > indent + 4 ? " " : "") + next;
-  }
-  return result + row + "\n";
+  return blanks(indent) + head + "(\n" + filled(arguments, ");", indent + 4);
+}
+
+std::string template_call(
+    const std::string& head,
+    const std::vector<std::string>& items,
+    const std::string& tail,
+    std::size_t indent) {
+  const std::string line = blanks(indent) + head + "<" + joined(items, ", ") + ">";
+  if (line.size() + tail.size() + 1 <= kColumns) return line + tail + ";\n";
+  if (line.size() + 1 <= kColumns) return line + "(\n" + blanks(indent + 4) + tail.substr(1) + ";\n";
+  return blanks(indent) + head + "<\n" + filled(items, ">" + tail + ";", indent + 4);
 }
 
 std::string remarked_list(
     const std::string& head,
     const std::vector<std::string>& items,
-    const std::vector<std::string>& remarks) {
-  if (items.empty()) return head + " = {};\n";
+    const std::vector<std::string>& remarks,
+    std::size_t indent) {
+  if (items.empty()) return blanks(indent) + head + " = {};\n";
   std::size_t width = 0;
   for (const std::string& item : items) width = std::max(width, item.size());
-  std::string result = head + " = {\n";
+  std::string result = blanks(indent) + head + " = {\n";
   for (std::size_t i = 0; i < items.size(); ++i)
-    result += "    " + items[i] + "," + blanks(width - items[i].size()) + "  // " + remarks[i] + "\n";
-  return result + "};\n";
+    result += blanks(indent + 4) + items[i] + "," + blanks(width - items[i].size()) + "  // " + remarks[i] + "\n";
+  return result + blanks(indent) + "};\n";
 }
 
-std::string numbered_list(const std::string& head, const std::vector<std::string>& items) {
-  const std::string line = head + " = " + braced(items) + ";";
+std::string numbered_list(const std::string& head, const std::vector<std::string>& items, std::size_t indent) {
+  const std::string line = blanks(indent) + head + " = " + braced(items) + ";";
   if (line.size() <= kColumns) return line + "\n";
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < items.size(); ++i) numbers.push_back(std::to_string(i));
-  return remarked_list(head, items, numbers);
+  return remarked_list(head, items, numbers, indent);
 }
 
 std::string table(const std::string& head, const std::vector<std::vector<Field>>& rows) {

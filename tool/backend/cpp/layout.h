@@ -23,15 +23,23 @@ std::string declaration(
 // `head(arguments);` as a statement.
 std::string call(const std::string& head, const std::vector<std::string>& arguments, std::size_t indent);
 
+// `head<items>tail;` as a statement, the tail being arguments in parentheses.
+std::string template_call(
+    const std::string& head,
+    const std::vector<std::string>& items,
+    const std::string& tail,
+    std::size_t indent);
+
 // `head = {…};` with one item a line and the remark of each behind it. (Without remarks clang-format would arrange long
 // lists in columns.)
 std::string remarked_list(
     const std::string& head,
     const std::vector<std::string>& items,
-    const std::vector<std::string>& remarks);
+    const std::vector<std::string>& remarks,
+    std::size_t indent = 0);
 
 // `head = {items};` in one line if they fit, else one a line, each with its number.
-std::string numbered_list(const std::string& head, const std::vector<std::string>& items);
+std::string numbered_list(const std::string& head, const std::vector<std::string>& items, std::size_t indent = 0);
 
 // A field of a table: one item, or a list in braces.
 struct Field {

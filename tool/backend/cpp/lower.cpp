@@ -37,6 +37,12 @@ Kernel lower(const symbolic::Program& program, const std::string& name) {
   return backend::lower(program, name, dialect());
 }
 
+Kernel lower_values(const symbolic::Program& program) {
+  Dialect values = dialect();
+  values.stores = false;
+  return backend::lower(program, program.name, values);
+}
+
 Spelling literal(double value) {
   const std::string number = print_double(value);
   return backend::literal("Scalar(" + number + ")", "Scalar(-" + number + ")");

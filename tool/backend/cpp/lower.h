@@ -19,6 +19,9 @@ std::vector<Parameter> parameters(const symbolic::Program& program);
 
 Kernel lower(const symbolic::Program& program, const std::string& name);
 
+// The program's lines without stores: what its outputs are stands in Kernel::results.
+Kernel lower_values(const symbolic::Program& program);
+
 // `Scalar(0.35)`; the value is not negative.
 Spelling literal(double value);
 

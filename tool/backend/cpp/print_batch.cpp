@@ -197,13 +197,14 @@ std::vector<std::string> all_scopes(const Api& api, const std::string& group) {
   return result;
 }
 
-// All functions of one scope. They may leave out gravity where those of one state may.
+// All functions of one scope, of positions. They may leave out gravity where those of one state may.
 std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
   std::vector<std::string> parts;
   const auto add = [&](const Callable& c, bool with_gravity) {
     parts.push_back(function(api, c, single_precision, with_gravity));
   };
   for (const Overload& o : overloads(api, group, scope)) {
+    if (o.takes_sines) continue;
     add(*o.callable, !o.adds_standard_gravity);
     if (!o.arguments.empty() && !o.arguments.back().default_value.empty()) add(*o.callable, false);
   }

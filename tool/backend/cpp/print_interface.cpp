@@ -25,10 +25,15 @@ bool is_scalar(const symbolic::OutputArray& output) {
   return output.role == symbolic::Role::energy || output.role == symbolic::Role::mass;
 }
 
+std::string kernel_of(const Overload& overload) {
+  const bool is_core = overload.takes_sines && overload.callable->function->parts;
+  return std::string(is_core ? "kernel::core::" : "kernel::") + overload.callable->kernel;
+}
+
 std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
   const symbolic::Program& program = overload.callable->function->program;
   std::string arrays;
-  for (const Packed& p : overload.packed) arrays += numbered_list("  const Scalar " + p.name + "[]", p.elements);
+  for (const Packed& p : overload.packed) arrays += numbered_list("const Scalar " + p.name + "[]", p.elements, 2);
   std::vector<std::string> arguments = overload.inputs;
   std::string result = parameters(program)[program.inputs.size()].name;
   if (program.outputs.size() > 1) result = "result";
@@ -37,8 +42,8 @@ std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
     arguments.push_back(is_scalar(output) ? "&" + result : result + (member.empty() ? "" : "." + member) + ".data()");
   }
   const std::string margin(indent, ' ');
-  return arrays + margin + result_type(program) + " " + result + ";\n" +
-         call("kernel::" + overload.callable->kernel, arguments, indent) + margin + "return " + result + ";\n";
+  return arrays + margin + result_type(program) + " " + result + ";\n" + call(kernel_of(overload), arguments, indent) +
+         margin + "return " + result + ";\n";
 }
 
 // Arguments passed on to an overload that takes gravity too, if this one does not.
@@ -55,6 +60,7 @@ std::vector<std::string> passed_on(const Overload& overload) {
 }
 
 std::string documentation(const Overload& overload) {
+  if (overload.takes_sines) return comment("As above, with sines and cosines that are known.");
   if (overload.adds_standard_gravity) return comment("As above, under standard gravity.");
   std::string result;
   for (const std::string& line : overload.callable->function->summary) result += comment(line);
@@ -78,7 +84,7 @@ std::string constructor(const Overload& maker) {
   for (const symbolic::OutputArray& output : maker.callable->function->program.outputs)
     arguments.push_back(kept_name(output.name) + ".data()");
   return declaration("explicit " + maker.result, parameter_list(maker), " noexcept {", 2) +
-         call("kernel::" + maker.callable->kernel, arguments, 4) + "  }\n";
+         call(kernel_of(maker), arguments, 4) + "  }\n";
 }
 
 std::string method(const Overload& overload, bool documented) {
@@ -98,7 +104,9 @@ std::string object_type(const Api& api, const Overload& maker, bool documented) 
     getters += "  const " + type + "& " + output.name + "() const noexcept { return " + name + "; }\n";
     data += "  " + type + " " + name + ";\n";
   }
-  std::vector<std::string> parts = {constructor(maker), getters};
+  std::string constructors = constructor(maker);
+  if (const Overload other = with_sines(api, maker); other.takes_sines) constructors += constructor(other);
+  std::vector<std::string> parts = {constructors, getters};
   for (const Overload& member : members(api, maker.result)) parts.push_back(method(member, documented));
   const std::string remark = documented ? comment("What " + maker.callable->name + " returns.") : "";
   return remark + "class " + maker.result + " {\n public:\n" + paragraphs(parts) + "\n private:\n" + data + "};\n";
@@ -117,12 +125,14 @@ std::string columns_constant(const Api& api, const Callable& callable) {
 std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
   std::vector<std::string> parts;
   for (const Overload& o : overloads(api, group, scope)) {
-    if (returns_object(o.callable->function->program)) parts.push_back(object_type(api, o, !single_precision));
+    const bool is_first = !o.takes_sines;
+    if (is_first && returns_object(o.callable->function->program))
+      parts.push_back(object_type(api, o, !single_precision));
     if (single_precision) {
       parts.push_back(function(o));
       continue;
     }
-    parts.push_back(columns_constant(api, *o.callable));
+    if (is_first) parts.push_back(columns_constant(api, *o.callable));
     parts.push_back(documentation(o) + function(o));
   }
   const std::string prefix = single_precision ? (scope.empty() ? "f32" : "f32::") : "";
@@ -161,6 +171,7 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
   for (const Callable& c : api.callables)
     if (returns_object(c.function->program)) names.push_back(result_type(c.function->program));
+  if (api.takes_sines()) names.push_back(kTrigonometryType);
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + space + "::" + name + ";\n";
   std::vector<std::string> parts = {
@@ -192,6 +203,7 @@ std::vector<std::string> group_headers(const Library& library) {
 std::vector<std::string> base_headers(const Api& api) {
   std::vector<std::string> headers = {"\"" + header_path(api.library->name, "types") + "\""};
   if (api.is_parametric()) headers.push_back("\"" + header_path(api.library->name, kParameters) + "\"");
+  if (api.takes_sines()) headers.push_back("\"" + header_path(api.library->name, kTrigonometry) + "\"");
   return headers;
 }
 
@@ -199,13 +211,15 @@ std::vector<std::string> base_headers(const Api& api) {
 
 std::string print_interface(const Api& api, const std::string& group, const std::string& path) {
   const Library& library = *api.library;
-  std::vector<std::string> kernels, parts;
+  std::vector<std::string> kernels, cores, parts;
   bool tables = false;
   for (const Callable& c : api.callables) {
     if (c.function->group != group) continue;
     kernels.push_back(kernel_declaration(c));
+    if (c.function->parts) cores.push_back(core_declaration(c));
     tables = tables || !c.columns.empty();
   }
+  kernels.push_back(in_namespace("core", paragraphs(cores)));
   parts.push_back(in_namespace("kernel", paragraphs(kernels)));
   for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, false));
   for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, true));
@@ -230,7 +244,8 @@ std::string print_robot(const Api& api, const std::string& path) {
 std::string print_umbrella(const Api& api, const std::string& path) {
   std::vector<std::string> headers = group_headers(*api.library);
   for (const std::string& stem : stems(api.library->has_robot()))
-    if (stem != "reflection" && (stem != kParameters || api.is_parametric()))
+    if (stem != "reflection" && (stem != kParameters || api.is_parametric()) &&
+        (stem != kTrigonometry || api.takes_sines()))
       headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
   return paragraphs(
       {banner(*api.library, path, "everything but the tables of " + header_path(api.library->name, "reflection")),

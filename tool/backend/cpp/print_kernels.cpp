@@ -22,16 +22,15 @@ std::string counts(const symbolic::Program& program) {
          " cycles.";
 }
 
-std::string signature(const Kernel& kernel) {
+// `head` is all before the parameters: `void name`.
+std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail) {
   std::vector<std::string> list;
-  for (const Parameter& p : kernel.parameters)
+  for (const Parameter& p : parameters)
     list.push_back((p.output ? "Scalar* " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
-  const char* tail = kernel.lines.empty() ? " noexcept {}" : " noexcept {";
-  return "template <class Scalar>\n" + declaration("void " + kernel.name, list, tail);
+  return "template <class Scalar>\n" + declaration(head, list, tail);
 }
 
-std::string body(const Kernel& kernel) {
-  if (kernel.lines.empty()) return "";
+std::string lines(const Kernel& kernel) {
   std::string result;
   for (const std::string& function : kernel.functions) result += "  using std::" + function + ";\n";
   if (!kernel.functions.empty()) result += "\n";
@@ -42,7 +41,13 @@ std::string body(const Kernel& kernel) {
     else
       result += (i ? "\n" : "") + comment(line.expression, 2);
   }
-  return result + "}\n";
+  return result;
+}
+
+std::string definition(const Kernel& kernel, const std::string& specifiers = "") {
+  const std::string head = specifiers + "void " + kernel.name;
+  if (kernel.lines.empty()) return signature(head, kernel.parameters, " noexcept {}");
+  return signature(head, kernel.parameters, " noexcept {") + lines(kernel) + "}\n";
 }
 
 // `0:HAA, 1:HFE`
@@ -61,13 +66,94 @@ std::string arrays(const Library& library, const symbolic::Program& program) {
   return result;
 }
 
-std::string print_kernel(const Library& library, const Callable& callable) {
+std::string summary(const Callable& callable) {
   std::string result;
   for (const std::string& line : callable.function->summary) result += comment(line);
-  result += comment(counts(callable.function->program));
-  result += arrays(library, callable.function->program);
-  const Kernel kernel = lower(callable.function->program, callable.kernel);
-  return result + signature(kernel) + body(kernel);
+  return result;
+}
+
+// Instructions of a core that is compiled into its caller too, for the call is measurable there. All others are
+// compiled once.
+constexpr int kSmallCore = 64;
+
+std::string print_core(const Callable& callable) {
+  const symbolic::Program& core = callable.function->parts->core;
+  const bool is_small = symbolic::count(core).instructions <= kSmallCore;
+  return summary(callable) + comment(counts(core)) +
+         definition(lower(core, callable.kernel), is_small ? "[[gnu::always_inline]] inline " : "");
+}
+
+// Sines and cosines of these angles, each to its place in sin_q and cos_q.
+std::string sines_and_cosines(const Library& library, const std::vector<int>& read, const symbolic::Program& angles) {
+  if (read.empty()) return "";
+  std::vector<std::string> places;
+  for (const int k : read) places.push_back(std::to_string(k));
+  if (read.back() >= static_cast<int>(library.joints.size())) {
+    const Kernel kernel = lower_values(angles);
+    return lines(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
+           template_call("robcogen::sincos_to", places, "(angles, sin_q, cos_q)", 2);
+  }
+  const int first = read.front(), count = read.back() - first + 1;
+  // Of joints that follow each other; a few in between do no harm.
+  if (count > 2 * static_cast<int>(read.size()))
+    return template_call("robcogen::sincos_at", places, "(q, sin_q, cos_q)", 2);
+  const auto from = [&](const std::string& array) {
+    return first == 0 ? array : array + " + " + std::to_string(first);
+  };
+  const std::string name = "robcogen::sincos_of<" + std::to_string(count) + ">";
+  return call(name, {from("q"), from("sin_q"), from("cos_q")}, 2);
+}
+
+// A kernel that computes sines and cosines and calls its core.
+std::string print_caller(const Library& library, const Callable& callable) {
+  const symbolic::Program& program = callable.function->program;
+  const symbolic::AngleParts& parts = *callable.function->parts;
+  std::string text = comment("As core::" + callable.kernel + ", of positions alone.") + comment(counts(program));
+  if (const int sums = symbolic::count(parts.angles).add; sums > 0)
+    text += comment("Of the additions " + std::to_string(sums) + " make angles.");
+  text += signature("void " + callable.kernel, parameters(program), " noexcept {");
+  const std::string size = std::to_string(library.trigonometry->angle_count);
+  text += "  Scalar sin_q[" + size + "], cos_q[" + size + "];\n";
+  text += sines_and_cosines(library, parts.read, parts.angles);
+  std::vector<std::string> arguments;
+  for (const Parameter& p : parameters(parts.core)) arguments.push_back(p.name);
+  return text + call("core::" + callable.kernel, arguments, 2) + "}\n";
+}
+
+std::string print_kernel(const Library& library, const Callable& callable) {
+  if (callable.function->parts) return print_caller(library, callable);
+  const symbolic::Program& program = callable.function->program;
+  return summary(callable) + comment(counts(program)) + arrays(library, program) +
+         definition(lower(program, callable.kernel));
+}
+
+// Sines and cosines of all angles that turn: of joints that slide they are those of zero.
+std::string print_joint_trigonometry(const Library& library) {
+  symbolic::Program angles = library.trigonometry->angles;
+  std::vector<symbolic::Operand> values;
+  std::vector<int> turning;
+  std::string rest;
+  for (int k = 0; k < library.trigonometry->angle_count; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    if (index < library.joints.size() && !library.joints[index].revolute) {
+      const std::string place = "[" + std::to_string(k) + "] = ";
+      rest += "  sin_q" + place + "Scalar(0.0);\n  cos_q" + place + "Scalar(1.0);\n";
+      continue;
+    }
+    turning.push_back(k);
+    values.push_back(angles.outputs.front().values[index]);
+  }
+  angles.outputs.front().rows = static_cast<int>(values.size());
+  angles.outputs.front().values = values;
+  std::vector<Parameter> list = lower_values(angles).parameters;
+  list.back() = {"sin_q", true, library.trigonometry->angle_count > 0};
+  list.push_back({"cos_q", true, library.trigonometry->angle_count > 0});
+  const std::string body = sines_and_cosines(library, turning, angles) + rest;
+  return comment(
+             "Sines and cosines of all angles: of the joints, then of sums. Of joints that slide they are those of "
+             "zero.") +
+         signature("void joint_trigonometry", list, body.empty() ? " noexcept {}" : " noexcept {") +
+         (body.empty() ? "" : body + "}\n");
 }
 
 // What holds for all kernels.
@@ -79,20 +165,34 @@ std::string conventions(const Library& library) {
   return overlap + " Joints: " + numbered(joints) + ".";
 }
 
-std::string explicit_instantiations(const Callable& callable) {
+std::string explicit_instantiations(const std::string& kernel, const std::vector<Parameter>& parameters) {
   std::string result;
   for (const std::string scalar : {"double", "float"}) {
     std::vector<std::string> types;
-    for (const Parameter& p : parameters(callable.function->program))
-      types.push_back(p.output ? scalar + "*" : "const " + scalar + "*");
-    result += declaration("template void " + callable.kernel, types, " noexcept;");
+    for (const Parameter& p : parameters) types.push_back(p.output ? scalar + "*" : "const " + scalar + "*");
+    result += declaration("template void " + kernel, types, " noexcept;");
   }
   return result;
 }
 
+std::string explicit_instantiations(const Callable& callable) {
+  const Function& function = *callable.function;
+  std::string result;
+  if (function.parts) result = explicit_instantiations("core::" + callable.kernel, parameters(function.parts->core));
+  return result + explicit_instantiations(callable.kernel, parameters(function.program));
+}
+
+// Of joint_trigonometry.
+std::vector<Parameter> trigonometry_parameters(const Library& library) {
+  std::vector<Parameter> list = parameters(library.trigonometry->angles);
+  list.back() = {"sin_q", true};
+  list.push_back({"cos_q", true});
+  return list;
+}
+
 std::vector<Callable> callables_of(const Api& api, const std::string& group) {
   std::vector<Callable> result;
-  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers})
+  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry})
     for (const Callable& c : *list)
       if (c.function->group == group) result.push_back(c);
   return result;
@@ -115,18 +215,31 @@ std::string whole_update(const Api& api) {
 }  // namespace
 
 std::string kernel_declaration(const Callable& callable) {
-  std::vector<std::string> list;
-  for (const Parameter& p : parameters(callable.function->program))
-    list.push_back((p.output ? "Scalar* " : "const Scalar* ") + p.name);
-  return "template <class Scalar>\n" + declaration("void " + callable.kernel, list, " noexcept;");
+  return signature("void " + callable.kernel, parameters(callable.function->program), " noexcept;");
+}
+
+std::string core_declaration(const Callable& callable) {
+  return signature("void " + callable.kernel, parameters(callable.function->parts->core), " noexcept;");
+}
+
+std::string trigonometry_declaration(const Api& api) {
+  return signature("void joint_trigonometry", trigonometry_parameters(*api.library), " noexcept;");
 }
 
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
   if (group == kParameters && !api.is_parametric())
     return paragraphs({banner(*api.library, path, "no kernels, as it has no parameters"), "#pragma once\n"});
-  std::vector<std::string> kernels;
-  for (const Callable& c : callables_of(api, group)) kernels.push_back(print_kernel(*api.library, c));
-  if (group == kParameters && api.is_parametric()) kernels.push_back(whole_update(api));
+  if (group == kTrigonometry && !api.takes_sines())
+    return paragraphs({banner(*api.library, path, "no kernels of sines and cosines"), "#pragma once\n"});
+  std::vector<std::string> cores, kernels;
+  for (const Callable& c : callables_of(api, group)) {
+    if (c.function->parts) cores.push_back(print_core(c));
+    kernels.push_back(print_kernel(*api.library, c));
+  }
+  if (group == kParameters) kernels.push_back(whole_update(api));
+  if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
+  const std::string remark = "// Of known sines and cosines: sin_q and cos_q are those of all angles.\n";
+  if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
        "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}),
@@ -136,6 +249,8 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> kernels;
   for (const Callable& c : callables_of(api, group)) kernels.push_back(explicit_instantiations(c));
+  if (group == kTrigonometry && api.takes_sines())
+    kernels.push_back(explicit_instantiations("joint_trigonometry", trigonometry_parameters(*api.library)));
   return paragraphs(
       {banner(*api.library, path, "kernels compiled for double and float"),
        includes({"\"" + kernel_path(api.library->name, group) + "\""}),

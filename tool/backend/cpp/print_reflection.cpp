@@ -164,32 +164,73 @@ int output_count(const symbolic::Program& program) {
   return count;
 }
 
-// A kernel under one signature for all: its arrays stand one after another.
-std::string flat_function(const Callable& c) {
+// Where an input stands when all arrays are put one after another.
+std::size_t offset_of(const symbolic::Program& program, std::size_t input) {
+  std::size_t offset = 0;
+  for (std::size_t i = 0; i < input; ++i) offset += program.inputs[i].elements.size();
+  return offset;
+}
+
+std::size_t positions_of(const symbolic::Program& program) {
+  std::size_t input = 0;
+  while (program.inputs[input].role != Role::joint_position) ++input;
+  return offset_of(program, input);
+}
+
+// A kernel under one signature for all: its arrays stand one after another. Its core takes sines and cosines apart.
+std::string flat_function(const Callable& c, bool is_core) {
   const symbolic::Program& program = c.function->program;
   std::vector<std::string> arguments;
   const auto append = [&](const std::string& array, std::size_t offset) {
     arguments.push_back(offset == 0 ? array : array + " + " + std::to_string(offset));
   };
-  std::size_t offset = 0;
-  for (const symbolic::InputArray& input : program.inputs) {
-    append("in", offset);
-    offset += input.elements.size();
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    append("in", offset_of(program, i));
+    if (is_core && program.inputs[i].role == Role::joint_position)
+      arguments.insert(arguments.end(), {"sin_q", "cos_q"});
   }
-  offset = 0;
+  std::size_t offset = 0;
   for (const symbolic::OutputArray& output : program.outputs) {
     append("out", offset);
     offset += static_cast<std::size_t>(output.rows) * static_cast<std::size_t>(output.columns);
   }
-  const std::string in = program.inputs.empty() ? "const double*" : "const double* in";
-  const std::string out = program.outputs.empty() ? "double*" : "double* out";
-  return declaration("inline void " + c.kernel, {in, out}, " noexcept {") +
-         call("kernel::" + c.kernel + "<double>", arguments, 2) + "}\n";
+  std::vector<std::string> parameters = {program.inputs.empty() ? "const double*" : "const double* in"};
+  if (is_core) parameters.insert(parameters.end(), {"const double* sin_q", "const double* cos_q"});
+  parameters.push_back(program.outputs.empty() ? "double*" : "double* out");
+  return declaration("inline void " + c.kernel, parameters, " noexcept {") +
+         call(std::string(is_core ? "kernel::core::" : "kernel::") + c.kernel + "<double>", arguments, 2) + "}\n";
+}
+
+// The kernels of sines and cosines under signatures that have `parameters` whether the robot has some or not.
+std::string flat_trigonometry(const Api& api) {
+  if (!api.takes_sines()) return "";
+  const std::string parameters = api.is_parametric() ? "const double* parameters" : "const double*";
+  const auto function = [&](const std::string& name, std::vector<std::string> arrays) {
+    std::vector<std::string> list = {parameters};
+    for (const std::string& array : arrays) list.push_back("const double* " + array);
+    list.insert(list.end(), {"double* sin_q", "double* cos_q"});
+    if (api.is_parametric()) arrays.insert(arrays.begin(), "parameters");
+    arrays.insert(arrays.end(), {"sin_q", "cos_q"});
+    return declaration("inline void " + name, list, " noexcept {") + call("kernel::" + name + "<double>", arrays, 2) +
+           "}\n";
+  };
+  return paragraphs(
+      {function("joint_trigonometry", {"q"}), function(api.trigonometry.front().kernel, {"sin_joint", "cos_joint"})});
+}
+
+std::string trigonometry(const Api& api) {
+  if (!api.takes_sines()) return "{}";
+  return "{" + std::to_string(api.library->trigonometry->angle_count) +
+         ", &flat::joint_trigonometry, &flat::" + api.trigonometry.front().kernel + "}";
 }
 
 std::string flat_functions(const Api& api) {
-  std::vector<std::string> functions;
-  for (const Callable& c : all_callables(api)) functions.push_back(flat_function(c));
+  std::vector<std::string> functions, cores;
+  for (const Callable& c : all_callables(api)) {
+    functions.push_back(flat_function(c, false));
+    if (c.function->parts) cores.push_back(flat_function(c, true));
+  }
+  functions.insert(functions.end(), {in_namespace("core", paragraphs(cores)), flat_trigonometry(api)});
   return in_namespace("flat", paragraphs(functions));
 }
 
@@ -203,6 +244,9 @@ Table functions(const Api& api) {
     rows.push_back(
         {quoted(c.kernel), counts, input_count(c.function->program), output_count(c.function->program),
          "&flat::" + c.kernel});
+    if (!c.function->parts) continue;
+    rows.back().push_back(static_cast<int>(positions_of(c.function->program)));
+    rows.back().push_back("&flat::core::" + c.kernel);
   }
   return table("Function", "kFunctions", rows);
 }
@@ -218,20 +262,32 @@ Table parameters(const Library& library) {
 
 std::string print_reflection(const Api& api, const std::string& path) {
   const Library& library = *api.library;
-  std::vector<std::string> kernels;
-  for (const Callable& c : all_callables(api)) kernels.push_back(kernel_declaration(c));
+  std::vector<std::string> kernels, cores;
+  for (const Callable& c : all_callables(api)) {
+    kernels.push_back(kernel_declaration(c));
+    if (c.function->parts) cores.push_back(core_declaration(c));
+  }
+  for (const Callable& c : api.trigonometry) kernels.push_back(kernel_declaration(c));
+  if (api.takes_sines()) kernels.push_back(trigonometry_declaration(api));
+  kernels.push_back(in_namespace("core", paragraphs(cores)));
   std::vector<Table> tables = {links(library), joints(library),      frames(library), transforms(api),
                                jacobians(api), frame_functions(api), functions(api)};
-  std::vector<std::string> remarks = {"name",       "floating base", "links",           "joints",   "frames",
-                                      "transforms", "Jacobians",     "frame functions", "functions"};
+  std::vector<std::string> remarks = {"name",      "floating base",    "links",     "joints",
+                                      "frames",    "transforms",       "Jacobians", "frame functions",
+                                      "functions", "sines and cosines"};
   if (api.is_parametric()) {
-    tables.push_back(parameters(library));
     remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
     for (const Callable& c : api.numbers) kernels.push_back(kernel_declaration(c));
   }
   std::vector<std::string> parts = {flat_functions(api)};
   std::vector<std::string> fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
   for (const Table& t : tables) {
+    parts.push_back(t.definition);
+    fields.push_back(t.reference);
+  }
+  fields.push_back(trigonometry(api));
+  if (api.is_parametric()) {
+    const Table t = parameters(library);
     parts.push_back(t.definition);
     fields.push_back(t.reference);
   }

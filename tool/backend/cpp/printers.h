@@ -7,7 +7,8 @@
 
 namespace robcogen::backend::cpp {
 
-// The stems of the headers beside those of groups. `parameters` tells something of robots only that have some.
+// The stems of the headers beside those of groups. `parameters` tells something of robots only that have some,
+// `trigonometry` of those whose functions take given sines and cosines.
 std::vector<std::string> stems(bool has_robot);
 
 // Path of a header of this robot, as its files include it: `hyl/types.h`. Where the name is that of the umbrella header
@@ -19,6 +20,8 @@ std::string source_path(const std::string& name, const std::string& group);
 
 // The file stem, and the group, of what only robots with parameters have.
 inline constexpr const char* kParameters = "parameters";
+// The same of sines and cosines of all joints.
+inline constexpr const char* kTrigonometry = "trigonometry";
 
 // The file stem of functions over many states, and the processors that these are compiled for, by the enumerators of
 // robcogen::batch::Level: bodies of a group, and their instantiations for one of them.
@@ -36,11 +39,16 @@ std::string includes(std::vector<std::string> names);
 
 // Signatures of a kernel: `const Scalar* q, …, Scalar* tau`.
 std::string kernel_declaration(const Callable& callable);
+// The same of its core, which takes sines and cosines behind q.
+std::string core_declaration(const Callable& callable);
+// And of the kernel that computes the sines and cosines of all angles.
+std::string trigonometry_declaration(const Api& api);
 
 std::string print_model(const Api& api, const std::string& path);
 std::string print_types(const Api& api, const std::string& path);
 std::string print_parameters(const Api& api, const std::string& path);
-// Of a group, or `parameters`: the updates of a robot that has some.
+std::string print_trigonometry(const Api& api, const std::string& path);
+// Of a group; or `parameters`: the updates of a robot that has some; or `trigonometry`.
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
 std::string print_interface(const Api& api, const std::string& group, const std::string& path);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <type_traits>
+#include <vector>
 
 #include "robcogen/link_wrenches.h"
 #include "robcogen/reference/check_factor.h"
@@ -31,6 +32,15 @@ class CompiledRobot {
   using State = Motion<double>;
 
   explicit CompiledRobot(const Robot& tables, const R& robot = R()) : tables_(&tables), robot_(robot) {}
+
+  // What its kernels read before all else; empty where the robot has no parameters.
+  std::vector<double> cache() const {
+    if constexpr (kIsParametric<R>) {
+      return {robot_.parameters.data(), robot_.parameters.data() + R::Parameters::size()};
+    } else {
+      return {};
+    }
+  }
 
   // (base acceleration, tau): what the library finds, given qdd.
   Vector<double> inverse_dynamics(const State& m, const Arguments& arguments) const {

@@ -1,0 +1,103 @@
+// Functions of known sines and cosines against the same functions of positions.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "robcogen/reference/check_identities.h"
+
+namespace robcogen::reference {
+
+inline constexpr Tolerance kSameSines{"kSameSines", 0, "the same operations on the same numbers"};
+inline constexpr Tolerance kOtherSines{
+    "kOtherSines", 1e-13, "sines and cosines of other rounding, in sums; relative to the function's largest result"};
+inline constexpr Tolerance kOtherSinesDivided{
+    "kOtherSinesDivided", 1e-9, "the same, carried through the inverse of a matrix of any condition"};
+
+// Fewer angles may be left to the C library, while all joints together are not.
+inline constexpr int kComputedTogether = 4;
+
+// The largest difference between results of two ways, relative to the largest result of all calls: sums may cancel in
+// any one.
+class Difference {
+ public:
+  // What is no number on one side only is infinitely wrong.
+  void add(const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (std::isnan(a[i]) && std::isnan(b[i])) continue;
+      if (std::isnan(a[i]) || std::isnan(b[i])) difference_ = std::numeric_limits<Real>::infinity();
+      largest_ = std::max(largest_, std::abs(static_cast<Real>(a[i])));
+      difference_ = std::max(difference_, std::abs(static_cast<Real>(a[i]) - static_cast<Real>(b[i])));
+    }
+  }
+
+  Real relative() const { return largest_ > 0 ? difference_ / largest_ : difference_; }
+
+ private:
+  Real largest_ = 0;
+  Real difference_ = 0;
+};
+
+// Numbers of moderate size for all inputs, the cache of a robot with parameters before them.
+inline std::vector<double> random_inputs(
+    std::mt19937_64& engine,
+    const reflection::Function& f,
+    const std::vector<double>& cache) {
+  std::vector<double> inputs(static_cast<std::size_t>(f.inputs));
+  for (double& x : inputs) x = uniform(engine, 3);
+  std::copy(cache.begin(), cache.end(), inputs.begin());
+  return inputs;
+}
+
+// One function in many states. `cache` is empty where the robot has no parameters.
+inline void check_core(
+    const Robot& robot,
+    const reflection::Function& f,
+    const std::vector<double>& cache,
+    std::mt19937_64& engine,
+    int samples,
+    Checks& checks) {
+  const auto angles = static_cast<std::size_t>(robot.trigonometry.angles);
+  const auto joints = static_cast<std::size_t>(robot.joints.size), outputs = static_cast<std::size_t>(f.outputs);
+  std::vector<double> sine(angles), cosine(angles), sin_joint(joints), cos_joint(joints);
+  std::vector<double> expected(outputs), found(outputs);
+  Difference computed, given;
+  for (int i = 0; i < samples; ++i) {
+    const std::vector<double> in = random_inputs(engine, f, cache);
+    const double* q = in.data() + f.positions;
+    f.call(in.data(), expected.data());
+
+    robot.trigonometry.compute(in.data(), q, sine.data(), cosine.data());
+    f.call_core(in.data(), sine.data(), cosine.data(), found.data());
+    computed.add(expected, found);
+
+    for (std::size_t k = 0; k < joints; ++k) {
+      sin_joint[k] = std::sin(q[k]);
+      cos_joint[k] = std::cos(q[k]);
+    }
+    robot.trigonometry.complete(in.data(), sin_joint.data(), cos_joint.data(), sine.data(), cosine.data());
+    f.call_core(in.data(), sine.data(), cosine.data(), found.data());
+    given.add(expected, found);
+  }
+  const bool divides = f.count.div > 0 || f.count.sqrt > 0;
+  const Tolerance& other = divides ? kOtherSinesDivided : kOtherSines;
+  const std::string which = divides ? ", with divisions" : "";
+  if (f.count.sincos >= kComputedTogether)
+    checks.record("sines and cosines of all joints", kSameSines, computed.relative(), 0);
+  else
+    checks.record("sines and cosines of all joints, few read" + which, other, computed.relative(), 0);
+  checks.record("sines and cosines that are given" + which, other, given.relative(), 0);
+}
+
+// Every function that reads sines or cosines of joints.
+inline void check_trigonometry(
+    const Robot& robot,
+    const std::vector<double>& cache,
+    std::mt19937_64& engine,
+    int samples,
+    Checks& checks) {
+  for (const reflection::Function& f : robot.functions)
+    if (f.call_core != nullptr) check_core(robot, f, cache, engine, samples, checks);
+}
+
+}  // namespace robcogen::reference

@@ -1,0 +1,160 @@
+// What reads sines and cosines of joint angles takes them as inputs, and those of sums follow from those of joints.
+#include "pass/split_angles.h"
+
+#include <cmath>
+
+#include "symbolic/count.h"
+#include "symbolic/programs.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Arrays;
+using symbolic::Program;
+
+const std::vector<std::string> kJoints = {"slide", "hip", "knee"};
+const std::vector<double> kPositions = {0.3, 1.1, -0.7};
+const std::vector<double> kSpeeds = {0.5, 2.0, -1.5};
+
+// p: an angle and a length; q: three joints; v: variables behind them.
+Program with(const std::string& statements, const std::string& returns) {
+  return test::program(
+      "program test\n"
+      "input p parameters angle length\n"
+      "input q joint_position slide hip knee\n"
+      "input v joint_velocity slide hip knee\n"
+      "output out value 2 1\n"
+      "section leg link leg\n"
+      "in 0\n" +
+      statements + "return out " + returns + "\n");
+}
+
+const std::vector<double> kParameters = {0.4, 1.5};
+
+std::vector<double> run(const Program& program, const Arrays<double>& inputs, const std::string& output) {
+  return symbolic::interpret<double>(program, inputs).at(output);
+}
+
+// Sines and cosines of all angles, computed from these.
+struct Trigonometry {
+  std::vector<double> sine, cosine;
+};
+Trigonometry computed(const SplitAngles& split) {
+  Trigonometry all;
+  for (const double angle : run(split.angles, {{"p", kParameters}, {"q", kPositions}}, "angles")) {
+    all.sine.push_back(std::sin(angle));
+    all.cosine.push_back(std::cos(angle));
+  }
+  return all;
+}
+Trigonometry added(const SplitAngles& split) {
+  Arrays<double> inputs = {{"p", kParameters}, {"sin_joint", {}}, {"cos_joint", {}}};
+  for (const double q : kPositions) {
+    inputs["sin_joint"].push_back(std::sin(q));
+    inputs["cos_joint"].push_back(std::cos(q));
+  }
+  return {run(split.addition, inputs, "sin_q"), run(split.addition, inputs, "cos_q")};
+}
+
+std::vector<double> run_core(const SplitAngles& split, const Trigonometry& all) {
+  return run(
+      split.parts[0]->core,
+      {{"p", kParameters}, {"q", kPositions}, {"v", kSpeeds}, {"sin_q", all.sine}, {"cos_q", all.cosine}}, "out");
+}
+
+std::vector<double> run_whole(const Program& program) {
+  return run(program, {{"p", kParameters}, {"q", kPositions}, {"v", kSpeeds}}, "out");
+}
+
+// The core gives the same to the last bit for the sines and cosines that the program computes, and nearly the same for
+// those from the addition theorems.
+void expect_same(const Program& program, const SplitAngles& split) {
+  const std::vector<double> expected = run_whole(program);
+  EXPECT_EQ(run_core(split, computed(split)), expected);
+  const std::vector<double> found = run_core(split, added(split));
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-15) << i;
+}
+
+TEST(SplitAngles, TakesSinesOfJoints) {
+  const Program program =
+      with("tmp s = sin q[2]\ntmp c = cos -q[1]\ntmp x = s * v[1]\ntmp y = x + c\ntmp z = q[0] * c\n", "y -z");
+  const SplitAngles split = split_angles({program}, kJoints);
+  ASSERT_TRUE(split.parts[0]);
+  EXPECT_EQ(split.angle_count, 3);
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 2}));
+  const Program& core = split.parts[0]->core;
+  EXPECT_EQ(symbolic::count(core).sincos, 0);
+  ASSERT_EQ(core.inputs.size(), 5u);
+  EXPECT_EQ(core.inputs[1].name, "q");
+  EXPECT_EQ(core.inputs[2].role, symbolic::Role::joint_sine);
+  EXPECT_EQ(core.inputs[3].elements, (std::vector<std::string>{"c_slide", "c_hip", "c_knee"}));
+  expect_same(program, split);
+}
+
+// Signs of angles turn sines, and sums of joints and constants are angles of their own.
+TEST(SplitAngles, AddsTheoremsForSums) {
+  const Program program = with(
+      "tmp sum = q[1] - q[2]\ntmp turned = sum + 0.25\ntmp right = q[2] + pi:1:2\n"
+      "tmp s = sin -turned\ntmp c = cos right\ntmp d = cos sum\n"
+      "tmp x = s * v[1]\ntmp y = x + c\ntmp z = d * s\n",
+      "y z");
+  const SplitAngles split = split_angles({program}, kJoints);
+  EXPECT_EQ(split.angle_count, 6);
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4, 5}));
+  const std::vector<std::string> labels = split.parts[0]->core.inputs[2].elements;
+  EXPECT_EQ(labels[3], "s_hip_knee_turned");
+  EXPECT_EQ(labels[4], "s_knee_turned");
+  EXPECT_EQ(labels[5], "s_hip_knee");
+  expect_same(program, split);
+}
+
+// A right angle costs nothing; two joints four products and two sums, and as much for any other constant.
+TEST(SplitAngles, CountsOfTheorems) {
+  const auto count_of = [](const std::string& sum) {
+    const Program program = with("tmp a = " + sum + "\ntmp s = sin a\n", "s s");
+    const symbolic::OperationCount c = symbolic::count(split_angles({program}, kJoints).addition);
+    return std::pair(c.mul, c.add);
+  };
+  EXPECT_EQ(count_of("q[1] + pi:1:2"), std::pair(0, 0));
+  EXPECT_EQ(count_of("q[1] + q[2]"), std::pair(4, 2));
+  EXPECT_EQ(count_of("q[1] - q[2]"), std::pair(4, 2));
+  EXPECT_EQ(count_of("q[1] + 0.25"), std::pair(4, 2));
+}
+
+TEST(SplitAngles, SumsMayHoldParameters) {
+  const Program program =
+      with("tmp turned = q[1] + p[0]\ntmp s = sin turned\ntmp c = cos q[1]\ntmp x = c * p[1]\n", "s x");
+  const SplitAngles split = split_angles({program}, kJoints);
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 3}));
+  expect_same(program, split);
+}
+
+// The same angle of two programs has one number.
+TEST(SplitAngles, ProgramsShareAngles) {
+  const Program first = with("tmp a = q[1] + q[2]\ntmp s = sin a\n", "s s");
+  const Program second = with("tmp a = q[2] + q[1]\ntmp b = q[0] + q[1]\ntmp s = cos a\ntmp t = sin b\n", "s t");
+  const SplitAngles split = split_angles({first, second}, kJoints);
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3}));
+  EXPECT_EQ(split.parts[1]->read, (std::vector<int>{3, 4}));
+  EXPECT_EQ(split.parts[0]->core.inputs[2].elements.size(), 5u);
+}
+
+// What no theorem reaches stays: angles of other inputs, products of positions, sines of parameters alone.
+TEST(SplitAngles, LeavesTheRest) {
+  const Program others = with("tmp s = sin v[1]\ntmp c = cos p[0]\n", "s c");
+  EXPECT_FALSE(split_angles({others}, kJoints).parts[0]);
+  const Program twice = with("tmp d = q[1] * 3\ntmp s = sin d\ntmp c = cos q[1]\n", "s c");
+  const SplitAngles split = split_angles({twice}, kJoints);
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
+  EXPECT_EQ(symbolic::count(split.parts[0]->core).sincos, 1);
+  expect_same(twice, split);
+}
+
+TEST(SplitAngles, NoProgramsNoSums) {
+  const SplitAngles split = split_angles({}, kJoints);
+  EXPECT_EQ(split.angle_count, 3);
+  EXPECT_EQ(split.addition.outputs[0].rows, 3);
+}
+
+}  // namespace
+}  // namespace robcogen::pass

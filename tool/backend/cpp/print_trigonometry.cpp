@@ -1,0 +1,75 @@
+// <name>/trigonometry.h: sines and cosines of all joints as a value that functions take in the place of q.
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+// A constructor of these arguments, and what of them the kernel reads.
+std::string constructor(
+    const Api& api,
+    const std::string& explicitly,
+    std::vector<std::string> arguments,
+    const std::string& kernel,
+    const std::vector<std::string>& read) {
+  std::vector<std::string> inputs;
+  if (api.is_parametric()) {
+    arguments.insert(arguments.begin(), std::string("const ") + kParametersType + "& parameters");
+    inputs.push_back("parameters.data()");
+  }
+  for (const std::string& array : read) inputs.push_back(array + ".data()");
+  inputs.insert(inputs.end(), {"sin_.data()", "cos_.data()"});
+  const std::string type = "Basic" + std::string(kTrigonometryType);
+  const std::string initializer = " noexcept : q_(q) {";
+  std::string head = declaration(explicitly + type, arguments, initializer, 2);
+  if (head.find('\n') + 1 < head.size()) head.replace(head.size() - initializer.size() - 1, 11, " noexcept\n      :");
+  return head + call("kernel::" + kernel, inputs, 4) + "  }\n";
+}
+
+std::string trigonometry_type(const Api& api) {
+  const std::string type = kTrigonometryType, size = std::to_string(api.library->trigonometry->angle_count);
+  const auto vector = [](const std::string& name) { return "const JointVector<Scalar>& " + name; };
+  const auto getter = [](const std::string& name, const std::string& array) {
+    return "  JointVector<Scalar> " + name + "() const noexcept { return Eigen::Map<const JointVector<Scalar>>(" +
+           array + ".data()); }\n";
+  };
+  const std::vector<std::string> parts = {
+      "  // All at once.\n" + constructor(api, "explicit ", {vector("q")}, "joint_trigonometry", {"q"}),
+      "  // From those of each joint. What joints that slide have is not read.\n" +
+          constructor(
+              api, "", {vector("q"), vector("sin_q"), vector("cos_q")}, api.trigonometry.front().kernel,
+              {"sin_q", "cos_q"}),
+      "  const JointVector<Scalar>& q() const noexcept { return q_; }\n" + getter("sin_q", "sin_") +
+          getter("cos_q", "cos_"),
+      "  // As kernels take them: of the joints, then of sums that functions read besides.\n"
+      "  const Scalar* sin_data() const noexcept { return sin_.data(); }\n"
+      "  const Scalar* cos_data() const noexcept { return cos_.data(); }\n"};
+  return "template <class Scalar>\nclass Basic" + type + " {\n public:\n" + paragraphs(parts) +
+         "\n private:\n  JointVector<Scalar> q_;\n  std::array<Scalar, " + size + "> sin_;\n  std::array<Scalar, " +
+         size + "> cos_;\n};\n\nusing " + type + " = Basic" + type + "<double>;\n\n" +
+         in_namespace("f32", "using " + type + " = Basic" + type + "<float>;\n");
+}
+
+}  // namespace
+
+std::string print_trigonometry(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  const std::string head = banner(library, path, "sines and cosines of its joints");
+  if (!api.takes_sines()) return paragraphs({head + "// Its functions take positions alone.\n", "#pragma once\n"});
+  std::vector<std::string> headers = {"\"" + header_path(library.name, "types") + "\""};
+  std::string stale;
+  if (api.is_parametric()) {
+    headers.push_back("\"" + header_path(library.name, kParameters) + "\"");
+    stale = " It holds for these parameters: when they change, make another.";
+  }
+  const std::string remark = comment(
+      "Joint positions (rad, m) with sines and cosines, which every function of q takes in the place of q: made once "
+      "in a state, it serves all functions." +
+      stale);
+  const std::string kernels = paragraphs({trigonometry_declaration(api), kernel_declaration(api.trigonometry.front())});
+  return paragraphs(
+      {head, "#pragma once\n", includes({"<array>"}), includes(headers),
+       in_namespace(api.space, paragraphs({in_namespace("kernel", kernels), remark + trigonometry_type(api)}))});
+}
+
+}  // namespace robcogen::backend::cpp

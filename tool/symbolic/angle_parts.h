@@ -1,0 +1,18 @@
+// A program parted at the sines and cosines that it reads.
+#pragma once
+
+#include <vector>
+
+#include "symbolic/program.h"
+
+namespace robcogen::symbolic {
+
+struct AngleParts {
+  // The program without them: it takes sin_q and cos_q, of all angles of its library, as inputs behind the joint
+  // positions.
+  Program core;
+  std::vector<int> read;  // the angles whose sine or cosine it reads, in rising order
+  Program angles;         // [parameters,] q -> these angles, in this order
+};
+
+}  // namespace robcogen::symbolic
