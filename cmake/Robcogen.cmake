@@ -22,8 +22,8 @@
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
-#       [TEST_STACK_LIMIT bytes]    # of the frame of any function; without it, 65536: half of the smallest default stack
-#                                   # of a thread (musl's)
+#       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel and its core; without it, 65536: half of the smallest default
+#                                   # stack of a thread (musl's)
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
