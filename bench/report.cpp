@@ -1,7 +1,7 @@
 // Measures all robots and reports: tables on the console, everything as JSON, times against degrees of freedom as SVG.
 //
-//     report [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--compiler TEXT] [--flags TEXT]
-//            <benchmark program>=<static library> …
+//     report [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--markdown FILE] [--compiler TEXT]
+//            [--flags TEXT] <benchmark program>=<static library> …
 //
 // Runs each benchmark program on one processor, looks up the size of the kernels in the library and, given the
 // commands, compiles its sources once more to see how long that takes: the library of `x_bench` is the target `x`.
@@ -21,6 +21,7 @@
 #include "comparison.h"
 #include "compile_time.h"
 #include "machine.h"
+#include "markdown.h"
 #include "report_json.h"
 #include "tables.h"
 
@@ -36,7 +37,7 @@ struct Robot {
 };
 
 struct Arguments {
-  std::string nm = "nm", compile_commands, json, chart, compiler, flags;
+  std::string nm = "nm", compile_commands, json, chart, markdown, compiler, flags;
   std::vector<Robot> robots;
 };
 
@@ -48,6 +49,7 @@ std::optional<Arguments> read_arguments(const std::vector<std::string>& words) {
       {"--compile-commands", &arguments.compile_commands},
       {"--json", &arguments.json},
       {"--chart", &arguments.chart},
+      {"--markdown", &arguments.markdown},
       {"--compiler", &arguments.compiler},
       {"--flags", &arguments.flags}};
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -72,13 +74,13 @@ std::string text_of(const std::string& path) {
 // nullopt, said on standard error, when the program or its results are no good.
 std::optional<Results> measure(const std::string& program) {
   // A file, because libraries print what they like on standard output. With JSON there, too, standard error is left for
-  // what went wrong.
+  // what went wrong. On one processor threads say nothing.
   const std::string file = program + ".json";
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   const std::string command = fmt::format(
       "{} --benchmark_out={} --benchmark_out_format=json --benchmark_format=json --benchmark_repetitions={}"
-      " --benchmark_min_time={} --benchmark_enable_random_interleaving=true",
+      " --benchmark_min_time={} --benchmark_enable_random_interleaving=true --benchmark_filter=-/threads/",
       quoted(program), quoted(file), kRepetitions, kMinTime);
   if (!output_of(command)) {
     fmt::print(stderr, "report: {} failed\n", program);
@@ -156,7 +158,8 @@ int report(const Arguments& arguments) {
   if (!compared.empty()) fmt::print("\n{}", compared);
   print_legend(setup);
   if (all.size() < arguments.robots.size()) return 1;
-  const bool written = write(arguments.json, report_json(setup, all)) && write(arguments.chart, svg(chart_panels(all)));
+  const bool written = write(arguments.json, report_json(setup, all)) &&
+                       write(arguments.chart, svg(chart_panels(all))) && write(arguments.markdown, markdown(all));
   return written ? 0 : 2;
 }
 
@@ -168,8 +171,8 @@ int main(int argc, char** argv) {
   if (!arguments) {
     std::fprintf(
         stderr,
-        "usage: %s [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--compiler TEXT]\n"
-        "       [--flags TEXT] <benchmark program>=<static library> ...\n",
+        "usage: %s [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--markdown FILE]\n"
+        "       [--compiler TEXT] [--flags TEXT] <benchmark program>=<static library> ...\n",
         argv[0]);
     return 2;
   }

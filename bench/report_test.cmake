@@ -66,7 +66,7 @@ endforeach()
 list(JOIN entries "," entries)
 file(WRITE ${DIRECTORY}/commands.json "[${entries}]")
 
-set(files --json ${DIRECTORY}/report.json --chart ${DIRECTORY}/chart.svg)
+set(files --json ${DIRECTORY}/report.json --chart ${DIRECTORY}/chart.svg --markdown ${DIRECTORY}/report.md)
 execute_process(
   COMMAND ${REPORT} --nm ${DIRECTORY}/nm --compile-commands ${DIRECTORY}/commands.json ${files} --compiler "Judge's C++ 12" --flags -O7 ${DIRECTORY}/leg_bench=libleg.a
           ${DIRECTORY}/arm_bench=libarm.a
@@ -125,6 +125,16 @@ expect_json(2 geometric_means 0 robots)
 if(json MATCHES "secret|host|date|${DIRECTORY}")
   message(FATAL_ERROR "the report says where it was made:\n${json}")
 endif()
+file(READ ${DIRECTORY}/report.md page)
+foreach(row
+    "Leg, 2 | inverse dynamics | 21.8 | 33.0 | 5.0 | 33 / 24 / 0 | 36 | 44 | 44 | 1.50 | 588 | "
+    "Arm, 18 | inverse dynamics | 43.7 | - | - | 0 / 0 / 0 | 0 | 0 | - | - | - | - |\n"
+    "Arm, 18 | inverse dynamics | 43.7 | 20.0 | - |\n")
+  string(FIND "${page}" "\n| ${row}" at)
+  if(at LESS 0)
+    message(FATAL_ERROR "no row '${row}' in\n${page}")
+  endif()
+endforeach()
 file(READ ${DIRECTORY}/chart.svg chart)
 if(NOT chart MATCHES "Judge, Arm: 873.6 ns")
   message(FATAL_ERROR "a point is missing in\n${chart}")
