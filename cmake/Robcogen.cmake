@@ -12,7 +12,7 @@
 #                                   # joint_space_inertia_factor centroidal energy transforms jacobians, which a robot
 #                                   # gets without it, and coriolis_matrix jacobian_references jacobian_derivatives
 #                                   # velocities accelerations; or `all`
-#       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: four to eight times as
+#       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: about ten times as
 #                                   # much to compile. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for what the
 #                                   # compiler does unasked, to be chosen from when a program runs
 #       [LANGUAGES cpp matlab maxima]

@@ -28,9 +28,10 @@ class Block {
     if (left() < kSize) {
       load_some(from, kElements, to);
     } else if (from.state == 1) {
-      in_fours<kElements>([&](int k, const Scalar* at) { to[k] = Value::load(at); }, data, from.element);
+      in_fours<kElements>([&](int k, const Scalar* at) noexcept { to[k] = Value::load(at); }, data, from.element);
     } else {
-      in_fours<kElements>([&](int k, const Scalar* at) { to[k] = Value::gather(at, from.state); }, data, from.element);
+      in_fours<kElements>(
+          [&](int k, const Scalar* at) noexcept { to[k] = Value::gather(at, from.state); }, data, from.element);
     }
   }
 
@@ -40,9 +41,9 @@ class Block {
     if (left() < kSize) {
       store_some(from, kElements, to);
     } else if (to.state == 1) {
-      in_fours<kElements>([&](int k, Scalar* at) { from[k].store(at); }, data, to.element);
+      in_fours<kElements>([&](int k, Scalar* at) noexcept { from[k].store(at); }, data, to.element);
     } else {
-      in_fours<kElements>([&](int k, Scalar* at) { from[k].scatter(at, to.state); }, data, to.element);
+      in_fours<kElements>([&](int k, Scalar* at) noexcept { from[k].scatter(at, to.state); }, data, to.element);
     }
   }
 

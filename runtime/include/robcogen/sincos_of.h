@@ -305,9 +305,9 @@ ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosin
 template <class Scalar, int kSize>
 class SinCosOf {
  public:
-  explicit SinCosOf(const Scalar* angles) { robcogen::sincos_of<kSize>(angles, sin_, cos_); }
+  explicit SinCosOf(const Scalar* angles) noexcept { robcogen::sincos_of<kSize>(angles, sin_, cos_); }
 
-  SinCos<Scalar> operator[](int i) const { return {sin_[i], cos_[i]}; }
+  SinCos<Scalar> operator[](int i) const noexcept { return {sin_[i], cos_[i]}; }
 
  private:
   Scalar sin_[kSize];

@@ -1,4 +1,5 @@
 // Forces at rest with an acceleration less those without one are the inertia matrix times that acceleration.
+#include <left_leg/batch.h>
 #include <left_leg/left_leg.h>
 #include <right_leg/right_leg.h>
 
@@ -8,5 +9,12 @@ int main() {
   const right_leg::JointState qdd(1.0, 2.0, -3.0);
   const right_leg::JointState tau =
       right_leg::inverse_dynamics(q, rest, qdd) - right_leg::inverse_dynamics(q, rest, rest);
-  return (walker::legs::left_leg::joint_space_inertia(q) * qdd - tau).norm() < 1e-9 ? 0 : 1;
+  if ((walker::legs::left_leg::joint_space_inertia(q) * qdd - tau).norm() > 1e-9) return 1;
+
+  // The same for two states at once.
+  const right_leg::JointState states[] = {rest, q};
+  walker::legs::left_leg::InertiaMatrix matrices[2];
+  walker::legs::left_leg::batch::joint_space_inertia(
+      2, robcogen::batch::by_state(states), robcogen::batch::by_state(matrices));
+  return (matrices[1] * qdd - tau).norm() < 1e-9 ? 0 : 1;
 }
