@@ -6,6 +6,7 @@
 #include "algorithm/frame_search.h"
 #include "algorithm/kinematics.h"
 #include "algorithm/transform_kinds.h"
+#include "symbolic/count.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -83,6 +84,8 @@ std::vector<RobotFunction> inverse_dynamics_group(const KinematicTree& tree, For
 
 std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, Formulations& formulations) {
   const Formulation& formulation = formulations.newton_euler();
+  const Formulation gravity = formulations.cheaper_for(
+      [&](const Formulation& f) { return gravity_forces(tree, "gravity_forces", Loads::gravity, f); });
   std::vector<RobotFunction> list;
   const std::string group = "bias_forces";
   const std::string base =
@@ -98,7 +101,7 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, Formulat
       [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads, formulation); });
   add_overloads(
       list, tree, group, "gravity_forces", summary("Generalised forces that hold the robot at rest against gravity."),
-      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads, formulation); }, false);
+      [&](const std::string& kernel, Loads loads) { return gravity_forces(tree, kernel, loads, gravity); }, false);
   list.push_back(
       {group,
        "",
@@ -107,8 +110,9 @@ std::vector<RobotFunction> bias_forces_group(const KinematicTree& tree, Formulat
        {},
        {},
        coriolis_forces(tree, "coriolis_forces", formulation)});
-  for (const char* name : {"bias_forces", "gravity_forces", "coriolis_forces"})
+  for (const char* name : {"bias_forces", "coriolis_forces"})
     add_method(list, name, description(tree, formulation.frames));
+  add_method(list, "gravity_forces", description(tree, gravity.frames));
   return list;
 }
 
@@ -173,7 +177,9 @@ std::vector<RobotFunction> joint_space_inertia_factor_group(const KinematicTree&
   return list;
 }
 
-std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, const Formulation& formulation) {
+std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, Formulations& formulations) {
+  const Formulation formulation =
+      formulations.cheaper_for([&](const Formulation& f) { return coriolis_matrix(tree, "coriolis_matrix", f); });
   std::vector<RobotFunction> list = {
       {"coriolis_matrix",
        "",
@@ -222,7 +228,9 @@ std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
   return list;
 }
 
-std::vector<RobotFunction> energy_group(const KinematicTree& tree, const Formulation& formulation) {
+std::vector<RobotFunction> energy_group(const KinematicTree& tree, Formulations& formulations) {
+  const Formulation formulation =
+      formulations.cheaper_for([&](const Formulation& f) { return kinetic_energy(tree, "kinetic_energy", f); });
   std::vector<RobotFunction> list;
   std::vector<std::string> summary{"Kinetic energy (J), summed over the links."};
   if (tree.floating_base) summary.push_back("`base_velocity` is in base coordinates, angular first.");
@@ -438,6 +446,14 @@ const Formulation& Formulations::inertia() {
   return *inertia_;
 }
 
+Formulation Formulations::cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace) {
+  const auto work = [&](Formulation formulation) {
+    formulation.is_draft = true;
+    return symbolic::work(trace(formulation));
+  };
+  return work(newton_euler()) < work(common_) ? newton_euler() : common_;
+}
+
 const ForwardDynamicsChoice& Formulations::forward_dynamics() {
   if (!forward_dynamics_) forward_dynamics_ = forward_dynamics_choice(tree_, common_);
   return *forward_dynamics_;
@@ -462,9 +478,9 @@ std::vector<RobotFunction> functions(
   if (group == "forward_dynamics") return forward_dynamics_group(tree, formulations);
   if (group == "joint_space_inertia") return joint_space_inertia_group(tree, formulations.inertia());
   if (group == "joint_space_inertia_factor") return joint_space_inertia_factor_group(tree, formulations.inertia());
-  if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulations.newton_euler());
+  if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulations);
   if (group == "centroidal") return centroidal_group(tree);
-  if (group == "energy") return energy_group(tree, formulations.newton_euler());
+  if (group == "energy") return energy_group(tree, formulations);
   if (group == "transforms") return transforms_group(tree, desired);
   if (group == "jacobians") return jacobians_group(tree, desired);
   if (group == "jacobian_references") return jacobian_references_group(tree, desired);

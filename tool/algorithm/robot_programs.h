@@ -1,6 +1,7 @@
 // Every program of a robot, by name: what the back ends print, `eval` runs and `ops` counts.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ class Formulations {
   const Formulation& unactuated_base();
   const Formulation& inertia();
   const ForwardDynamicsChoice& forward_dynamics();
+  // For a program that no frames were looked for: those of Newton-Euler, or the model's.
+  Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);
 
  private:
   const model::KinematicTree& tree_;

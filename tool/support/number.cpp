@@ -40,6 +40,10 @@ std::optional<Rational> reduced(Wide num, Wide den) {
 double nearest_double(const Rational& r) {
   using Bits = unsigned __int128;
   if (r.num == 0) return 0.0;
+  // Both parts exact as doubles: one rounding, that of the division.
+  constexpr std::int64_t kExact = std::int64_t{1} << 53;
+  if (r.num <= kExact && r.num >= -kExact && r.den <= kExact)
+    return static_cast<double>(r.num) / static_cast<double>(r.den);
   const auto magnitude = static_cast<std::uint64_t>(r.num < 0 ? -r.num : r.num);
   const auto den = static_cast<Bits>(r.den);
   const int shift = 127 - static_cast<int>(std::bit_width(magnitude));

@@ -82,17 +82,20 @@ Expression cos(const Expression& a) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Graph: nodes
 
-Graph::Graph(bool rewrite) : rewrite_(rewrite) {
+Graph::Graph(bool rewrite) : rewrite_(rewrite), known_(1024, -1) {
   sections_.push_back({"", "t"});
   constant(0.0);
   constant(1.0);
 }
 
-std::size_t Graph::KeyHash::operator()(const Key& k) const {
+std::size_t Graph::slot(const Key& k) const {
   std::uint64_t h = k.bits * 0x9e3779b97f4a7c15ULL ^ (k.kind + 0x7f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
   h ^= h >> 29;
   h *= 0x94d049bb133111ebULL;
-  return static_cast<std::size_t>(h ^ (h >> 32));
+  std::size_t place = static_cast<std::size_t>(h ^ (h >> 32)) & (known_.size() - 1);
+  while (known_[place] >= 0 && !(key(nodes_[static_cast<std::size_t>(known_[place])]) == k))
+    place = (place + 1) & (known_.size() - 1);
+  return place;
 }
 
 Graph::Key Graph::key(const Node& n) const {
@@ -107,13 +110,19 @@ Graph::Key Graph::key(const Node& n) const {
 }
 
 int Graph::intern(const Node& n) {
-  const auto [place, fresh] = known_.try_emplace(key(n), static_cast<int>(nodes_.size()));
-  if (fresh) {
-    nodes_.push_back(n);
-    section_of_.push_back(static_cast<int>(sections_.size()) - 1);
-    names_.emplace_back();
+  const Key wanted = key(n);
+  std::size_t place = slot(wanted);
+  if (known_[place] >= 0) return known_[place];
+  if (2 * (nodes_.size() + 1) > known_.size()) {
+    known_.assign(2 * known_.size(), -1);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) known_[slot(key(nodes_[i]))] = static_cast<int>(i);
+    place = slot(wanted);
   }
-  return place->second;
+  known_[place] = static_cast<int>(nodes_.size());
+  nodes_.push_back(n);
+  section_of_.push_back(static_cast<int>(sections_.size()) - 1);
+  names_.emplace_back();
+  return known_[place];
 }
 
 Expression Graph::constant(const Number& value) {
@@ -138,7 +147,7 @@ Expression Graph::input(int element) {
 
 void Graph::rollback(std::size_t mark) {
   while (nodes_.size() > mark) {
-    known_.erase(key(nodes_.back()));
+    known_[slot(key(nodes_.back()))] = -1;
     nodes_.pop_back();
     section_of_.pop_back();
     names_.pop_back();

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "support/number.h"
@@ -122,11 +121,10 @@ class Graph {
     std::uint64_t kind;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  struct KeyHash {
-    std::size_t operator()(const Key& k) const;
-  };
 
   Key key(const Node& n) const;
+  // Where in known_ the node with this key stands, or would stand.
+  std::size_t slot(const Key& k) const;
   int intern(const Node& n);
   Expression operation(Op op, const Expression& a, const Expression& b);
   Expression add(Expression a, Expression b);
@@ -145,7 +143,9 @@ class Graph {
   std::vector<int> section_of_;
   std::vector<std::string> names_;
   std::vector<Section> sections_;
-  std::unordered_map<Key, int, KeyHash> known_;
+  // Nodes by their keys: open addressing, no more than half full, -1 where none is. The last node can be taken out by
+  // clearing its place, since none came after it.
+  std::vector<int> known_;
 };
 
 }  // namespace robcogen::symbolic
