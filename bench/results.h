@@ -47,8 +47,7 @@ struct Results {
   std::vector<std::string> peers;  // in the order in which they are listed everywhere
   std::vector<Absence> absent;
   std::map<std::string, std::string> compared;  // quantity -> the function that is set against peers
-  double gigahertz =
-      0;  // cycles a nanosecond while this was measured, from additions that wait for each other; 0: unknown
+  double gigahertz = 0;                   // while this was measured, from additions that wait; 0: unknown
   std::optional<double> compile_seconds;  // of the library
   std::map<std::string, long> bytes;      // of the compiled kernels, by name; may lack some
   int processors = 0;
@@ -70,8 +69,9 @@ extern const std::vector<std::string> kQuantities;
 // Of Google Benchmark's JSON, each repetition on its own. Throws nlohmann::json::exception when it is no such thing.
 Results read_results(const std::string& json);
 
-// Bytes of each kernel compiled for double, by its name. `listing` is the output of `nm -S -C`: address, size, type and
-// demangled name, such as `void hyl::kernel::inverse_dynamics<double>(double const*, …)`.
+// Bytes of each kernel compiled for double, by its name, what it calls once sines and cosines are known included.
+// `listing` is the output of `nm -S -C`: address, size, type and demangled name, such as `void
+// hyl::kernel::inverse_dynamics<double>(double const*, …)`.
 std::map<std::string, long> kernel_sizes(const std::string& listing);
 
 }  // namespace robcogen::bench
