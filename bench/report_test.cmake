@@ -44,8 +44,8 @@ write_benchmark(arm_bench [=[
  "benchmarks": [
  {"run_name": "inverse_dynamics_fully_actuated", "family_index": 0, "run_type": "iteration", "cpu_time": 43.68},
  {"run_name": "Judge/inverse_dynamics", "family_index": 1, "run_type": "iteration", "cpu_time": 873.6}]}]=])
-# A copy of its core is part of 0x24c = 588 bytes; the kernel for float, and one whose name only begins alike, are others. The strange one
-# calls its core.
+# A copy of its core is part of 0x24c = 588 bytes, the strange one calls its core; the kernel for float, and one whose name
+# only begins alike, are others.
 write_script(nm "cat <<'END'
 
 leg.cpp.o:

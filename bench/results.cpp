@@ -160,8 +160,8 @@ std::map<std::string, long> kernel_sizes(const std::string& listing) {
     // Each object file that uses a kernel may hold a copy; the linker keeps one.
     sizes[line.substr(begin, end - begin)] = std::strtol(size.c_str(), nullptr, 16);
   }
-  // What a kernel does once sines and cosines are known is a function of its own. One that is smaller calls it; one that
-  // is larger has a copy.
+  // What a kernel does once sines and cosines are known is a function of its own. One that is smaller calls it; one
+  // that is larger has a copy.
   for (auto& [kernel, size] : sizes) {
     const auto core = sizes.find("core::" + kernel);
     if (core != sizes.end() && size < core->second) size += core->second;

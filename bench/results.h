@@ -47,9 +47,9 @@ struct Results {
   std::vector<std::string> peers;  // in the order in which they are listed everywhere
   std::vector<Absence> absent;
   std::map<std::string, std::string> compared;  // quantity -> the function that is set against peers
-  double gigahertz = 0;                   // while this was measured, from additions that wait; 0: unknown
-  std::optional<double> compile_seconds;  // of the library
-  std::map<std::string, long> bytes;      // of the compiled kernels, by name; may lack some
+  double gigahertz = 0;                         // while this was measured, from additions that wait; 0: unknown
+  std::optional<double> compile_seconds;        // of the library
+  std::map<std::string, long> bytes;            // of the compiled kernels, by name; may lack some
   int processors = 0;
   int megahertz = 0;
   bool frequency_scaling = false;
