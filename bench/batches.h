@@ -16,31 +16,41 @@ namespace robcogen::bench {
 
 namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
 
-// So many elements of each state, element by element. Eight states more than there are keep columns from competing for
-// one place in the cache.
+// So many elements of each state, element by element: columns that begin with a line of the cache. Eight states more
+// than there are keep them from competing for one place in it.
 class Columns {
  public:
   static constexpr std::ptrdiff_t kStride = kStates + 8;
 
-  explicit Columns(int elements) : numbers_(static_cast<std::size_t>(elements) * kStride) {}
+  explicit Columns(int elements)
+      : elements_(static_cast<std::size_t>(elements)), numbers_(elements_ * kStride + kLine) {
+    void* begin = numbers_.data();
+    std::size_t room = numbers_.size() * sizeof(double);
+    data_ = static_cast<double*>(std::align(kLine * sizeof(double), elements_ * kStride, begin, room));
+  }
+  Columns(const Columns&) = delete;
+  Columns& operator=(const Columns&) = delete;
 
   template <class Values>
   void set(std::size_t state, const Values& values) {
-    const std::size_t elements = numbers_.size() / kStride;
-    for (std::size_t k = 0; k < elements; ++k) numbers_[k * kStride + state] = values.data()[k];
+    for (std::size_t k = 0; k < elements_; ++k) data_[k * kStride + state] = values.data()[k];
   }
 
   template <class Value = batch::AnyVector>
   auto from(std::size_t begin) const {
-    return batch::by_element<Value>(numbers_.data() + begin, kStride);
+    return batch::by_element<Value>(static_cast<const double*>(data_) + begin, kStride);
   }
   template <class Value = batch::AnyVector>
   auto to(std::size_t begin) {
-    return batch::by_element<Value>(numbers_.data() + begin, kStride);
+    return batch::by_element<Value>(data_ + begin, kStride);
   }
 
  private:
+  static constexpr std::size_t kLine = 8;  // of 64 bytes
+
+  std::size_t elements_;
   std::vector<double> numbers_;
+  double* data_;
 };
 
 // The arguments of all functions, and room for their results.

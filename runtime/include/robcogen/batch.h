@@ -67,8 +67,8 @@ struct ByState {
   std::ptrdiff_t stride;  // 0: states stand without gaps
 };
 
-// `stride` is at least the number of states. One that is a multiple of 4096 bytes, as of 512 doubles, makes elements of
-// a state compete for one place in the cache: add 8.
+// `stride` is at least the number of states. Best are data that are aligned to 64 bytes and a stride that is a multiple
+// of 64 and not of 4096 bytes, at which elements of a state compete for one place in the cache.
 template <class Value = AnyVector, class Number>
 ByElement<Value, Number> by_element(Number* data, std::ptrdiff_t stride) noexcept {
   static_assert(std::is_floating_point_v<Number>, "numbers, element by element");
