@@ -145,14 +145,23 @@ ROBCOGEN_INLINE Together gathered(const Scalar* x, std::integer_sequence<int, kL
 // From and to the first kUsed elements.
 template <int kUsed, class Scalar>
 ROBCOGEN_INLINE void sincos_together(const Scalar* x, Scalar* sine, Scalar* cosine, Bits<Together>& beyond) noexcept {
-  Together s, c;
-  polynomials(gathered<kUsed>(x, std::make_integer_sequence<int, kTogether>()), s, c, beyond);
-  double sines[kTogether], cosines[kTogether];
-  std::memcpy(sines, &s, sizeof(s));
-  std::memcpy(cosines, &c, sizeof(c));
-  for (int i = 0; i < kUsed; ++i) {
-    sine[i] = static_cast<Scalar>(sines[i]);
-    cosine[i] = static_cast<Scalar>(cosines[i]);
+  Together angles, s, c;
+  if constexpr (kUsed == kTogether && std::is_same_v<Scalar, double>) {
+    // As a block: gcc would move element by element.
+    std::memcpy(&angles, x, sizeof(angles));
+    polynomials(angles, s, c, beyond);
+    std::memcpy(sine, &s, sizeof(s));
+    std::memcpy(cosine, &c, sizeof(c));
+  } else {
+    angles = gathered<kUsed>(x, std::make_integer_sequence<int, kTogether>());
+    polynomials(angles, s, c, beyond);
+    double sines[kTogether], cosines[kTogether];
+    std::memcpy(sines, &s, sizeof(s));
+    std::memcpy(cosines, &c, sizeof(c));
+    for (int i = 0; i < kUsed; ++i) {
+      sine[i] = static_cast<Scalar>(sines[i]);
+      cosine[i] = static_cast<Scalar>(cosines[i]);
+    }
   }
 }
 
@@ -162,7 +171,9 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) no
   constexpr int kWhole = kCount / kTogether * kTogether;
   Bits<Together> beyond = {};
   for (int i = 0; i < kWhole; i += kTogether) sincos_together<kTogether>(x + i, sine + i, cosine + i, beyond);
-  if constexpr (kWhole < kCount) sincos_together<kCount - kWhole>(x + kWhole, sine + kWhole, cosine + kWhole, beyond);
+  // The last ones with some before them once more, where there are as many, for a whole vector moves as a block.
+  constexpr int kLast = kCount < kTogether ? kCount : kTogether, kFrom = kCount - kLast;
+  if constexpr (kWhole < kCount) sincos_together<kLast>(x + kFrom, sine + kFrom, cosine + kFrom, beyond);
   if (any_highest_bit(beyond)) replace_large(x, kCount, sine, cosine);
 }
 
