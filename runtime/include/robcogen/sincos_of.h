@@ -312,11 +312,17 @@ ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosin
   sincos_to<kAt...>(packed, sine, cosine);
 }
 
-// Sines and cosines of kSize angles as a value.
+// Sines and cosines of kSize angles as a value; of few angles too they are computed together.
 template <class Scalar, int kSize>
 class SinCosOf {
  public:
-  explicit SinCosOf(const Scalar* angles) noexcept { robcogen::sincos_of<kSize>(angles, sin_, cos_); }
+  explicit SinCosOf(const Scalar* angles) noexcept {
+    if constexpr (lanes::kIsComputed<Scalar>) {
+      lanes::sincos_of<kSize>(angles, sin_, cos_);
+    } else {
+      one_by_one<kSize>(angles, sin_, cos_);
+    }
+  }
 
   SinCos<Scalar> operator[](int i) const noexcept { return {sin_[i], cos_[i]}; }
 
