@@ -23,7 +23,8 @@
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
 #       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel and its core; without it, 65536: half of the smallest default
-#                                   # stack of a thread (musl's)
+#                                   # stack of a thread (musl's). With BATCH, 262144: a function of eight states at once
+#                                   # has eight times as much to keep
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
@@ -342,6 +343,9 @@ function(_robcogen_add_real_time_check label)
     target_compile_options(${library_TARGET} PRIVATE -fstack-usage)
   endif()
   set(limit 65536)
+  if(library_BATCH)
+    set(limit 262144)
+  endif()
   if(NOT "${library_TEST_STACK_LIMIT}" STREQUAL "")
     set(limit ${library_TEST_STACK_LIMIT})
   endif()

@@ -12,7 +12,8 @@
 # What the program cannot see, as the compiler reports no stack use or there is no nm, it says and leaves out.
 cmake_minimum_required(VERSION 3.25)
 
-# Mathematics, blocks of memory that compilers copy and clear, what the processor can (found out before main), stack protection, position-independent code.
+# Mathematics, blocks of memory that compilers copy and clear, what the processor can do (found out before main), stack
+# protection, position-independent code.
 set(allowed
     "sin|cos|tan|sincos|sqrt"
     "sinf|cosf|tanf|sincosf|sqrtf"
