@@ -239,7 +239,7 @@ constexpr bool kIsComputed<Lanes<Scalar, kSize>> = std::is_same_v<Scalar, double
 
 // As of any other scalar. (Not in the unnamed namespace, where a qualified name would not find it.)
 template <class Scalar, int kSize>
-ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& x) {
+ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (lanes::kIsComputed<Lanes<Scalar, kSize>>) {
     SinCos<Lanes<Scalar, kSize>> both;
     lanes::sincos_of<1>(&x, &both.sin, &both.cos);
@@ -259,11 +259,11 @@ namespace {
 
 // A lone sine or cosine costs as much as both.
 template <class Scalar, int kSize>
-ROBCOGEN_INLINE Lanes<Scalar, kSize> sin(const Lanes<Scalar, kSize>& x) {
+ROBCOGEN_INLINE Lanes<Scalar, kSize> sin(const Lanes<Scalar, kSize>& x) noexcept {
   return robcogen::sincos(x).sin;
 }
 template <class Scalar, int kSize>
-ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) {
+ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) noexcept {
   return robcogen::sincos(x).cos;
 }
 
@@ -275,7 +275,7 @@ template <int kCount>
 constexpr bool kPays<kCount, double> = kCount == 2 || kCount >= 4 || (kCount == 3 && lanes::kTogether > 2);
 
 template <int kCount, class Scalar>
-ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   if constexpr (kCount > 0) {
     robcogen::sincos(angles[0], sine[0], cosine[0]);
     one_by_one<kCount - 1>(angles + 1, sine + 1, cosine + 1);
@@ -287,7 +287,7 @@ ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosi
 // other scalar its own sin and cos, found by argument-dependent lookup. To be compiled without -ffast-math, as all
 // generated code.
 template <int kCount, class Scalar>
-ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   if constexpr (kPays<kCount, Scalar>) {
     lanes::sincos_of<kCount>(angles, sine, cosine);
   } else {
@@ -297,7 +297,7 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosin
 
 // The same to these places: of angles[i] to the i-th of kTo.
 template <int... kTo, class Scalar>
-ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   constexpr int kCount = sizeof...(kTo);
   Scalar sines[kCount], cosines[kCount];
   sincos_of<kCount>(angles, sines, cosines);
@@ -307,7 +307,7 @@ ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosin
 
 // The same of these angles only, to places of the same numbers.
 template <int... kAt, class Scalar>
-ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosine) {
+ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   const Scalar packed[] = {angles[kAt]...};
   sincos_to<kAt...>(packed, sine, cosine);
 }
