@@ -107,6 +107,9 @@ struct Function {
   std::string method = {};  // how it is computed, where there was a choice
   // For languages whose functions take given sines and cosines, where the program reads some.
   std::optional<symbolic::AngleParts> parts = {};
+  // For languages with vectors: the same program where equal limbs share lanes, if some do; and which, a text a class.
+  std::optional<symbolic::Program> in_lanes = {};
+  std::vector<std::string> limbs_in_lanes = {};
   // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the
   // program of their amounts, a row each.
   std::vector<PrimitiveData> primitives = {};

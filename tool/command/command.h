@@ -43,6 +43,7 @@ struct ModelOptions {
   import::UrdfOptions urdf;
   std::string error_format = "gnu";
   Steps steps;
+  bool lanes = false;  // programs where equal limbs share lanes, if that is faster
 
   void declare(CLI::App& subcommand);
   // Loads the robot and prints diagnostics to standard error; nullopt when there was an error.

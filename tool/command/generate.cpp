@@ -153,7 +153,7 @@ Status generate_robot(const Options& options) {
   return write_libraries(options, robot->read, [&](const backend::Language& language) {
     const std::vector<std::string> groups = groups_of(language, options.groups);
     backend::Library made = language.caches_parameters
-                                ? library_with_cache(*robot, options.names, groups, options.model.steps)
+                                ? library_for_vectors(*robot, options.names, groups, options.model.steps)
                                 : library(*robot, options.names, groups, options.model.steps, primitives_of(options));
     if (language.takes_sines) split_angles(made);
     return made;

@@ -140,10 +140,12 @@ std::optional<Programs> ModelOptions::load_programs(const std::vector<std::strin
           robot->tree.floating_base ? "floating" : "fixed"),
       {}};
   if (cached) {
-    backend::Library library = library_with_cache(*robot, {}, ordered_groups(groups), steps);
+    backend::Library library = library_for_vectors(*robot, {}, ordered_groups(groups), steps);
     for (std::vector<backend::Function>* functions : {&library.functions, &library.updates})
       for (backend::Function& f : *functions)
-        programs.list.push_back({dotted(f.scope, f.name), std::move(f.program), std::move(f.method)});
+        programs.list.push_back(
+            {dotted(f.scope, f.name), lanes && f.in_lanes ? std::move(*f.in_lanes) : std::move(f.program),
+             std::move(f.method)});
     return programs;
   }
   for (algorithm::RobotFunction& f : trace(*robot, ordered_groups(groups), steps))

@@ -71,6 +71,8 @@ Action declare_ops(CLI::App& application) {
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
   declare_groups(*subcommand, options->groups, "What to count; default all");
+  subcommand->add_flag(
+      "--lanes", options->model.lanes, "With equal limbs in the lanes of vectors, where that is faster");
   subcommand->add_flag("--json", options->json, "Machine-readable");
   return [options] {
     const std::optional<Programs> programs = options->model.load_programs(options->groups, true);

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "algorithm/limb_inputs.h"
 #include "algorithm/model_numbers.h"
 #include "algorithm/primitive_product.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
+#include "pass/pack_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
 #include "pass/split_parameters.h"
@@ -174,7 +176,24 @@ void require_traceable(const Robot& robot) {
 std::vector<std::string> all_steps() {
   std::vector<std::string> all = algorithm::choices();
   all.insert(all.end(), pass::names().begin(), pass::names().end());
+  all.emplace_back(kLanesStep);
   return all;
+}
+
+InLanes in_lanes(const model::KinematicTree& tree, const symbolic::Program& program) {
+  std::vector<std::string> names;
+  std::vector<pass::InputTuples> classes;
+  for (const algorithm::LimbsInLanes& limbs : algorithm::limbs_in_lanes(tree)) {
+    classes.push_back(algorithm::limb_inputs(tree, limbs, program));
+    names.push_back(fmt::format("{}", fmt::join(limbs.names, ", ")));
+  }
+  InLanes result;
+  if (classes.empty()) return result;
+  pass::Packed packed = pass::pack_lanes(program, classes);
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    if (packed.in_lanes[c]) result.limbs.push_back(names[c]);
+  if (!result.limbs.empty()) result.program = std::move(packed.program);
+  return result;
 }
 
 std::vector<algorithm::RobotFunction> trace(
@@ -183,6 +202,7 @@ std::vector<algorithm::RobotFunction> trace(
     const Steps& steps) {
   require_traceable(robot);
   std::vector<std::string> passes = steps.names;
+  std::erase(passes, kLanesStep);
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.effort = steps.effort;
   algorithm::Formulations formulations(robot.tree, formulation);
@@ -254,12 +274,13 @@ backend::Library library(
   return result;
 }
 
-backend::Library library_with_cache(
+namespace {
+
+backend::Library split_library(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
     const Steps& steps) {
-  if (robot.tree.parameters.empty()) return library(robot, names, groups, steps);
   // Split before the passes, which put parameters and variables together in one sum.
   Steps choices{{}, steps.effort};
   std::vector<std::string> passes;
@@ -285,6 +306,8 @@ backend::Library library_with_cache(
   return result;
 }
 
+}  // namespace
+
 void split_angles(backend::Library& library) {
   std::vector<symbolic::Program> programs;
   for (const backend::Function& function : library.functions) programs.push_back(function.program);
@@ -297,6 +320,23 @@ void split_angles(backend::Library& library) {
       function_of(
           "trigonometry", std::move(split.addition),
           {"Sines and cosines of all angles from those of the joints: of sums by the addition theorems."})};
+}
+
+backend::Library library_for_vectors(
+    const Robot& robot,
+    const LibraryNames& names,
+    const std::vector<std::string>& groups,
+    const Steps& steps) {
+  const bool is_constant = robot.tree.parameters.empty();
+  backend::Library result =
+      is_constant ? library(robot, names, groups, steps) : split_library(robot, names, groups, steps);
+  if (std::count(steps.names.begin(), steps.names.end(), kLanesStep) == 0) return result;
+  for (backend::Function& function : result.functions) {
+    InLanes packed = in_lanes(robot.tree, function.program);
+    function.in_lanes = std::move(packed.program);
+    function.limbs_in_lanes = std::move(packed.limbs);
+  }
+  return result;
 }
 
 }  // namespace robcogen::command

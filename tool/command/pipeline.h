@@ -72,7 +72,18 @@ struct Steps {
   int effort = 1;
 };
 
-// All functions of these groups, by these steps. The robot must be traceable.
+// The step that computes equal limbs in the lanes of vectors, in languages that have vectors. It comes last.
+inline constexpr const char* kLanesStep = "lanes";
+
+// A program whose equal limbs share lanes, if it has some and gets faster by it; and the names of these limbs.
+struct InLanes {
+  std::optional<symbolic::Program> program;
+  std::vector<std::string> limbs;  // of each class: `LF, RF, LH, RH`
+};
+
+InLanes in_lanes(const model::KinematicTree& tree, const symbolic::Program& program);
+
+// All functions of these groups, by these steps; without lanes. The robot must be traceable.
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
@@ -98,7 +109,7 @@ backend::Library library(
     Primitives primitives = std::nullopt);
 
 // The same, where the functions of a robot with parameters read what follows from these from a cache.
-backend::Library library_with_cache(
+backend::Library library_for_vectors(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,

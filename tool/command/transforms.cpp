@@ -202,6 +202,7 @@ std::optional<Transforms> load_transforms(
 
 std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const Steps& steps) {
   std::vector<std::string> passes = steps.names;
+  std::erase(passes, kLanesStep);
   algorithm::take_formulation(passes);  // of dynamics: there are none
   std::vector<algorithm::TransformFunction> all = algorithm::transform_functions(transforms.document);
   for (algorithm::TransformFunction& f : all) f.program = pass::run(std::move(f.program), passes);

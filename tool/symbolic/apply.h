@@ -27,8 +27,11 @@ Scalar apply(Op op, const Scalar& a, const Scalar& b) {
       return sin(a);
     case Op::cosine:
       return cos(a);
+    case Op::gather:
+    case Op::sum_lanes:
+      break;
   }
-  throw std::logic_error("unknown operation");
+  throw std::logic_error("no operation on scalars");
 }
 
 }  // namespace robcogen::symbolic

@@ -11,7 +11,7 @@ namespace {
 // The users of every statement, one after the other: those of statement i from first[i] on.
 struct Uses {
   std::vector<int> first;
-  std::vector<int> users;  // -1: an output
+  std::vector<int> users;
 
   std::span<const int> of(std::size_t i) const {
     return std::span(users).subspan(
@@ -19,12 +19,20 @@ struct Uses {
   }
 };
 
+// Whether a sum can swallow this product: a scalar one that all its lanes take is computed before it.
+bool is_fusable(const Program& p, int sum, const Operand& product) {
+  return product.lane < 0 && p.statements[static_cast<std::size_t>(sum)].width ==
+                                 p.statements[static_cast<std::size_t>(product.index)].width;
+}
+
+// -1 stands for users that swallow no product.
 Uses uses_of(const Program& p) {
   const auto for_each = [&](const auto& note) {
     for (std::size_t i = 0; i < p.statements.size(); ++i) {
       const Statement& s = p.statements[i];
       note(s.a, static_cast<int>(i));
       if (is_binary(s.op)) note(s.b, static_cast<int>(i));
+      for (const Operand& o : s.lanes) note(o, -1);
     }
     for (const OutputArray& array : p.outputs)
       for (const Operand& o : array.values) note(o, -1);
@@ -38,7 +46,8 @@ Uses uses_of(const Program& p) {
   std::vector<int> next = uses.first;
   for_each([&](const Operand& o, int user) {
     if (o.kind == Operand::Kind::statement)
-      uses.users[static_cast<std::size_t>(next[static_cast<std::size_t>(o.index)]++)] = user;
+      uses.users[static_cast<std::size_t>(next[static_cast<std::size_t>(o.index)]++)] =
+          user >= 0 && is_fusable(p, user, o) ? user : -1;
   });
   return uses;
 }
@@ -83,6 +92,15 @@ int critical_path(const Program& p) {
       case Op::sine:
       case Op::cosine:
         break;  // given
+      case Op::gather:
+        for (const Operand& o : s.lanes) ready[i] = std::max(ready[i], at(o));
+        if (ready[i] > 0) ready[i] += kMoveLatency;  // else it can be made ahead
+        break;
+      case Op::sum_lanes:
+        ready[i] = at(s.a);
+        for (int width = p.statements[static_cast<std::size_t>(s.a.index)].width; width > 1; width /= 2)
+          ready[i] += kMoveLatency + kLatency;
+        break;
       case Op::divide:
         ready[i] = std::max(at(s.a), at(s.b)) + kDivisionLatency;
         break;
@@ -96,7 +114,7 @@ int critical_path(const Program& p) {
       case Op::subtract: {
         ready[i] = std::max(at(s.a), at(s.b)) + kLatency;
         for (const auto& [product, other] : {std::pair(s.a, s.b), std::pair(s.b, s.a)}) {
-          if (product.kind != Operand::Kind::statement) continue;
+          if (product.kind != Operand::Kind::statement || !is_fusable(p, static_cast<int>(i), product)) continue;
           const Statement& inner = p.statements[static_cast<std::size_t>(product.index)];
           if (inner.op == Op::multiply)
             ready[i] = std::min(ready[i], std::max({at(inner.a), at(inner.b), at(other)}) + kLatency);
@@ -148,6 +166,28 @@ Program given_parameters(const Program& p) {
   return rest;
 }
 
+// Instructions that bring lanes together and take them apart. Values that are stored cost the same with lanes as
+// without.
+int moves(const Program& p) {
+  int count = 0;
+  std::set<std::pair<int, int>> picked;
+  const auto note = [&](const Operand& o) {
+    if (o.kind == Operand::Kind::statement && o.lane > 0) picked.emplace(o.index, o.lane);
+  };
+  for (const Statement& s : p.statements) {
+    const auto is_constant = [](const Operand& o) { return o.kind == Operand::Kind::constant; };
+    if (s.op == Op::gather && !std::all_of(s.lanes.begin(), s.lanes.end(), is_constant)) count += s.width - 1;
+    for (const Operand& o : s.lanes) note(o);
+    if (s.op == Op::sum_lanes) {
+      for (int width = p.statements[static_cast<std::size_t>(s.a.index)].width; width > 1; width /= 2) count += 2;
+    } else if (s.op != Op::gather) {
+      note(s.a);
+      if (is_binary(s.op)) note(s.b);
+    }
+  }
+  return count + static_cast<int>(picked.size());
+}
+
 }  // namespace
 
 OperationCount count(const Program& p) {
@@ -172,17 +212,21 @@ OperationCount count(const Program& p) {
       case Op::cosine:
         angles.emplace(static_cast<int>(s.a.kind), s.a.index);
         break;
+      case Op::gather:
+      case Op::sum_lanes:
+        break;
     }
   }
   c.sincos = static_cast<int>(angles.size());
   c.instructions = c.mul + c.add - fused_products(p);
+  c.moves = moves(p);
   c.critical_path = critical_path(p);
   return c;
 }
 
 int predicted_time(const Program& program) {
   const OperationCount c = count(has_parameters(program) ? given_parameters(program) : program);
-  return std::max(c.critical_path, c.instructions / 2);
+  return std::max(c.critical_path, (c.instructions + c.moves) / 2);
 }
 
 int work(const Program& program) {

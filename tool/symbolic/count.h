@@ -8,7 +8,10 @@ namespace robcogen::symbolic {
 // Cycles of an addition, a multiplication or the two fused, and of a division or square root, on present processors.
 inline constexpr int kLatency = 4;
 inline constexpr int kDivisionLatency = 14;
+// Of taking a lane out of a vector or putting it in.
+inline constexpr int kMoveLatency = 3;
 
+// What is done in all lanes of a value counts once.
 struct OperationCount {
   int mul = 0;
   int add = 0;  // additions and subtractions
@@ -16,6 +19,7 @@ struct OperationCount {
   int sqrt = 0;
   int sincos = 0;         // distinct arguments of sin and cos
   int instructions = 0;   // mul + add after fusing a product into the sum that uses it
+  int moves = 0;          // that put scalars into lanes, take them out, and add up lanes
   int critical_path = 0;  // cycles: 4 for mul, add and fused, 14 for div and sqrt, 0 for sin and cos (taken as given)
 };
 

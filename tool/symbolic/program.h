@@ -11,7 +11,8 @@
 
 namespace robcogen::symbolic {
 
-enum class Op { add, subtract, multiply, divide, square_root, sine, cosine };
+// The last two are of programs with lanes only: several scalars as one value, and the sum of a value's lanes.
+enum class Op { add, subtract, multiply, divide, square_root, sine, cosine, gather, sum_lanes };
 
 constexpr bool is_binary(Op op) {
   return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide;
@@ -23,6 +24,7 @@ struct Operand {
   Kind kind = Kind::constant;
   int index = 0;          // into Program::constants, the flat list of input elements, or Program::statements
   bool negative = false;  // costs nothing: passes and back ends fold it into an addition or a subtraction
+  int lane = -1;          // of a statement with lanes: this lane of it, a scalar; -1: the whole
   friend bool operator==(const Operand&, const Operand&) = default;
 };
 
@@ -33,6 +35,9 @@ struct Statement {
   std::string name;    // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
   int section = 0;     // into Program::sections
   bool named = false;  // the name was given by the algorithm: a back end keeps it as a statement of its own
+  // Lanes: how many numbers the value is; what is done to it is done to each. A scalar operand is the same in all.
+  int width = 1;
+  std::vector<Operand> lanes = {};  // of gather: a scalar each
 };
 
 // What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.

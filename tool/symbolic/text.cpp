@@ -6,6 +6,7 @@
 //     in 0
 //     let upperleg_wz = q[0] * 0.35        (let: named by the algorithm; tmp: numbered)
 //     tmp upperleg_t0 = sin q[1]
+//     tmp legs_qd = gather qd[0] qd[3]     (lanes; legs_qd@1 is one of them)
 //     return tau upperleg_wz -upperleg_t0
 #include "symbolic/text.h"
 
@@ -62,9 +63,10 @@ struct OpName {
   Op op;
   const char* name;
 };
-constexpr std::array kOps = {OpName{Op::add, "+"},     OpName{Op::subtract, "-"},       OpName{Op::multiply, "*"},
-                             OpName{Op::divide, "/"},  OpName{Op::square_root, "sqrt"}, OpName{Op::sine, "sin"},
-                             OpName{Op::cosine, "cos"}};
+constexpr std::array kOps = {
+    OpName{Op::add, "+"},      OpName{Op::subtract, "-"},       OpName{Op::multiply, "*"},
+    OpName{Op::divide, "/"},   OpName{Op::square_root, "sqrt"}, OpName{Op::sine, "sin"},
+    OpName{Op::cosine, "cos"}, OpName{Op::gather, "gather"},    OpName{Op::sum_lanes, "sum_lanes"}};
 
 std::string name_of(Role role) {
   for (const RoleName& r : kRoles)
@@ -76,6 +78,27 @@ std::string name_of(Op op) {
   for (const OpName& o : kOps)
     if (o.op == op) return o.name;
   return "?";
+}
+
+// How many lanes an operand has; a sound one picks a lane of none but statements that have several.
+int width_of(const Program& p, const Operand& o) {
+  return o.kind == Operand::Kind::statement && o.lane < 0 ? p.statements[static_cast<std::size_t>(o.index)].width : 1;
+}
+
+int width_of_result(const Program& p, const Statement& s) {
+  if (s.op == Op::gather) return static_cast<int>(s.lanes.size());
+  if (s.op == Op::sum_lanes) return 1;
+  return std::max(width_of(p, s.a), is_binary(s.op) ? width_of(p, s.b) : 1);
+}
+
+// Whether the lanes of a statement agree with each other, where its operands are sound.
+bool has_sound_lanes(const Program& p, const Statement& s) {
+  const auto is_scalar = [&](const Operand& o) { return width_of(p, o) == 1; };
+  if (s.width != width_of_result(p, s)) return false;
+  if (s.op == Op::gather) return s.width > 1 && std::all_of(s.lanes.begin(), s.lanes.end(), is_scalar);
+  if (s.op == Op::sum_lanes) return !is_scalar(s.a);
+  const auto fits = [&](const Operand& o) { return is_scalar(o) || width_of(p, o) == s.width; };
+  return fits(s.a) && (!is_binary(s.op) || fits(s.b));
 }
 
 std::string print_constant(const Number& n) {
@@ -196,6 +219,11 @@ class Reader {
     for (const OpName& o : kOps) {
       if (first != o.name || is_binary(o.op)) continue;
       s.op = o.op;
+      if (s.op == Op::gather) {
+        while (words_ >> operand)
+          if (std::string fault = read_operand(operand, s.lanes.emplace_back()); !fault.empty()) return fault;
+        return append(std::move(s));
+      }
       if (!(words_ >> operand)) return "the function needs an operand";
       if (std::string fault = read_operand(operand, s.a); !fault.empty()) return fault;
       return append(std::move(s));
@@ -216,6 +244,7 @@ class Reader {
   std::string append(Statement s) {
     if (!statement_of_.emplace(s.name, static_cast<int>(program_.statements.size())).second)
       return "'" + s.name + "' is assigned twice";
+    s.width = width_of_result(program_, s);
     program_.statements.push_back(std::move(s));
     return "";
   }
@@ -240,10 +269,13 @@ class Reader {
       o.negative = true;
       word.erase(0, 1);
     }
-    if (const auto known = statement_of_.find(word); known != statement_of_.end()) {
+    const std::size_t at = std::min(word.find('@'), word.size());
+    if (const auto known = statement_of_.find(word.substr(0, at)); known != statement_of_.end()) {
       o.kind = Operand::Kind::statement;
       o.index = known->second;
-      return "";
+      const bool is_lane =
+          at == word.size() || (read_all(std::string_view(word).substr(at + 1), o.lane) && o.lane >= 0);
+      return is_lane ? "" : "'" + word + "' is no lane";
     }
     if (word.ends_with(']')) return read_input(word, o);
     return read_constant(word, o);
@@ -298,7 +330,7 @@ std::string print(const Program& p) {
     const std::string value = o.kind == Operand::Kind::constant ? print_constant(p.constants[i])
                               : o.kind == Operand::Kind::input  ? inputs[i]
                                                                 : p.statements[i].name;
-    return (o.negative ? "-" : "") + value;
+    return (o.negative ? "-" : "") + value + (o.lane >= 0 ? "@" + std::to_string(o.lane) : "");
   };
 
   std::string out = "program " + p.name + "\n";
@@ -315,7 +347,12 @@ std::string print(const Program& p) {
   for (const Statement& s : p.statements) {
     if (s.section != section) out += "in " + std::to_string(section = s.section) + "\n";
     out += (s.named ? "let " : "tmp ") + s.name + " = ";
-    out += is_binary(s.op) ? text(s.a) + " " + name_of(s.op) + " " + text(s.b) : name_of(s.op) + " " + text(s.a);
+    if (s.op == Op::gather) {
+      out += name_of(s.op);
+      for (const Operand& o : s.lanes) out += " " + text(o);
+    } else {
+      out += is_binary(s.op) ? text(s.a) + " " + name_of(s.op) + " " + text(s.b) : name_of(s.op) + " " + text(s.a);
+    }
     out += "\n";
   }
   for (const OutputArray& array : p.outputs) {
@@ -340,7 +377,8 @@ std::string verify(const Program& p) {
       case Operand::Kind::input:
         return o.index < inputs;
       case Operand::Kind::statement:
-        return static_cast<std::size_t>(o.index) < before;
+        return static_cast<std::size_t>(o.index) < before &&
+               (o.lane < 0 || o.lane < p.statements[static_cast<std::size_t>(o.index)].width);
     }
     return false;
   };
@@ -354,8 +392,11 @@ std::string verify(const Program& p) {
     if (std::any_of(kOps.begin(), kOps.end(), [&](const OpName& o) { return s.name == o.name; }))
       return "'" + s.name + "' is an operation";
     if (!names.insert(s.name).second) return "'" + s.name + "' is assigned twice";
-    if (!sound(s.a, i) || (is_binary(s.op) && !sound(s.b, i)))
+    const bool gathers = s.op == Op::gather;
+    if ((!gathers && !sound(s.a, i)) || (is_binary(s.op) && !sound(s.b, i)) ||
+        !std::all_of(s.lanes.begin(), s.lanes.end(), [&](const Operand& o) { return sound(o, i); }))
       return "statement '" + s.name + "' reads what is not there";
+    if (!has_sound_lanes(p, s)) return "statement '" + s.name + "' reads lanes that do not fit";
     if (s.section < 0 || s.section >= static_cast<int>(p.sections.size()))
       return "statement '" + s.name + "' is in no section";
   }
@@ -365,8 +406,10 @@ std::string verify(const Program& p) {
     if (array.rows < 0 || array.columns < 0 ||
         array.values.size() != static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns))
       return "output '" + array.name + "' has the wrong number of values";
-    for (const Operand& o : array.values)
+    for (const Operand& o : array.values) {
       if (!sound(o, p.statements.size())) return "output '" + array.name + "' reads what is not there";
+      if (width_of(p, o) > 1) return "output '" + array.name + "' reads several lanes at once";
+    }
   }
   return "";
 }

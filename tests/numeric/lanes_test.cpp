@@ -1,0 +1,219 @@
+// Equal limbs in lanes: programs compute what they computed without them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "../unit/model/descriptions.h"
+#include "algorithm/limb_inputs.h"
+#include "algorithm/robot_programs.h"
+#include "import/kinematics.h"
+#include "pass/pack_lanes.h"
+#include "pass/passes.h"
+#include "symbolic/count.h"
+#include "symbolic/interpret.h"
+#include "symbolic/text.h"
+#include "volume.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using model::KinematicTree;
+using symbolic::Program;
+
+// Scaled by the largest value of the array: both programs are interpreted in double, and round in different order.
+constexpr double kTolerance = 1e-11;
+
+KinematicTree document(const std::string& name) {
+  const std::string file = std::string(ROBCOGEN_ROBOTS_DIR) + "/" + name + "/" + name + ".kindsl";
+  std::ifstream stream(file, std::ios::binary);
+  const auto source = std::make_shared<Source>(name, std::string(std::istreambuf_iterator<char>(stream), {}));
+  Diagnostics diagnostics;
+  const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  EXPECT_TRUE(tree.has_value()) << file;
+  return *tree;
+}
+
+// k limbs of one topology on a trunk, that may be one joint away from the base. Numbers are any, zero, or multiples of
+// a right angle; limbs have numbers of their own (other zeros, too), or those of the first with other signs.
+class RobotsWithLimbs {
+ public:
+  explicit RobotsWithLimbs(std::uint64_t seed) : random_(static_cast<std::mt19937::result_type>(seed)) {}
+
+  KinematicTree make() {
+    const std::array<int, 5> counts = {2, 2, 4, 4, 3};
+    const int limbs = counts[static_cast<std::size_t>(pick(5))], length = 1 + pick(3);
+    model::Description d;
+    d.name = "limbs";
+    d.floating_base = pick(2) == 0;
+    d.base = model::test::link("base");
+    if (d.floating_base) d.base.inertia = body();
+    std::string trunk = "base";
+    if (pick(3) == 0) {
+      d.base.children.push_back({"trunk", "waist", {}, {}});
+      d.links.push_back(model::test::link(trunk = "trunk"));
+      d.joints.push_back(joint("waist", pick(2) == 0));
+    }
+    const bool mirrored = pick(2) == 0;
+    std::vector<bool> revolute;
+    std::vector<int> parent;
+    for (int k = 0; k < length; ++k) {
+      revolute.push_back(pick(4) != 0);
+      parent.push_back(pick(3) == 0 ? pick(k + 1) - 1 : k - 1);
+    }
+    std::vector<model::DescribedLink> first_links;
+    std::vector<model::DescribedJoint> first_joints;
+    for (int i = 0; i < limbs; ++i) {
+      for (int k = 0; k < length; ++k) {
+        const auto name = [&](int joint_number) {
+          return "limb" + std::to_string(i) + "_" + std::to_string(joint_number);
+        };
+        const auto at = static_cast<std::size_t>(k);
+        model::DescribedLink link = model::test::link("link_" + name(k));
+        model::DescribedJoint j = joint("joint_" + name(k), revolute[at]);
+        link.inertia = body();
+        if (i == 0) {
+          first_links.push_back(link);
+          first_joints.push_back(j);
+        } else if (mirrored) {
+          link.inertia = first_links[at].inertia;
+          j.placement = first_joints[at].placement;
+          flip_some(link.inertia->com);
+          flip_some(j.placement.translation);
+          flip_some(j.placement.rotation);
+        }
+        const std::string on = parent[at] < 0 ? trunk : "link_" + name(parent[at]);
+        for (model::DescribedLink& l : d.links)
+          if (l.name == on) l.children.push_back({link.name, j.name, {}, {}});
+        if (on == "base") d.base.children.push_back({link.name, j.name, {}, {}});
+        d.links.push_back(link);
+        d.joints.push_back(j);
+      }
+    }
+    Diagnostics diagnostics;
+    const auto tree = model::build(d, diagnostics);
+    EXPECT_TRUE(tree.has_value()) << diagnostics.render(ErrorFormat::gnu);
+    return *tree;
+  }
+
+ private:
+  std::mt19937 random_;
+
+  int pick(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  model::Quantity length() { return pick(3) == 0 ? model::Quantity() : model::test::number(uniform(-0.5, 0.5)); }
+  model::Quantity angle() {
+    return pick(3) == 0 ? model::test::number(uniform(-3, 3)) : model::test::pi(pick(4) - 1, 2);
+  }
+  void flip_some(std::array<model::Quantity, 3>& values) {
+    for (model::Quantity& q : values)
+      if (pick(2) == 0) q = -q;
+  }
+
+  model::DescribedJoint joint(const std::string& name, bool is_revolute) {
+    model::Placement placement;
+    for (std::size_t i = 0; i < 3; ++i) {
+      placement.translation[i] = length();
+      placement.rotation[i] = angle();
+    }
+    return model::test::joint(name, is_revolute ? model::JointType::revolute : model::JointType::prismatic, placement);
+  }
+
+  model::Inertia body() {
+    model::Inertia i = model::test::ball(uniform(0.5, 2), uniform(0.5, 1));
+    for (model::Quantity& q : i.com) q = pick(2) == 0 ? model::Quantity() : model::test::number(uniform(-0.1, 0.1));
+    return i;
+  }
+};
+
+std::vector<pass::InputTuples> classes_of(const KinematicTree& tree, const Program& program) {
+  std::vector<pass::InputTuples> classes;
+  for (const algorithm::LimbsInLanes& limbs : algorithm::limbs_in_lanes(tree))
+    classes.push_back(algorithm::limb_inputs(tree, limbs, program));
+  return classes;
+}
+
+bool has_lanes(const Program& p) {
+  return std::any_of(p.statements.begin(), p.statements.end(), [](const auto& s) { return s.width > 1; });
+}
+
+// A description of the first difference.
+std::string difference(const Program& expected, const Program& program, std::uint64_t seed) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+  symbolic::Arrays<double> inputs;
+  for (const symbolic::InputArray& array : expected.inputs)
+    for (std::size_t k = 0; k < array.elements.size(); ++k)
+      inputs[array.name].push_back(std::uniform_real_distribution<double>(-2, 2)(random));
+  const auto wanted = symbolic::interpret<double>(expected, inputs);
+  const auto found = symbolic::interpret<double>(program, inputs);
+  for (const auto& [name, values] : wanted) {
+    double scale = 1;
+    for (const double value : values) scale = std::max(scale, std::abs(value));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (!(std::abs(values[k] - found.at(name)[k]) <= kTolerance * scale))
+        return name + "[" + std::to_string(k) + "]: " + std::to_string(found.at(name)[k]) + " instead of " +
+               std::to_string(values[k]);
+  }
+  return "";
+}
+
+struct Tally {
+  int programs = 0, with_lanes = 0;
+};
+
+void expect_same_results(const KinematicTree& tree, const std::vector<std::string>& steps, Tally& tally) {
+  std::vector<std::string> passes = steps;
+  const algorithm::Formulation formulation = algorithm::take_formulation(passes);
+  for (const std::string& group : algorithm::groups()) {
+    for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group, formulation)) {
+      const Program program = pass::run(f.program, passes);
+      const Program packed = pass::packed(program, classes_of(tree, program));
+      ++tally.programs;
+      if (has_lanes(packed)) ++tally.with_lanes;
+      ASSERT_EQ(symbolic::verify(packed), "") << program.name;
+      ASSERT_EQ(difference(program, packed, 1), "") << program.name << "\n" << symbolic::print(packed);
+      std::string error;
+      const auto read = symbolic::parse(symbolic::print(packed), error);
+      ASSERT_TRUE(read) << error;
+      ASSERT_EQ(symbolic::print(*read), symbolic::print(packed));
+    }
+  }
+}
+
+std::vector<std::string> all_steps() {
+  std::vector<std::string> steps = algorithm::choices();
+  steps.insert(steps.end(), pass::names().begin(), pass::names().end());
+  return steps;
+}
+
+class Robots : public testing::TestWithParam<const char*> {};
+
+TEST_P(Robots, HaveTheSameResultsWithLanes) {
+  const KinematicTree tree = document(GetParam());
+  Tally tally;
+  for (const auto& steps : {all_steps(), std::vector<std::string>()}) expect_same_results(tree, steps, tally);
+  EXPECT_GT(tally.with_lanes, tally.programs / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lanes,
+    Robots,
+    testing::Values("quadruped_fixed", "quadruped", "centaur", "humanoid"),
+    [](const auto& robot) { return std::string(robot.param); });
+
+TEST(Lanes, OfRandomRobotsComputeTheSame) {
+  Tally tally;
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 150); ++i) {
+    SCOPED_TRACE("seed " + std::to_string(i));
+    const KinematicTree tree = RobotsWithLimbs(static_cast<std::uint64_t>(i)).make();
+    const std::vector<std::string> passes = i % 3 == 0 ? std::vector<std::string>() : all_steps();
+    expect_same_results(tree, passes, tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.with_lanes, tally.programs / 2);
+}
+
+}  // namespace
+}  // namespace robcogen::numeric

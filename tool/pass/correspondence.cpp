@@ -1,0 +1,174 @@
+#include "pass/correspondence.h"
+
+#include <algorithm>
+#include <map>
+
+#include "pass/statements.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+std::uint64_t mix(std::uint64_t a, std::uint64_t b = 0) {
+  std::uint64_t h = (a + 0x9e3779b97f4a7c15ULL) ^ (b + 0x632be59bd9b4e019ULL) * 0xbf58476d1ce4e5b9ULL;
+  h ^= h >> 30;
+  h *= 0x94d049bb133111ebULL;
+  return h ^ h >> 31;
+}
+
+bool is_sum(const Statement& s) {
+  return s.op == Op::add || s.op == Op::subtract;
+}
+
+// Seeds of hashes, by what is hashed.
+enum Kind : std::uint64_t { number = 1, input_of_limb, other_input, shared, any_shared, sum, operation };
+
+std::uint64_t of_operation(Op op) {
+  return Kind::operation + static_cast<std::uint64_t>(op);
+}
+
+}  // namespace
+
+std::vector<bool> inner_sums(const Program& p) {
+  std::vector<int> uses(p.statements.size(), 0);
+  std::vector<bool> inner(p.statements.size(), false);
+  for (const Statement& s : p.statements) for_each_read(s, [&](int read) { ++uses[at(read)]; });
+  for (const symbolic::OutputArray& array : p.outputs)
+    for (const Operand& o : array.values)
+      if (o.kind == Operand::Kind::statement) ++uses[at(o.index)];
+  for (const Statement& s : p.statements) {
+    if (!is_sum(s)) continue;
+    for_each_read(s, [&](int read) { inner[at(read)] = uses[at(read)] == 1 && is_sum(p.statements[at(read)]); });
+  }
+  return inner;
+}
+
+std::vector<Operand> terms_of(const Program& p, const std::vector<bool>& inner, int sum) {
+  std::vector<Operand> terms, pending = {{Operand::Kind::statement, sum, false}};
+  for (bool root = true; !pending.empty(); root = false) {
+    const Operand o = pending.back();
+    pending.pop_back();
+    if (!root && (o.kind != Operand::Kind::statement || !inner[at(o.index)])) {
+      terms.push_back(o);
+      continue;
+    }
+    const Statement& s = p.statements[at(o.index)];
+    Operand a = s.a, b = s.b;
+    a.negative = a.negative != o.negative;
+    b.negative = b.negative != (o.negative != (s.op == Op::subtract));
+    pending.push_back(b);
+    pending.push_back(a);
+  }
+  return terms;
+}
+
+Correspondence::Correspondence(
+    const Program& program,
+    const std::vector<InputTuples>& classes,
+    const std::vector<bool>& inner)
+    : program_(program),
+      inner_(inner),
+      input_owner_(at(program.input_count())),
+      input_group_(input_owner_.size(), -1),
+      owner_(program.statements.size()),
+      equal_(program.statements.size()),
+      similar_(program.statements.size()),
+      equal_terms_(program.statements.size()),
+      similar_terms_(program.statements.size()) {
+  int group = 0;
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    for (const std::vector<int>& tuple : classes[c]) {
+      for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
+        input_owner_[at(tuple[lane])] = {static_cast<int>(c), static_cast<int>(lane)};
+        input_group_[at(tuple[lane])] = group;
+      }
+      ++group;
+    }
+  }
+  for (const symbolic::InputArray& array : program.inputs)
+    input_is_number_.insert(input_is_number_.end(), array.elements.size(), array.role == symbolic::Role::parameters);
+  for (std::size_t i = 0; i < program.statements.size(); ++i) hash_statement(i);
+}
+
+Correspondence::Owner Correspondence::owner(const Operand& o) const {
+  if (o.kind == Operand::Kind::constant) return {};
+  return o.kind == Operand::Kind::input ? input_owner_[at(o.index)] : owner_[at(o.index)];
+}
+
+void Correspondence::hash_statement(std::size_t i) {
+  const Statement& s = program_.statements[i];
+  const Owner a = owner(s.a), b = symbolic::is_binary(s.op) ? owner(s.b) : Owner();
+  const bool one_limb = a.limbs < 0 || b.limbs < 0 || a == b;
+  owner_[i] = !one_limb ? Owner() : a.limbs < 0 ? b : a;
+  const auto of = [&](Likeness likeness, std::vector<std::uint64_t>& all, std::vector<std::uint64_t>& terms) {
+    if (is_sum(s)) {
+      for (const Operand& o : {s.a, s.b}) {
+        const bool is_inner = o.kind == Operand::Kind::statement && inner_[at(o.index)];
+        terms[i] += is_inner ? terms[at(o.index)] : mix(hash(o, likeness));
+      }
+      all[i] = mix(Kind::sum, terms[i]);
+    } else {
+      std::uint64_t operands = mix(hash(s.a, likeness));
+      if (symbolic::is_binary(s.op)) operands += mix(hash(s.b, likeness), s.op == Op::divide ? 1 : 0);
+      all[i] = mix(of_operation(s.op), operands);
+    }
+    if (owner_[i].limbs < 0) all[i] = likeness == Likeness::equal ? mix(Kind::shared, i) : mix(Kind::any_shared);
+  };
+  of(Likeness::equal, equal_, equal_terms_);
+  of(Likeness::similar, similar_, similar_terms_);
+}
+
+std::uint64_t Correspondence::hash(const Operand& o, Likeness likeness) const {
+  const std::size_t i = at(o.index);
+  if (o.kind == Operand::Kind::constant) return mix(Kind::number);
+  if (o.kind == Operand::Kind::input) {
+    if (input_group_[i] >= 0) return mix(Kind::input_of_limb, static_cast<std::uint64_t>(input_group_[i]));
+    if (input_is_number_[i]) return mix(Kind::number);
+    return likeness == Likeness::equal ? mix(Kind::other_input, i) : mix(Kind::any_shared);
+  }
+  if (likeness == Likeness::equal) return equal_[i];
+  if (likeness == Likeness::similar || owner_[i].limbs < 0) return similar_[i];
+  const Statement& s = program_.statements[i];
+  return mix(is_sum(s) ? static_cast<std::uint64_t>(Kind::sum) : of_operation(s.op));
+}
+
+std::vector<Tuple> Correspondence::match(std::vector<std::vector<Operand>>& lists) const {
+  std::vector<Tuple> tuples;
+  for (const Likeness likeness : {Likeness::equal, Likeness::similar, Likeness::kind}) {
+    std::vector<std::map<std::uint64_t, std::vector<Operand>>> by_hash(lists.size());
+    for (std::size_t lane = 0; lane < lists.size(); ++lane)
+      for (const Operand& o : lists[lane]) by_hash[lane][hash(o, likeness)].push_back(o);
+    std::map<std::uint64_t, std::size_t> matched;  // how many of each
+    for (const Operand& o : lists[0]) {
+      const std::uint64_t h = hash(o, likeness);
+      const std::size_t k = matched[h];
+      const auto has_one = [&](const auto& of_lane) {
+        const auto found = of_lane.find(h);
+        return found != of_lane.end() && found->second.size() > k;
+      };
+      if (!std::all_of(by_hash.begin(), by_hash.end(), has_one)) continue;
+      Tuple& tuple = tuples.emplace_back();
+      for (const auto& of_lane : by_hash) tuple.push_back(of_lane.at(h)[k]);
+      ++matched[h];
+    }
+    for (std::vector<Operand>& list : lists) {
+      std::map<std::uint64_t, std::size_t> seen;
+      std::erase_if(list, [&](const Operand& o) {
+        const std::uint64_t h = hash(o, likeness);
+        const auto found = matched.find(h);
+        return found != matched.end() && seen[h]++ < found->second;
+      });
+    }
+  }
+  return tuples;
+}
+
+}  // namespace robcogen::pass

@@ -1,0 +1,61 @@
+// Which statements of a program compute the same for different limbs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "symbolic/program.h"
+
+namespace robcogen::pass {
+
+// Input elements that correspond, one of each limb: {qd[0], qd[3], qd[6], qd[9]}. Flat indices.
+using InputTuples = std::vector<std::vector<int>>;
+
+// One operand of each limb.
+using Tuple = std::vector<symbolic::Operand>;
+
+class Correspondence {
+ public:
+  // `classes`: of each class of limbs, its inputs. `inner`: sums that are part of the one sum that reads them.
+  Correspondence(
+      const symbolic::Program& program,
+      const std::vector<InputTuples>& classes,
+      const std::vector<bool>& inner);
+
+  // Where a value depends on inputs of one limb, and beyond them on nothing of limbs but what belongs to several:
+  // its class and lane. class -1: everything else.
+  struct Owner {
+    int limbs = -1;
+    int lane = -1;
+    friend bool operator==(const Owner&, const Owner&) = default;
+  };
+  Owner owner(const symbolic::Operand& o) const;
+
+  // Puts corresponding operands together, given those of each limb: the most alike first. What finds no partner stays
+  // in `lists`.
+  std::vector<Tuple> match(std::vector<std::vector<symbolic::Operand>>& lists) const;
+
+ private:
+  // How alike two operands must be: equal but for limb, signs and numbers; the same with any two values that no limb
+  // owns for equal; the same kind of operand.
+  enum class Likeness { equal, similar, kind };
+  std::uint64_t hash(const symbolic::Operand& o, Likeness likeness) const;
+  void hash_statement(std::size_t i);
+
+  const symbolic::Program& program_;
+  const std::vector<bool>& inner_;
+  std::vector<Owner> input_owner_;
+  std::vector<int> input_group_;  // -1: none
+  std::vector<bool> input_is_number_;
+  std::vector<Owner> owner_;
+  std::vector<std::uint64_t> equal_, similar_;              // by statement
+  std::vector<std::uint64_t> equal_terms_, similar_terms_;  // of sums: of their terms, in any order
+};
+
+// Which sums stand inside the only statement that reads them, a sum of the same width.
+std::vector<bool> inner_sums(const symbolic::Program& program);
+
+// The terms of a sum, those of its inner sums included.
+std::vector<symbolic::Operand> terms_of(const symbolic::Program& program, const std::vector<bool>& inner, int sum);
+
+}  // namespace robcogen::pass

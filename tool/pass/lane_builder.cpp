@@ -1,0 +1,304 @@
+#include "pass/lane_builder.h"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <set>
+
+#include "pass/lane_names.h"
+#include "pass/statements.h"
+#include "symbolic/count.h"
+
+namespace robcogen::pass {
+
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+bool is_statement(const Operand& o) {
+  return o.kind == Operand::Kind::statement;
+}
+
+}  // namespace
+
+LaneBuilder::LaneBuilder(const Program& old) : old_(old), new_(old) {
+  new_.statements.clear();
+  new_.sections.clear();
+}
+
+void LaneBuilder::begin(const Tuple& lanes, int place) {
+  place_ = place;
+  section_ = section_of(lanes, place);
+}
+
+int LaneBuilder::section_of(const Tuple& lanes, int place) {
+  std::vector<int> key;
+  for (const Operand& o : lanes)
+    if (is_statement(o)) key.push_back(old_.statements[at(o.index)].section);
+  if (key.empty()) {
+    if (old_.statements.empty()) return 0;
+    key = {old_.statements[at(place)].section};
+  }
+  const auto [known, fresh] = sections_.try_emplace(key, static_cast<int>(new_.sections.size()));
+  if (!fresh) return known->second;
+  std::vector<std::string> titles, prefixes;
+  for (const int section : key) {
+    titles.push_back(old_.sections[at(section)].title);
+    prefixes.push_back(old_.sections[at(section)].prefix);
+  }
+  new_.sections.push_back({common_title(titles), common_name(prefixes)});
+  return known->second;
+}
+
+int LaneBuilder::width(const Operand& o) const {
+  return is_statement(o) && o.lane < 0 ? made_[at(o.index)].statement.width : 1;
+}
+
+Operand LaneBuilder::number(const Number& value) {
+  const auto known = std::find_if(new_.constants.begin(), new_.constants.end(), [&](const Number& n) {
+    return n.value() == value.value() && n.is_pi_multiple() == value.is_pi_multiple();
+  });
+  const auto index = static_cast<int>(known - new_.constants.begin());
+  if (known == new_.constants.end()) new_.constants.push_back(value);
+  return {Operand::Kind::constant, index, false};
+}
+
+Operand LaneBuilder::make(Statement s, int latency) {
+  s.section = section_;
+  s.width = s.op == Op::gather      ? static_cast<int>(s.lanes.size())
+            : s.op == Op::sum_lanes ? 1
+                                    : std::max(width(s.a), symbolic::is_binary(s.op) ? width(s.b) : 1);
+  int start = std::max(ready(s.a), symbolic::is_binary(s.op) ? ready(s.b) : 0);
+  for (const Operand& o : s.lanes) start = std::max(start, ready(o));
+  Made made = {std::move(s), place_, false, start + latency};
+  made_.push_back(std::move(made));
+  return {Operand::Kind::statement, static_cast<int>(made_.size()) - 1, false};
+}
+
+int LaneBuilder::ready(const Operand& o) const {
+  return is_statement(o) ? made_[at(o.index)].ready : 0;
+}
+
+bool LaneBuilder::is_product(const Operand& o) const {
+  return is_statement(o) && o.lane < 0 && made_[at(o.index)].statement.op == Op::multiply;
+}
+
+Operand LaneBuilder::numbers(const Tuple& lanes, unsigned flips) {
+  const bool negative = flips & 1U;
+  std::vector<std::pair<int, bool>> key;
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    key.emplace_back(lanes[lane].index, (flips >> lane & 1U) != (negative ? 1U : 0U));
+  Operand result;
+  if (std::all_of(key.begin(), key.end(), [&](const auto& element) { return element == key.front(); })) {
+    result = {Operand::Kind::constant, key.front().first, false};
+  } else if (const auto known = numbers_.find(key); known != numbers_.end()) {
+    result = known->second;
+  } else {
+    Tuple values;
+    for (const auto& [index, is_negative] : key) values.push_back({Operand::Kind::constant, index, is_negative});
+    result = gather(std::move(values));
+    made_.back().late = true;
+    numbers_.emplace(std::move(key), result);
+  }
+  result.negative = negative;
+  return result;
+}
+
+Operand LaneBuilder::gather(Tuple lanes) {
+  Statement s;
+  s.op = Op::gather;
+  const bool moves = std::any_of(lanes.begin(), lanes.end(), is_statement);
+  s.lanes = std::move(lanes);
+  const Operand result = make(std::move(s), moves ? symbolic::kMoveLatency : 0);
+  made_.back().late = true;
+  return result;
+}
+
+Operand LaneBuilder::product(Operand a, Operand b) {
+  Statement s;
+  s.op = Op::multiply;
+  const bool negative = a.negative != b.negative;
+  a.negative = b.negative = false;
+  s.a = a;
+  s.b = b;
+  Operand result = make(std::move(s), symbolic::kLatency);
+  result.negative = negative;
+  return result;
+}
+
+Operand LaneBuilder::quotient(Operand a, Operand b) {
+  Operand result = product(a, b);
+  Made& made = made_.back();
+  made.statement.op = Op::divide;
+  made.ready += symbolic::kDivisionLatency - symbolic::kLatency;
+  return result;
+}
+
+Operand LaneBuilder::unary(Op op, const Operand& a) {
+  Statement s;
+  s.op = op;
+  s.a = a;
+  return make(std::move(s), op == Op::square_root ? symbolic::kDivisionLatency : 0);
+}
+
+Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
+  if (op == Op::multiply) return product(a, b);
+  if (op == Op::divide) return quotient(a, b);
+  b.negative = b.negative != (op == Op::subtract);
+  return sum({a, b});
+}
+
+Operand LaneBuilder::sum(std::vector<Operand> terms) {
+  const auto start = [&](const Operand& o) { return is_product(o) ? ready(o) - symbolic::kLatency : ready(o); };
+  std::stable_sort(terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return start(a) < start(b); });
+  const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });
+  if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);
+  Operand result = terms.front();
+  for (std::size_t k = 1; k < terms.size(); ++k) {
+    Operand a = result, b = terms[k];
+    if (a.negative && !b.negative) std::swap(a, b);
+    Statement s;
+    s.op = a.negative == b.negative ? Op::add : Op::subtract;
+    const bool negative = a.negative;
+    a.negative = b.negative = false;
+    const int begin = std::max(ready(result), start(terms[k]));
+    s.a = a;
+    s.b = b;
+    result = make(std::move(s), symbolic::kLatency);
+    made_.back().ready = begin + symbolic::kLatency;
+    result.negative = negative;
+  }
+  return result;
+}
+
+Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
+  Operand wide = width(a) > 1 ? a : gather(Tuple(at(lanes), a));
+  const bool negative = wide.negative;
+  wide.negative = false;
+  Statement s;
+  s.op = Op::sum_lanes;
+  s.a = wide;
+  int latency = 0;
+  for (int rest = lanes; rest > 1; rest /= 2) latency += symbolic::kMoveLatency + symbolic::kLatency;
+  Operand result = make(std::move(s), latency);
+  result.negative = negative;
+  return result;
+}
+
+void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
+  if (!is_statement(value) || value.lane >= 0) return;
+  Statement& s = made_[at(value.index)].statement;
+  if (!s.name.empty()) return;
+  std::vector<std::string> names;
+  bool named = true;
+  for (const Operand& o : lanes) {
+    const Statement& old = old_.statements[at(o.index)];
+    names.push_back(old.name);
+    named = named && old.named;
+  }
+  if (!named && lanes.size() > 1) return;  // numbered anew
+  s.name = common_name(names);
+  s.named = named;
+}
+
+// What brings numbers into lanes goes to its first user.
+void LaneBuilder::settle_late() {
+  std::vector<int> user(made_.size(), -1);
+  const auto note = [&](const Operand& o, int reader) {
+    if (!is_statement(o)) return;
+    int& first = user[at(o.index)];
+    if (first < 0 || made_[at(reader)].place < made_[at(first)].place) first = reader;
+  };
+  for (std::size_t i = made_.size(); i-- > 0;) {
+    Made& made = made_[i];
+    if (made.late && user[i] >= 0) {
+      made.place = std::max(made_[at(user[i])].place, 0);
+      made.statement.section = made_[at(user[i])].statement.section;
+    }
+    const int reader = static_cast<int>(i);
+    note(made.statement.a, reader);
+    if (symbolic::is_binary(made.statement.op)) note(made.statement.b, reader);
+    for (const Operand& o : made.statement.lanes) note(o, reader);
+  }
+}
+
+// By places, operands first.
+std::vector<int> LaneBuilder::order() const {
+  std::vector<std::vector<int>> readers(made_.size());
+  std::vector<int> missing(made_.size(), 0);
+  const auto note = [&](const Operand& o, std::size_t reader) {
+    if (!is_statement(o)) return;
+    readers[at(o.index)].push_back(static_cast<int>(reader));
+    ++missing[reader];
+  };
+  for (std::size_t i = 0; i < made_.size(); ++i) {
+    const Statement& s = made_[i].statement;
+    note(s.a, i);
+    if (symbolic::is_binary(s.op)) note(s.b, i);
+    for (const Operand& o : s.lanes) note(o, i);
+  }
+  using Entry = std::pair<int, int>;  // place, index
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;
+  for (std::size_t i = 0; i < made_.size(); ++i)
+    if (missing[i] == 0) ready.emplace(made_[i].place, static_cast<int>(i));
+  std::vector<int> result;
+  while (!ready.empty()) {
+    const int i = ready.top().second;
+    ready.pop();
+    result.push_back(i);
+    for (const int reader : readers[at(i)])
+      if (--missing[at(reader)] == 0) ready.emplace(made_[at(reader)].place, reader);
+  }
+  return result;
+}
+
+void LaneBuilder::name_all(Program& program) const {
+  std::set<std::string> used;
+  const auto unique = [&](const std::string& wanted) {
+    std::string result = wanted;
+    for (int k = 2; !used.insert(result).second; ++k) result = wanted + "_" + std::to_string(k);
+    return result;
+  };
+  for (const bool scalars : {true, false})
+    for (Statement& s : program.statements)
+      if (!s.name.empty() && (s.width == 1) == scalars) s.name = unique(s.name);
+  std::map<std::string, int> next;
+  for (Statement& s : program.statements) {
+    if (!s.name.empty()) continue;
+    const std::string& prefix = program.sections[at(s.section)].prefix;
+    s.name = unique(prefix + "_t" + std::to_string(next[prefix]++));
+  }
+}
+
+Program LaneBuilder::program(const std::vector<std::vector<Operand>>& outputs) {
+  settle_late();
+  const std::vector<int> places = order();
+  std::vector<int> index(made_.size(), -1);
+  for (std::size_t k = 0; k < places.size(); ++k) index[at(places[k])] = static_cast<int>(k);
+  const auto renumber = [&](Operand& o) {
+    if (is_statement(o)) o.index = index[at(o.index)];
+  };
+  Program result = std::move(new_);
+  for (const int i : places) {
+    Statement s = std::move(made_[at(i)].statement);
+    renumber(s.a);
+    if (symbolic::is_binary(s.op)) renumber(s.b);
+    for (Operand& o : s.lanes) renumber(o);
+    result.statements.push_back(std::move(s));
+  }
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    result.outputs[k].values = outputs[k];
+    for (Operand& o : result.outputs[k].values) renumber(o);
+  }
+  name_all(result);
+  return result;
+}
+
+}  // namespace robcogen::pass

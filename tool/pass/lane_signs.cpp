@@ -1,0 +1,51 @@
+#include "pass/lane_signs.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace robcogen::pass {
+
+Sign Signs::variable(bool costs) {
+  variables_.push_back({costs, {}});
+  return {0, {static_cast<int>(variables_.size()) - 1}};
+}
+
+Sign Signs::product(const Sign& a, const Sign& b) const {
+  Sign result = fixed(a.lanes ^ b.lanes);
+  std::set_symmetric_difference(
+      a.variables.begin(), a.variables.end(), b.variables.begin(), b.variables.end(),
+      std::back_inserter(result.variables));
+  return result;
+}
+
+Sign Signs::resolved(const Sign& sign) const {
+  Sign result = sign;
+  for (;;) {
+    const auto chosen = std::find_if(result.variables.begin(), result.variables.end(), [&](int v) {
+      return variables_[static_cast<std::size_t>(v)].value.has_value();
+    });
+    if (chosen == result.variables.end()) return result;
+    const Sign value = *variables_[static_cast<std::size_t>(*chosen)].value;
+    result.variables.erase(chosen);
+    result = product(result, value);
+  }
+}
+
+void Signs::make_plain(const Sign& sign) {
+  Sign rest = resolved(sign);
+  // The latest of those that cost nothing, else the latest.
+  auto choice = std::find_if(rest.variables.rbegin(), rest.variables.rend(), [&](int v) {
+    return !variables_[static_cast<std::size_t>(v)].costs;
+  });
+  if (choice == rest.variables.rend()) choice = rest.variables.rbegin();
+  if (choice == rest.variables.rend()) return;
+  const int variable = *choice;
+  rest.variables.erase(std::next(choice).base());
+  variables_[static_cast<std::size_t>(variable)].value = std::move(rest);
+}
+
+unsigned Signs::value(const Sign& sign) const {
+  return resolved(sign).lanes;
+}
+
+}  // namespace robcogen::pass

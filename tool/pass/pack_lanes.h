@@ -1,0 +1,28 @@
+// Equal limbs in the lanes of vectors: one statement computes the same for all limbs of a class.
+#pragma once
+
+#include <vector>
+
+#include "pass/correspondence.h"
+#include "symbolic/program.h"
+
+namespace robcogen::pass {
+
+struct Packed {
+  symbolic::Program program;
+  std::vector<bool> in_lanes;  // which of the classes share lanes
+};
+
+// The program with lanes for those classes of limbs of which that makes it faster by prediction
+// (symbolic::predicted_time); the program itself, where none does. Each class has 2, 4 or 8 limbs.
+//
+// Superword packing from known seeds (after Larsen and Amarasinghe 2000): from corresponding outputs, and from
+// corresponding terms of sums over the limbs, tuples of statements become one statement each, operand by operand. What
+// is the same for all limbs stays scalar; constants differ from lane to lane, and take up signs in which limbs differ;
+// what has no counterpart is computed as before and gathered.
+Packed pack_lanes(const symbolic::Program& program, const std::vector<InputTuples>& classes);
+
+// All classes that can be packed, whatever that costs.
+symbolic::Program packed(const symbolic::Program& program, const std::vector<InputTuples>& classes);
+
+}  // namespace robcogen::pass
