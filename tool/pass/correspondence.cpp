@@ -1,6 +1,7 @@
 #include "pass/correspondence.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 
 #include "pass/statements.h"
@@ -27,6 +28,8 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b = 0) {
 bool is_sum(const Statement& s) {
   return s.op == Op::add || s.op == Op::subtract;
 }
+
+constexpr std::size_t kMostLanes = 8, kMostClasses = 8;  // a bit for each limb; further classes have no lanes
 
 // Seeds of hashes, by what is hashed.
 enum Kind : std::uint64_t { number = 1, input_of_limb, other_input, shared, any_shared, sum, operation };
@@ -76,18 +79,21 @@ Correspondence::Correspondence(
     const std::vector<bool>& inner)
     : program_(program),
       inner_(inner),
-      input_owner_(at(program.input_count())),
-      input_group_(input_owner_.size(), -1),
-      owner_(program.statements.size()),
+      input_limbs_(at(program.input_count()), 0),
+      input_group_(input_limbs_.size(), -1),
+      limbs_(program.statements.size(), 0),
       equal_(program.statements.size()),
       similar_(program.statements.size()),
       equal_terms_(program.statements.size()),
       similar_terms_(program.statements.size()) {
   int group = 0;
-  for (std::size_t c = 0; c < classes.size(); ++c) {
+  for (std::size_t c = 0; c < classes.size() && c < kMostClasses; ++c) {
+    all_limbs_.push_back(0);
     for (const std::vector<int>& tuple : classes[c]) {
       for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
-        input_owner_[at(tuple[lane])] = {static_cast<int>(c), static_cast<int>(lane)};
+        const std::uint64_t bit = std::uint64_t{1} << (kMostLanes * c + lane);
+        input_limbs_[at(tuple[lane])] = bit;
+        all_limbs_.back() |= bit;
         input_group_[at(tuple[lane])] = group;
       }
       ++group;
@@ -98,16 +104,24 @@ Correspondence::Correspondence(
   for (std::size_t i = 0; i < program.statements.size(); ++i) hash_statement(i);
 }
 
+std::uint64_t Correspondence::limbs(const Operand& o) const {
+  if (o.kind == Operand::Kind::constant) return 0;
+  return o.kind == Operand::Kind::input ? input_limbs_[at(o.index)] : limbs_[at(o.index)];
+}
+
 Correspondence::Owner Correspondence::owner(const Operand& o) const {
-  if (o.kind == Operand::Kind::constant) return {};
-  return o.kind == Operand::Kind::input ? input_owner_[at(o.index)] : owner_[at(o.index)];
+  const std::uint64_t bits = limbs(o);
+  if (!std::has_single_bit(bits)) return {};
+  const int bit = std::countr_zero(bits);
+  return {bit / static_cast<int>(kMostLanes), bit % static_cast<int>(kMostLanes)};
 }
 
 void Correspondence::hash_statement(std::size_t i) {
   const Statement& s = program_.statements[i];
-  const Owner a = owner(s.a), b = symbolic::is_binary(s.op) ? owner(s.b) : Owner();
-  const bool one_limb = a.limbs < 0 || b.limbs < 0 || a == b;
-  owner_[i] = !one_limb ? Owner() : a.limbs < 0 ? b : a;
+  limbs_[i] = limbs(s.a) | (symbolic::is_binary(s.op) ? limbs(s.b) : 0);
+  for (const std::uint64_t all : all_limbs_)
+    if ((limbs_[i] & all) == all) limbs_[i] &= ~all;
+  const bool is_shared = !std::has_single_bit(limbs_[i]);
   const auto of = [&](Likeness likeness, std::vector<std::uint64_t>& all, std::vector<std::uint64_t>& terms) {
     if (is_sum(s)) {
       for (const Operand& o : {s.a, s.b}) {
@@ -120,7 +134,7 @@ void Correspondence::hash_statement(std::size_t i) {
       if (symbolic::is_binary(s.op)) operands += mix(hash(s.b, likeness), s.op == Op::divide ? 1 : 0);
       all[i] = mix(of_operation(s.op), operands);
     }
-    if (owner_[i].limbs < 0) all[i] = likeness == Likeness::equal ? mix(Kind::shared, i) : mix(Kind::any_shared);
+    if (is_shared) all[i] = likeness == Likeness::equal ? mix(Kind::shared, i) : mix(Kind::any_shared);
   };
   of(Likeness::equal, equal_, equal_terms_);
   of(Likeness::similar, similar_, similar_terms_);
@@ -135,7 +149,7 @@ std::uint64_t Correspondence::hash(const Operand& o, Likeness likeness) const {
     return likeness == Likeness::equal ? mix(Kind::other_input, i) : mix(Kind::any_shared);
   }
   if (likeness == Likeness::equal) return equal_[i];
-  if (likeness == Likeness::similar || owner_[i].limbs < 0) return similar_[i];
+  if (likeness == Likeness::similar || !std::has_single_bit(limbs_[i])) return similar_[i];
   const Statement& s = program_.statements[i];
   return mix(is_sum(s) ? static_cast<std::uint64_t>(Kind::sum) : of_operation(s.op));
 }

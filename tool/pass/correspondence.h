@@ -22,8 +22,8 @@ class Correspondence {
       const std::vector<InputTuples>& classes,
       const std::vector<bool>& inner);
 
-  // Where a value depends on inputs of one limb, and beyond them on nothing of limbs but what belongs to several:
-  // its class and lane. class -1: everything else.
+  // The limb that a value belongs to: its class and lane. limbs -1: to none. What depends on all limbs of a class, as
+  // the motion of a base that carries them, belongs to none; what is made of it and one limb, to that limb.
   struct Owner {
     int limbs = -1;
     int lane = -1;
@@ -40,14 +40,17 @@ class Correspondence {
   // owns for equal; the same kind of operand.
   enum class Likeness { equal, similar, kind };
   std::uint64_t hash(const symbolic::Operand& o, Likeness likeness) const;
+  // The limbs that a value depends on, a bit each; none where all limbs of a class enter.
+  std::uint64_t limbs(const symbolic::Operand& o) const;
   void hash_statement(std::size_t i);
 
   const symbolic::Program& program_;
   const std::vector<bool>& inner_;
-  std::vector<Owner> input_owner_;
+  std::vector<std::uint64_t> all_limbs_;  // by class
+  std::vector<std::uint64_t> input_limbs_;
   std::vector<int> input_group_;  // -1: none
   std::vector<bool> input_is_number_;
-  std::vector<Owner> owner_;
+  std::vector<std::uint64_t> limbs_;  // by statement
   std::vector<std::uint64_t> equal_, similar_;              // by statement
   std::vector<std::uint64_t> equal_terms_, similar_terms_;  // of sums: of their terms, in any order
 };
