@@ -22,6 +22,15 @@
 #define ROBCOGEN_VECTOR_SIZE(bytes)
 #endif
 
+#if ROBCOGEN_HAS_VECTORS && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define ROBCOGEN_HAS_SHUFFLES 1
+#endif
+#endif
+#if !defined(ROBCOGEN_HAS_SHUFFLES)
+#define ROBCOGEN_HAS_SHUFFLES 0
+#endif
+
 namespace robcogen {
 
 // Files of one program may be compiled for different processors. What is in an unnamed namespace is each file's own, so
@@ -114,6 +123,17 @@ class Lanes<Scalar, kSize, true> {
   }
   ROBCOGEN_INLINE const Vector& vector() const noexcept { return vector_; }
 
+  // A number for each lane.
+  template <class... Number>
+  static ROBCOGEN_INLINE Lanes of(const Number&... x) noexcept {
+    static_assert(sizeof...(Number) == kSize, "a number for each lane");
+    if constexpr (kSize == 1) {
+      return of_vector(Scalar(x)...);
+    } else {
+      return of_vector(Vector{Scalar(x)...});
+    }
+  }
+
   // From and to kSize numbers, of this or another precision, that stand one after another.
   template <class Number>
   static ROBCOGEN_INLINE Lanes load(const Number* from) noexcept {
@@ -199,6 +219,13 @@ class Lanes<Scalar, kSize, false> {
   explicit ROBCOGEN_INLINE Lanes(Number x) noexcept : Lanes(static_cast<Scalar>(x)) {}
   ROBCOGEN_INLINE Lanes(const Half& low, const Half& high) noexcept : low_(low), high_(high) {}
 
+  template <class... Number>
+  static ROBCOGEN_INLINE Lanes of(const Number&... x) noexcept {
+    static_assert(sizeof...(Number) == kSize, "a number for each lane");
+    const Scalar* const all[] = {&x...};
+    return of(all, std::make_integer_sequence<int, kSize / 2>());
+  }
+
   ROBCOGEN_INLINE const Half& low() const noexcept { return low_; }
   ROBCOGEN_INLINE const Half& high() const noexcept { return high_; }
 
@@ -240,8 +267,45 @@ class Lanes<Scalar, kSize, false> {
   friend ROBCOGEN_INLINE Lanes sqrt(const Lanes& a) noexcept { return {sqrt(a.low_), sqrt(a.high_)}; }
 
  private:
+  template <int... kLane>
+  static ROBCOGEN_INLINE Lanes of(const Scalar* const* x, std::integer_sequence<int, kLane...>) noexcept {
+    return {Half::of(*x[kLane]...), Half::of(*x[kSize / 2 + kLane]...)};
+  }
+
   Half low_, high_;
 };
+
+namespace lanes {
+
+// Half of the lanes, from kFirst on.
+template <int kFirst, class Scalar, int kSize, int... kLane>
+ROBCOGEN_INLINE Lanes<Scalar, kSize / 2> half(
+    const Lanes<Scalar, kSize>& x,
+    std::integer_sequence<int, kLane...>) noexcept {
+#if ROBCOGEN_HAS_SHUFFLES
+  if constexpr (kSize > 2 && kSize <= kInRegister<Scalar>)
+    return Lanes<Scalar, kSize / 2>::of_vector(__builtin_shufflevector(x.vector(), x.vector(), (kFirst + kLane)...));
+  else
+#endif
+    return Lanes<Scalar, kSize / 2>::of(x[kFirst + kLane]...);
+}
+
+}  // namespace lanes
+
+// Pairwise: each lane of the first half and its counterpart in the second, and so forth.
+template <class Scalar, int kSize>
+ROBCOGEN_INLINE Scalar sum_lanes(const Lanes<Scalar, kSize>& x) noexcept {
+  if constexpr (kSize == 1) {
+    return x[0];
+  } else {
+    using Half = std::make_integer_sequence<int, kSize / 2>;
+    return sum_lanes(lanes::half<0>(x, Half()) + lanes::half<kSize / 2>(x, Half()));
+  }
+}
+
+// Whether code that keeps limbs in lanes is faster for this scalar than code without lanes.
+template <class Scalar>
+constexpr bool kPrefersLanes = lanes::kInRegister<Scalar> > 1;
 
 // As many as fill a register: what computes fastest.
 template <class Scalar>
@@ -252,3 +316,4 @@ using NativeLanes = Lanes<Scalar, lanes::kInRegister<Scalar>>;
 
 #undef ROBCOGEN_INLINE
 #undef ROBCOGEN_VECTOR_SIZE
+#undef ROBCOGEN_HAS_SHUFFLES

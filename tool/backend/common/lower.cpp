@@ -34,6 +34,7 @@ bool is_angle_function(Op op) {
 struct Store {
   std::string target;
   bool negative = false;
+  int lane = -1;  // -1: of a scalar
 };
 
 // What becomes of a statement.
@@ -141,18 +142,22 @@ class Lowering {
     std::vector<int> uses(places_.size(), 0);  // by statements that are needed
     std::vector<int> last_user(places_.size(), -1);
     std::vector<bool> inputs_used(input_names_.size(), false);
+    std::vector<bool> apart(places_.size(), false);  // a lane of it is read, or it is spread to lanes
     const auto use = [&](const Operand& o, int user) {
       if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
       if (!is_statement(o)) return;
       ++uses[at(o.index)];
       last_user[at(o.index)] = user;
+      const Statement& reader = statement(at(user));
+      if (o.lane >= 0 || (reader.op != Op::gather && reader.op != Op::sum_lanes && reader.width != width(o)))
+        apart[at(o.index)] = true;
     };
     for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
       const std::vector<Operand>& values = program_.outputs[p].values;
       for (std::size_t k = 0; k < values.size(); ++k) {
         const Operand& o = values[k];
         if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
-        if (is_statement(o)) stores_[at(o.index)].push_back({element(output_parameter(p), k), o.negative});
+        if (is_statement(o)) stores_[at(o.index)].push_back({element(output_parameter(p), k), o.negative, o.lane});
       }
     }
     for (std::size_t i = places_.size(); i-- > 0;) {
@@ -160,7 +165,9 @@ class Lowering {
       const Statement& s = statement(i);
       use(s.a, static_cast<int>(i));
       if (is_binary(s.op)) use(s.b, static_cast<int>(i));
-      places_[i] = place(i, uses[i], last_user[i]);
+      for (const Operand& o : s.lanes) use(o, static_cast<int>(i));
+      note_width(s.width);
+      places_[i] = apart[i] && !is_angle_function(s.op) ? Place::own : place(i, uses[i], last_user[i]);
       if (places_[i] == Place::angle) note_angle(i);
     }
     std::size_t element = 0;
@@ -168,6 +175,14 @@ class Lowering {
       for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k)
         if (inputs_used[element++]) kernel_.parameters[p].used = true;
     inputs_used_ = std::move(inputs_used);
+  }
+
+  int width(const Operand& o) const { return is_statement(o) && o.lane < 0 ? statement(at(o.index)).width : 1; }
+
+  void note_width(int width) {
+    std::vector<int>& widths = kernel_.widths;
+    const auto place = std::lower_bound(widths.begin(), widths.end(), width);
+    if (width > 1 && (place == widths.end() || *place != width)) widths.insert(place, width);
   }
 
   void bind_parameters() {
@@ -188,11 +203,12 @@ class Lowering {
     const std::vector<Store>& stores = stores_[i];
     const bool one_sign = std::all_of(
         stores.begin(), stores.end(), [&](const Store& store) { return store.negative == stores.front().negative; });
-    if (dialect_.stores && uses == 0 && one_sign && stores.size() <= 2) return Place::output;
+    if (dialect_.stores && uses == 0 && one_sign && stores.size() <= 2 && s.width == 1) return Place::output;
     if (uses != 1 || !stores.empty() || s.named) return Place::own;
     // The argument of a sine is the argument of its cosine too, and of one definite type.
     const Statement& u = statement(at(user));
     if (is_angle_function(u.op)) return Place::own;
+    if (s.op == Op::gather && u.op == Op::gather) return Place::own;
     // What belongs to one link stays with it, but a product always goes where it can be fused.
     const bool fusable = s.op == Op::multiply && is_sum(u.op);
     return fusable || s.section == u.section ? Place::inside : Place::own;
@@ -203,6 +219,7 @@ class Lowering {
     Angle& angle = angles_[{s.a.kind, s.a.index}];
     angle.first = static_cast<int>(i);  // statements come last to first
     (s.op == Op::sine ? angle.sine : angle.cosine) = true;
+    if (s.width > 1) angle.sine = angle.cosine = true;  // of lanes, both come together only
   }
 
   // Decides whether sines and cosines of inputs are computed together: of one array, and most of the elements between
@@ -249,6 +266,23 @@ class Lowering {
     }
   }
 
+  // As an operand of a statement of so many lanes.
+  Spelling spell(const Operand& o, int lanes) const {
+    if (lanes == 1 || width(o) == lanes) return spell(o);
+    Spelling result;
+    if (o.kind == Operand::Kind::constant) {
+      const Spelling number = dialect_.literal(program_.constants[at(o.index)]);
+      const std::string type = dialect_.type(lanes);
+      result = literal(type + "(" + number.text + ")", type + "(" + number.opposite + ")");
+      result.negative = o.negative;
+      return result;
+    }
+    const Operand positive = {o.kind, o.index, false, o.lane};
+    result = call(dialect_.type(lanes), spell(positive));
+    result.negative = o.negative;
+    return result;
+  }
+
   Spelling spell(const Operand& o) const {
     Spelling result;
     if (o.kind == Operand::Kind::constant) {
@@ -258,6 +292,7 @@ class Lowering {
       result.text = input_names_[at(o.index)];
     } else {
       result = places_[at(o.index)] == Place::inside ? expression(at(o.index)) : spellings_[at(o.index)];
+      if (o.lane >= 0) result.text = dialect_.element(result.text, at(o.lane));
     }
     result.negative = result.negative != o.negative;
     return result;
@@ -266,13 +301,22 @@ class Lowering {
   Spelling expression(std::size_t i) const {
     const Statement& s = statement(i);
     if (s.op == Op::square_root) return call("sqrt", spell(s.a));
-    return binary(s.op, spell(s.a), spell(s.b));
+    if (s.op == Op::sum_lanes) return call("sum_lanes", spell(s.a));
+    if (s.op == Op::gather) {
+      std::string list;
+      for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell(o));
+      Spelling gathered;
+      gathered.text = dialect_.type(s.width) + "::of(" + list + ")";
+      return gathered;
+    }
+    return binary(s.op, spell(s.a, s.width), spell(s.b, s.width));
   }
 
   // The line of a statement that is not inside another; of one that is, the line that it would have by itself.
   Line line(std::size_t i) const {
     Spelling value = expression(i);
-    if (places_[i] != Place::output) return {Line::Kind::definition, {spellings_[i].text}, text(value)};
+    if (places_[i] != Place::output)
+      return {Line::Kind::definition, {spellings_[i].text}, text(value), 0, statement(i).width};
     value.negative = value.negative != stores_[i].front().negative;
     Line result{Line::Kind::store, {}, text(value)};
     for (const Store& store : stores_[i]) result.targets.push_back(store.target);
@@ -288,7 +332,9 @@ class Lowering {
   // The part of i's expression to take out first: the widest, products inside sums last.
   void consider_parts(std::size_t i, Part& best) const {
     const Statement& s = statement(i);
-    for (const Operand& o : {s.a, is_binary(s.op) ? s.b : Operand{}}) {
+    std::vector<Operand> operands = s.lanes;
+    operands.insert(operands.end(), {s.a, is_binary(s.op) ? s.b : Operand{}});
+    for (const Operand& o : operands) {
       if (!is_statement(o) || places_[at(o.index)] != Place::inside) continue;
       const Part part{
           o.index, statement(at(o.index)).op == Op::multiply && is_sum(s.op), expression(at(o.index)).text.size()};
@@ -368,13 +414,16 @@ class Lowering {
       if (places_[i] == Place::output) return;
     }
     if (!dialect_.stores) return;
-    for (bool negative : {false, true}) {
-      std::vector<std::string> targets;
-      for (const Store& store : stores_[i])
-        if (store.negative == negative) targets.push_back(store.target);
-      Spelling value = spellings_[i];
-      value.negative = value.negative != negative;
-      store(targets, text(value));
+    for (int lane = s.width > 1 ? 0 : -1; lane < (s.width > 1 ? s.width : 0); ++lane) {
+      for (bool negative : {false, true}) {
+        std::vector<std::string> targets;
+        for (const Store& store : stores_[i])
+          if (store.negative == negative && store.lane == lane) targets.push_back(store.target);
+        Spelling value = spellings_[i];
+        if (lane >= 0) value.text = dialect_.element(value.text, at(lane));
+        value.negative = value.negative != negative;
+        store(targets, text(value));
+      }
     }
   }
 

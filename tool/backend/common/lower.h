@@ -35,12 +35,14 @@ struct Line {
   std::vector<std::string> targets;
   std::string expression;
   std::size_t count = 0;  // of sincos_of
+  int width = 1;          // of a definition: lanes
 };
 
 struct Kernel {
   std::string name;
   std::vector<Parameter> parameters;
   std::vector<std::string> functions;  // that the lines call, but for Dialect::pairs_angles: cos, sin, sqrt
+  std::vector<int> widths;             // of values with lanes, ascending
   std::vector<Line> lines;
   std::vector<std::vector<std::string>> results;  // by output: its elements, where Dialect::stores is off
 };
@@ -65,6 +67,8 @@ struct Dialect {
   bool names_variables = false;
   // A number that is not negative.
   Spelling (*literal)(const Number& value) = nullptr;
+  // Where values have lanes: the name of their type.
+  std::string (*type)(int width) = nullptr;
   // Element k, from 0, of an array.
   std::string (*element)(const std::string& array, std::size_t k) = nullptr;
   // Where parameters come as a structure: its members, by the labels of all parameters.
@@ -83,6 +87,7 @@ std::vector<Parameter> parameters(const symbolic::Program& program, const Dialec
 // - A statement that is used once and that the algorithm did not name stands inside its user, as far as the line has
 //   room: products inside sums first of all, for a compiler fuses them only within one expression. Evaluation order is
 //   that of the program.
+// - Values of several lanes are names of their own where a lane is read; scalars that all lanes take are spread there.
 // - A value that only outputs use is stored without a name, equal elements at once.
 // - Statements that no output needs are left out.
 Kernel lower(const symbolic::Program& program, const std::string& name, const Dialect& dialect);

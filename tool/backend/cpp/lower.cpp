@@ -10,18 +10,46 @@ std::string element(const std::string& array, std::size_t k) {
   return array + "[" + std::to_string(k) + "]";
 }
 
+// A call whose arguments do not fit in one line has them in several.
+std::string wrapped(const std::string& line, std::size_t limit) {
+  if (line.size() <= limit) return line;
+  const std::size_t open = line.find("::of(");
+  if (open == std::string::npos) return line;
+  std::string result = line.substr(0, open + 5), rest = line.substr(open + 5);
+  const std::string margin = "\n      ";
+  for (std::size_t column = limit; !rest.empty();) {
+    const std::size_t comma = std::min(rest.find(", "), rest.size());
+    const std::string part = rest.substr(0, std::min(comma + 1, rest.size()));
+    if (column + part.size() + 1 > limit) {
+      result += margin;
+      column = margin.size();
+    } else {
+      result += ' ';
+    }
+    result += part;
+    column += part.size() + 1;
+    rest.erase(0, std::min(comma + 2, rest.size()));
+  }
+  return result;
+}
+
 }  // namespace
+
+std::string type(int width) {
+  return "Lanes" + std::to_string(width);
+}
 
 const Dialect& dialect() {
   static const Dialect cpp = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"Scalar", "cos", "robcogen", "sin", "sincos", "sqrt", "std"};
+    d.used_names = {"Scalar", "cos", "robcogen", "sin", "sincos", "sqrt", "std", "sum_lanes"};
     d.line_limit = 118;  // 120 columns less the indentation
     d.name_limit = 30;   // three such operands and their operators fit in one line
     d.angles_together = 4;
     d.binds_parameters = true;
     d.literal = [](const Number& value) { return literal(value.value()); };
+    d.type = type;
     d.element = element;
     d.text = text;
     return d;
@@ -64,7 +92,10 @@ std::string text(const Line& line) {
     case Line::Kind::pick:
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = " + line.expression + ";";
     case Line::Kind::definition:
-      return "const Scalar " + line.targets[0] + " = " + line.expression + ";";
+      return wrapped(
+          "const " + (line.width > 1 ? type(line.width) : "Scalar") + " " + line.targets[0] + " = " + line.expression +
+              ";",
+          dialect().line_limit);
     case Line::Kind::store:
       break;
   }

@@ -22,6 +22,9 @@ Kernel lower(const symbolic::Program& program, const std::string& name);
 // The program's lines without stores: what its outputs are stands in Kernel::results.
 Kernel lower_values(const symbolic::Program& program);
 
+// The type of values with lanes, as kernels call it.
+std::string type(int width);
+
 // `Scalar(0.35)`; the value is not negative.
 Spelling literal(double value);
 

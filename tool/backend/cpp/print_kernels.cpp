@@ -7,6 +7,10 @@
 namespace robcogen::backend::cpp {
 namespace {
 
+// The names of what is printed twice.
+constexpr const char* kInLanes = "in_lanes";
+constexpr const char* kOneByOne = "one_by_one";
+
 std::string counts(const symbolic::Program& program) {
   const symbolic::OperationCount c = symbolic::count(program);
   std::string result = std::to_string(c.mul) + " mul, " + std::to_string(c.add) + " add";
@@ -16,6 +20,7 @@ std::string counts(const symbolic::Program& program) {
   append(c.div, "div");
   append(c.sqrt, "sqrt");
   append(c.sincos, "sincos");
+  append(c.moves, "to and from lanes");
   if (c.instructions == 0) return result + ".";
   return result + ": " + std::to_string(c.instructions) +
          " instructions when products are fused into sums; critical path " + std::to_string(c.critical_path) +
@@ -32,6 +37,9 @@ std::string signature(const std::string& head, const std::vector<Parameter>& par
 
 std::string lines(const Kernel& kernel) {
   std::string result;
+  for (const int width : kernel.widths)
+    result += "  using " + type(width) + " = robcogen::Lanes<Scalar, " + std::to_string(width) + ">;\n";
+  if (!kernel.widths.empty() && kernel.functions.empty()) result += "\n";
   for (const std::string& function : kernel.functions) result += "  using std::" + function + ";\n";
   if (!kernel.functions.empty()) result += "\n";
   for (std::size_t i = 0; i < kernel.lines.size(); ++i) {
@@ -120,11 +128,39 @@ std::string print_caller(const Library& library, const Callable& callable) {
   return text + call("core::" + callable.kernel, arguments, 2) + "}\n";
 }
 
-std::string print_kernel(const Library& library, const Callable& callable) {
+std::string print_one_by_one(const Library& library, const Callable& callable) {
   if (callable.function->parts) return print_caller(library, callable);
   const symbolic::Program& program = callable.function->program;
-  return summary(callable) + comment(counts(program)) + arrays(library, program) +
-         definition(lower(program, callable.kernel));
+  return comment(counts(program)) + arrays(library, program) + definition(lower(program, callable.kernel));
+}
+
+std::string print_in_lanes(const Callable& callable) {
+  const Function& function = *callable.function;
+  std::string text;
+  for (const std::string& limbs : function.limbs_in_lanes) text += comment("In lanes: the limbs from " + limbs + ".");
+  text += comment("Where limbs are mirrored, some lanes of a value are negated.");
+  return text + comment(counts(*function.in_lanes)) + definition(lower(*function.in_lanes, callable.kernel));
+}
+
+// Chooses between the two ways of computing the same.
+std::string chooser(const Callable& callable) {
+  std::vector<std::string> names;
+  for (const Parameter& p : parameters(callable.function->program)) names.push_back(p.name);
+  const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
+  return signature("void " + callable.kernel, parameters(callable.function->program), " noexcept {") +
+         "  if constexpr (robcogen::kPrefersLanes<Scalar>) {\n" + call_in(kInLanes) + "  } else {\n" +
+         call_in(kOneByOne) + "  }\n}\n";
+}
+
+// The kernel; where equal limbs share lanes, for the scalars that have them, both ways of computing it.
+std::string print_kernel(const Library& library, const Callable& callable) {
+  if (!callable.function->in_lanes) {
+    const bool has_core = callable.function->parts.has_value();
+    return (has_core ? "" : summary(callable)) + print_one_by_one(library, callable);
+  }
+  return paragraphs(
+      {in_namespace(kInLanes, print_in_lanes(callable)), in_namespace(kOneByOne, print_one_by_one(library, callable)),
+       summary(callable) + chooser(callable)});
 }
 
 // Sines and cosines of all angles that turn: of joints that slide they are those of zero.
@@ -242,8 +278,9 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
-       "#pragma once\n", includes({"<cmath>"}), includes({"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}),
-       runtime_check(api), in_namespace(api.space + "::kernel", paragraphs(kernels))});
+       "#pragma once\n", includes({"<cmath>"}),
+       includes({"\"robcogen/lanes.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+       in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }
 
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
