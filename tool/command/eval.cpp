@@ -73,6 +73,7 @@ symbolic::Program program_of(const Robot& robot, const Options& options) {
   std::vector<std::string> names;
   std::optional<symbolic::Program> found;
   std::vector<std::string> passes = options.model.steps.names;
+  std::erase(passes, kLanesStep);  // the interpreter needs none
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.effort = options.model.steps.effort;
   algorithm::Formulations formulations(robot.tree, formulation);

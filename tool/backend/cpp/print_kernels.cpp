@@ -279,7 +279,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
        "#pragma once\n", includes({"<cmath>"}),
-       includes({"\"robcogen/lanes.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+       includes({"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}), runtime_check(api),
        in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }
 
