@@ -8,7 +8,8 @@
 
 namespace robcogen::reference {
 
-inline constexpr Tolerance kSameSines{"kSameSines", 0, "the same operations on the same numbers"};
+inline constexpr Tolerance kSameSines{
+    "kSameSines", 1e-13, "the same sines and cosines; in lanes, sums are taken in another order"};
 inline constexpr Tolerance kOtherSines{
     "kOtherSines", 1e-13, "sines and cosines of other rounding, in sums; relative to the function's largest result"};
 inline constexpr Tolerance kOtherSinesDivided{
