@@ -9,7 +9,7 @@
 namespace robcogen::reference {
 
 inline constexpr Tolerance kSameSines{
-    "kSameSines", 1e-13, "the same sines and cosines; in lanes, sums are taken in another order"};
+    "kSameSines", 1e-9, "the same sines and cosines; in lanes, sums are in another order, before divisions"};
 inline constexpr Tolerance kOtherSines{
     "kOtherSines", 1e-13, "sines and cosines of other rounding, in sums; relative to the function's largest result"};
 inline constexpr Tolerance kOtherSinesDivided{
