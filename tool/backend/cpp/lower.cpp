@@ -15,8 +15,10 @@ std::string wrapped(const std::string& line, std::size_t limit) {
   if (line.size() <= limit) return line;
   const std::size_t open = line.find("::of(");
   if (open == std::string::npos) return line;
-  std::string result = line.substr(0, open + 5), rest = line.substr(open + 5);
   const std::string margin = "\n      ";
+  const std::size_t equals = line.find(" = ");
+  if (line.size() - equals - 3 + 4 <= limit) return line.substr(0, equals + 2) + margin + line.substr(equals + 3);
+  std::string result = line.substr(0, open + 5), rest = line.substr(open + 5);
   for (std::size_t column = limit; !rest.empty();) {
     const std::size_t comma = std::min(rest.find(", "), rest.size());
     const std::string part = rest.substr(0, std::min(comma + 1, rest.size()));
