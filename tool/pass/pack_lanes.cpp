@@ -517,7 +517,7 @@ Packed pack_lanes(const Program& program, const std::vector<InputTuples>& classe
     chosen.push_back(classes[c]);
     std::optional<Program> candidate = Packing(program, chosen).run();
     const int candidate_time = candidate ? symbolic::predicted_time(*candidate) : time;
-    if (candidate_time < time) {
+    if (8 * candidate_time < 7 * time) {  // what is predicted to gain less may lose
       time = candidate_time;
       best.program = std::move(*candidate);
       best.in_lanes[c] = true;

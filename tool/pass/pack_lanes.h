@@ -13,7 +13,7 @@ struct Packed {
   std::vector<bool> in_lanes;  // which of the classes share lanes
 };
 
-// The program with lanes for those classes of limbs of which that makes it faster by prediction
+// The program with lanes for those classes of limbs of which that makes it clearly faster by prediction
 // (symbolic::predicted_time); the program itself, where none does. Each class has 2, 4 or 8 limbs.
 //
 // Superword packing from known seeds (after Larsen and Amarasinghe 2000): from corresponding outputs, and from
