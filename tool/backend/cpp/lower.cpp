@@ -45,7 +45,8 @@ const Dialect& dialect() {
   static const Dialect cpp = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"Scalar", "cos", "robcogen", "sin", "sincos", "sqrt", "std", "sum_lanes"};
+    d.used_names = {"Lanes2", "Lanes4", "Lanes8", "Scalar", "cos",      "robcogen",
+                    "sin",    "sincos", "sqrt",   "std",    "sum_lanes"};
     d.line_limit = 118;  // 120 columns less the indentation
     d.name_limit = 30;   // three such operands and their operators fit in one line
     d.angles_together = 4;
