@@ -187,7 +187,8 @@ class Search {
       step.turns = frame.turns_with_joint;
       taken_.push_back(step);
     };
-    const auto attempt_both = [&](const model::Quantity& turn, const model::Quantity& slide, const Step& step) {
+    // By value: what is accepted replaces frames_.
+    const auto attempt_both = [&](model::Quantity turn, model::Quantity slide, const Step& step) {
       for (const bool turns : {true, false})
         if (turns || formulation_.turn_inertia) attempt({turn, slide, turns}, step);
     };

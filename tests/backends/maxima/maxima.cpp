@@ -12,7 +12,6 @@
 
 #include "backend/maxima/maxima.h"
 #include "command/transforms.h"
-#include "pass/passes.h"
 #include "robcogen/reference/samples.h"
 #include "symbolic/interpret.h"
 
@@ -135,14 +134,14 @@ backend::Library library_of(
   if (command::is_transforms(document)) {
     const std::optional<command::Transforms> transforms = command::load_transforms(document, reading, diagnostics);
     if (!transforms) throw std::runtime_error(diagnostics.render());
-    return command::library(*transforms, {name, ""}, pass::names());
+    return command::library(*transforms, {name, ""}, command::Steps());
   }
   std::filesystem::path desired = document;
   desired.replace_extension(".dtdsl");
   if (std::filesystem::exists(desired)) reading.desired = desired;
   const std::optional<command::Robot> robot = command::load_robot(document, reading, diagnostics);
   if (!robot) throw std::runtime_error(diagnostics.render());
-  return command::library(*robot, {name, ""}, algorithm::groups(), pass::names(), primitives);
+  return command::library(*robot, {name, ""}, algorithm::groups(), command::Steps(), primitives);
 }
 
 OutputFile maxima_text(const backend::Library& library) {

@@ -50,7 +50,7 @@ std::optional<backend::Library> load(
     const std::string& name,
     const std::string& primitives,
     const std::vector<std::string>& groups,
-    const std::vector<std::string>& passes) {
+    const command::Steps& steps) {
   command::Primitives position;
   if (primitives != kNone)
     position = primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
@@ -60,11 +60,11 @@ std::optional<backend::Library> load(
   if (command::is_transforms(model)) {
     const auto transforms = command::load_transforms(model, reading, diagnostics);
     if (!transforms) return std::nullopt;
-    return command::library(*transforms, {name, ""}, passes, position);
+    return command::library(*transforms, {name, ""}, steps, position);
   }
   const auto robot = command::load_robot(model, reading, diagnostics);
   if (!robot) return std::nullopt;
-  return command::library(*robot, {name, ""}, groups, passes, position);
+  return command::library(*robot, {name, ""}, groups, steps, position);
 }
 
 Call shape(const backend::Library& library, const backend::Function& function) {

@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() != 7) return 2;
   // Without passes: these change what the functions compute by rounding only.
-  const auto library = octave::load(arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {});
+  const auto library =
+      octave::load(arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {{}, 0});
   return library ? octave::write_values(octave::calls(*library), arguments, 5) : 1;
 }

@@ -11,7 +11,6 @@
 #include "backend/cpp/api.h"
 #include "backend/cpp/printers.h"
 #include "functions.h"
-#include "pass/passes.h"
 
 namespace robcogen::octave {
 namespace {
@@ -58,7 +57,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() != 5) return 2;
   const auto library =
-      octave::load(arguments[1], arguments[2], arguments[3], octave::kNone, algorithm::default_groups(), pass::names());
+      octave::load(arguments[1], arguments[2], arguments[3], octave::kNone, algorithm::default_groups(), {});
   if (!library) return 1;
   std::ofstream file(arguments[4]);
   file << octave::header(*library);
