@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   const auto robot = command::load_robot(arguments[1], reading, diagnostics);
   if (!robot) return 1;
   const std::vector<std::string> groups(arguments.begin() + 5, arguments.end());
-  const backend::Library library = command::library_with_cache(*robot, {arguments[3], ""}, groups, {pass::names(), 0});
+  const backend::Library library = command::library_for_vectors(*robot, {arguments[3], ""}, groups, {pass::names(), 0});
   std::ofstream file(arguments[4]);
   file << batch_test::header(library);
   file.close();
