@@ -20,6 +20,11 @@ enum class Loads {
   gravity_and_external,  // and so is `external`
 };
 
+// Of the first overload of a function.
+inline Loads default_loads(const model::KinematicTree& tree) {
+  return tree.floating_base ? Loads::gravity : Loads::standard_gravity;
+}
+
 inline constexpr double kStandardGravity = 9.81;  // m/s^2, along -z of the base frame
 
 // Recursive Newton-Euler (Featherstone 2008, table 5.1). Fixed base: q, qd, qdd -> tau. Floating base, fully actuated:

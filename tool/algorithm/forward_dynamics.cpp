@@ -83,7 +83,7 @@ bool is_elimination_cheap(const model::KinematicTree& tree) {
 }  // namespace
 
 ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation) {
-  const Loads loads = tree.floating_base ? Loads::gravity : Loads::standard_gravity;
+  const Loads loads = default_loads(tree);
   const auto cheapest = [&](ForwardDynamicsMethod method) {
     const auto trace = [&](const model::KinematicTree& part, const Formulation& choice) {
       return traced(part, "forward_dynamics", loads, choice, method);

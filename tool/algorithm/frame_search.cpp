@@ -6,6 +6,7 @@
 
 #include "algorithm/frame_candidates.h"
 #include "algorithm/limb_view.h"
+#include "model/limbs.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
@@ -20,29 +21,6 @@ std::size_t at(int index) {
 // Statements that may be traced at effort 1.
 constexpr long kStatements = 2'000'000;
 constexpr int kRounds = 3;
-
-// Whether two joints carry limbs of the same joints in the same order.
-bool have_one_shape(const KinematicTree& tree, int a, int b) {
-  const model::Joint &first = tree.joints[at(a)], &second = tree.joints[at(b)];
-  const std::vector<int>&beyond_first = tree.links[at(first.child)].child_joints,
-        &beyond_second = tree.links[at(second.child)].child_joints;
-  return first.type == second.type &&
-         std::equal(
-             beyond_first.begin(), beyond_first.end(), beyond_second.begin(), beyond_second.end(),
-             [&](int x, int y) { return have_one_shape(tree, x, y); });
-}
-
-// The joint and all beyond it, depth first.
-void append_limb(const KinematicTree& tree, int joint, std::vector<int>& joints) {
-  joints.push_back(joint);
-  for (const int child : tree.links[at(tree.joints[at(joint)].child)].child_joints) append_limb(tree, child, joints);
-}
-
-std::vector<int> limb(const KinematicTree& tree, int joint) {
-  std::vector<int> joints;
-  append_limb(tree, joint, joints);
-  return joints;
-}
 
 // An accepted change.
 struct Step {
@@ -59,10 +37,16 @@ class Search {
         formulation_(formulation),
         trace_(trace),
         candidates_(tree, formulation),
-        numbers_(candidates_.numbers()),
+        shapes_(model::limb_shapes(tree)),
         frames_(formulation.frames),
         left_(kStatements * formulation.effort) {
     if (frames_.empty()) frames_.resize(tree.joints.size());
+    const std::shared_ptr<const LinkNumbers> numbers = candidates_.numbers();
+    for (int j = 0; j < tree.dof(); ++j) {
+      LimbView view = limb_view(tree, j);
+      std::shared_ptr<const LinkNumbers> of_view = numbers ? numbers_of(view, *numbers) : nullptr;
+      views_.push_back({std::move(view), std::move(of_view)});
+    }
   }
 
   LinkFrames run() {
@@ -75,12 +59,18 @@ class Search {
   }
 
  private:
+  // What a joint has to do with, and what its traces take from the model of a robot without parameters.
+  struct View {
+    LimbView limb;
+    std::shared_ptr<const LinkNumbers> numbers;
+  };
+
   const KinematicTree& tree_;
   const Formulation& formulation_;
   const TraceOf& trace_;
   FrameCandidates candidates_;
-  std::shared_ptr<const LinkNumbers> numbers_;       // of a robot without parameters
-  std::shared_ptr<const LinkNumbers> view_numbers_;  // of the view at hand
+  std::vector<int> shapes_;  // of limbs, by joint
+  std::vector<View> views_;  // by joint
   LinkFrames frames_;
   long left_;
   std::vector<Step> taken_;  // in this round
@@ -95,26 +85,21 @@ class Search {
     std::vector<Done> done;
     for (const int joint : tree_.links[at(link)].child_joints) {
       const auto twin = std::find_if(
-          done.begin(), done.end(), [&](const Done& other) { return have_one_shape(tree_, other.joint, joint); });
+          done.begin(), done.end(), [&](const Done& other) { return shapes_[at(other.joint)] == shapes_[at(joint)]; });
       const std::size_t first = taken_.size();
       if (twin == done.end() || !follow(joint, twin->joint, twin->first, twin->last, twin->cost)) {
         improve(joint);
         visit(tree_.joints[at(joint)].child);
       }
-      done.push_back({joint, first, taken_.size(), whole_cost(joint)});
+      done.push_back({joint, first, taken_.size(), cost(joint, frames_)});
     }
-  }
-
-  int whole_cost(int joint) {
-    const LimbView view = limb_view(tree_, joint);
-    view_numbers_ = numbers_of(view);
-    return cost(view, frames_);
   }
 
   // Takes the steps of a limb of the same shape; whether that costs the same there. Otherwise nothing changes.
   bool follow(int joint, int leader, std::size_t first, std::size_t last, int expected) {
     const LinkFrames before = frames_;
-    const std::vector<int> from = limb(tree_, leader), to = limb(tree_, joint);
+    const std::vector<int> from = model::limb_joints(tree_, shapes_, leader);
+    const std::vector<int> to = model::limb_joints(tree_, shapes_, joint);
     std::map<int, int> counterpart;
     for (std::size_t i = 0; i < from.size(); ++i) counterpart[from[i]] = to[i];
     for (std::size_t i = first; i < last; ++i) {
@@ -125,7 +110,7 @@ class Search {
         return false;
       }
     }
-    if (whole_cost(joint) == expected) return true;
+    if (cost(joint, frames_) == expected) return true;
     frames_ = before;
     return false;
   }
@@ -145,41 +130,39 @@ class Search {
     return true;
   }
 
-  // Of the part of the robot that a limb belongs to, in these frames.
-  int cost(const LimbView& view, const LinkFrames& frames) {
+  // Of what the joint has to do with, in these frames.
+  int cost(int joint, const LinkFrames& frames) {
+    const View& view = views_[at(joint)];
     Formulation choice = formulation_;
     choice.is_draft = true;
-    choice.numbers = view_numbers_;
+    choice.numbers = view.numbers;
     choice.frames.clear();
-    for (const int j : view.joints) choice.frames.push_back(frames[at(j)]);
-    const symbolic::Program program = trace_(view.tree, choice);
+    for (const int j : view.limb.joints) choice.frames.push_back(frames[at(j)]);
+    const symbolic::Program program = trace_(view.limb.tree, choice);
     left_ -= static_cast<long>(program.statements.size());
     return symbolic::work(program);
   }
 
-  // The numbers of the view's joints and links.
-  std::shared_ptr<const LinkNumbers> numbers_of(const LimbView& view) const {
-    if (!numbers_) return nullptr;
+  // Of the view's joints and links.
+  std::shared_ptr<const LinkNumbers> numbers_of(const LimbView& view, const LinkNumbers& all) const {
     LinkNumbers result;
-    result.masses.push_back(numbers_->masses[0]);
+    result.masses.push_back(all.masses[0]);
     for (const int j : view.joints) {
-      result.placements.push_back(numbers_->placements[at(j)]);
-      result.masses.push_back(numbers_->masses[at(tree_.joints[at(j)].child)]);
+      result.placements.push_back(all.placements[at(j)]);
+      result.masses.push_back(all.masses[at(tree_.joints[at(j)].child)]);
     }
     return std::make_shared<const LinkNumbers>(std::move(result));
   }
 
   // Turns, then slides at the best turn; each with and without the joint's turning.
   void improve(int joint) {
-    const LimbView view = limb_view(tree_, joint);
-    view_numbers_ = numbers_of(view);
-    int best = cost(view, frames_);
+    int best = cost(joint, frames_);
     const auto attempt = [&](const LinkFrame& frame, Step step) {
       if (left_ <= 0) return;
       LinkFrames frames = frames_;
       frames[at(joint)] = frame;
       if (step.parent_turns) frames[at(tree_.parent_joint_of(joint))].turns_with_joint = *step.parent_turns;
-      const int c = cost(view, frames);
+      const int c = cost(joint, frames);
       if (c >= best) return;
       best = c;
       frames_ = std::move(frames);

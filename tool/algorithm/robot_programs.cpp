@@ -1,9 +1,5 @@
 #include "algorithm/robot_programs.h"
 
-#include <functional>
-
-#include "algorithm/dynamics.h"
-#include "algorithm/frame_search.h"
 #include "algorithm/kinematics.h"
 #include "algorithm/transform_kinds.h"
 #include "symbolic/count.h"
@@ -415,35 +411,33 @@ const std::vector<std::string>& default_groups() {
   return names;
 }
 
-const Formulation& Formulations::newton_euler() {
-  if (!newton_euler_) {
-    const Loads loads = tree_.floating_base ? Loads::gravity : Loads::standard_gravity;
-    newton_euler_ = common_;
-    newton_euler_->frames = cheap_frames(tree_, common_, [&](const KinematicTree& part, const Formulation& f) {
-      return algorithm::newton_euler(part, "inverse_dynamics", loads, f);
-    });
+const Formulation& Formulations::searched(
+    std::optional<Formulation>& place,
+    const Formulation& start,
+    const TraceOf& trace) {
+  if (!place) {
+    place = start;
+    place->frames = cheap_frames(tree_, start, trace);
   }
-  return *newton_euler_;
+  return *place;
+}
+
+const Formulation& Formulations::newton_euler() {
+  return searched(newton_euler_, common_, [&](const KinematicTree& part, const Formulation& f) {
+    return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree_), f);
+  });
 }
 
 const Formulation& Formulations::unactuated_base() {
-  if (!unactuated_base_) {
-    unactuated_base_ = common_;
-    unactuated_base_->frames = cheap_frames(tree_, newton_euler(), [](const KinematicTree& part, const Formulation& f) {
-      return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
-    });
-  }
-  return *unactuated_base_;
+  return searched(unactuated_base_, newton_euler(), [](const KinematicTree& part, const Formulation& f) {
+    return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
+  });
 }
 
 const Formulation& Formulations::inertia() {
-  if (!inertia_) {
-    inertia_ = common_;
-    inertia_->frames = cheap_frames(tree_, common_, [](const KinematicTree& part, const Formulation& f) {
-      return joint_space_inertia(part, "joint_space_inertia", f);
-    });
-  }
-  return *inertia_;
+  return searched(inertia_, common_, [](const KinematicTree& part, const Formulation& f) {
+    return joint_space_inertia(part, "joint_space_inertia", f);
+  });
 }
 
 Formulation Formulations::cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace) {

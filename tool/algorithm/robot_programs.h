@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithm/dynamics.h"
+#include "algorithm/frame_search.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -47,6 +48,9 @@ class Formulations {
   const model::KinematicTree& tree_;
   Formulation common_;
   std::optional<Formulation> newton_euler_, unactuated_base_, inertia_;
+
+  // Looks for frames, from those of `start` on, unless that was done.
+  const Formulation& searched(std::optional<Formulation>& place, const Formulation& start, const TraceOf& trace);
   std::optional<ForwardDynamicsChoice> forward_dynamics_;
 };
 

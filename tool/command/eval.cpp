@@ -72,18 +72,15 @@ symbolic::Program program_of(const Robot& robot, const Options& options) {
   if (auto program = kinematics_program(robot, options.function)) return *program;
   std::vector<std::string> names;
   std::optional<symbolic::Program> found;
-  std::vector<std::string> passes = options.model.steps.names;
-  std::erase(passes, kLanesStep);  // the interpreter needs none
-  algorithm::Formulation formulation = algorithm::take_formulation(passes);
-  formulation.effort = options.model.steps.effort;
+  const auto [formulation, passes] = split(options.model.steps);
   algorithm::Formulations formulations(robot.tree, formulation);
   for (const std::string& group : algorithm::groups()) {
     for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, {}, group, formulations)) {
       names.push_back(f.scope.empty() ? f.name : f.scope + "." + f.name);
       if (names.back() == options.function) found = std::move(f.program);
     }
+    if (found) return pass::run(std::move(*found), passes);
   }
-  if (found) return pass::run(std::move(*found), passes);
   throw Failure{
       wrong_usage,
       fmt::format(

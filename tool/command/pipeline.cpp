@@ -180,6 +180,15 @@ std::vector<std::string> all_steps() {
   return all;
 }
 
+SplitSteps split(const Steps& steps) {
+  SplitSteps result;
+  result.passes = steps.names;
+  std::erase(result.passes, kLanesStep);  // of back ends
+  result.formulation = algorithm::take_formulation(result.passes);
+  result.formulation.effort = steps.effort;
+  return result;
+}
+
 InLanes in_lanes(const model::KinematicTree& tree, const symbolic::Program& program) {
   std::vector<std::string> names;
   std::vector<pass::InputTuples> classes;
@@ -201,10 +210,7 @@ std::vector<algorithm::RobotFunction> trace(
     const std::vector<std::string>& groups,
     const Steps& steps) {
   require_traceable(robot);
-  std::vector<std::string> passes = steps.names;
-  std::erase(passes, kLanesStep);
-  algorithm::Formulation formulation = algorithm::take_formulation(passes);
-  formulation.effort = steps.effort;
+  const auto [formulation, passes] = split(steps);
   algorithm::Formulations formulations(robot.tree, formulation);
   std::vector<algorithm::RobotFunction> all;
   for (const std::string& group : groups) {

@@ -72,6 +72,13 @@ struct Steps {
   int effort = 1;
 };
 
+// The same, by what takes them: tracing, then the passes.
+struct SplitSteps {
+  algorithm::Formulation formulation;
+  std::vector<std::string> passes;
+};
+SplitSteps split(const Steps& steps);
+
 // The step that computes equal limbs in the lanes of vectors, in languages that have vectors. It comes last.
 inline constexpr const char* kLanesStep = "lanes";
 

@@ -201,9 +201,7 @@ std::optional<Transforms> load_transforms(
 }
 
 std::vector<algorithm::TransformFunction> trace(const Transforms& transforms, const Steps& steps) {
-  std::vector<std::string> passes = steps.names;
-  std::erase(passes, kLanesStep);
-  algorithm::take_formulation(passes);  // of dynamics: there are none
+  const std::vector<std::string> passes = split(steps).passes;
   std::vector<algorithm::TransformFunction> all = algorithm::transform_functions(transforms.document);
   for (algorithm::TransformFunction& f : all) f.program = pass::run(std::move(f.program), passes);
   return all;

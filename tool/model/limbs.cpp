@@ -11,9 +11,9 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-// Numbers the shapes of what hangs on each joint: joints have the same number if and only if their types agree and what
-// hangs on their links can be paired, shape by shape.
-std::vector<int> shapes(const KinematicTree& tree) {
+}  // namespace
+
+std::vector<int> limb_shapes(const KinematicTree& tree) {
   std::map<std::pair<JointType, std::vector<int>>, int> known;
   std::vector<int> shape(tree.joints.size(), -1);
   const std::vector<int> order = tree.topological();
@@ -27,21 +27,18 @@ std::vector<int> shapes(const KinematicTree& tree) {
   return shape;
 }
 
-// The joints from this one on, depth first; children by shape, equal ones in the order of the document.
-std::vector<int> limb(const KinematicTree& tree, const std::vector<int>& shape, int first) {
+std::vector<int> limb_joints(const KinematicTree& tree, const std::vector<int>& shapes, int first) {
   std::vector<int> joints, pending = {first};
   while (!pending.empty()) {
     const int joint = pending.back();
     pending.pop_back();
     joints.push_back(joint);
     std::vector<int> children = tree.links[at(tree.joints[at(joint)].child)].child_joints;
-    std::stable_sort(children.begin(), children.end(), [&](int a, int b) { return shape[at(a)] < shape[at(b)]; });
+    std::stable_sort(children.begin(), children.end(), [&](int a, int b) { return shapes[at(a)] < shapes[at(b)]; });
     pending.insert(pending.end(), children.rbegin(), children.rend());
   }
   return joints;
 }
-
-}  // namespace
 
 std::vector<int> LimbClass::corresponding(std::size_t k) const {
   std::vector<int> joints;
@@ -50,7 +47,7 @@ std::vector<int> LimbClass::corresponding(std::size_t k) const {
 }
 
 std::vector<LimbClass> limb_classes(const KinematicTree& tree) {
-  const std::vector<int> shape = shapes(tree);
+  const std::vector<int> shape = limb_shapes(tree);
   std::vector<LimbClass> classes;
   std::vector<int> links = {0};
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -64,7 +61,7 @@ std::vector<LimbClass> limb_classes(const KinematicTree& tree) {
       }
       const auto [known, fresh] = place.try_emplace(shape[at(joint)], static_cast<int>(classes.size()));
       if (fresh) classes.emplace_back();
-      classes[at(known->second)].limbs.push_back(limb(tree, shape, joint));
+      classes[at(known->second)].limbs.push_back(limb_joints(tree, shape, joint));
     }
   }
   return classes;

@@ -19,6 +19,14 @@ struct LimbClass {
   std::vector<int> corresponding(std::size_t k) const;
 };
 
+// Numbers the shapes of what hangs on each joint: joints have the same number if and only if their types agree and what
+// hangs on their links can be paired, shape by shape.
+std::vector<int> limb_shapes(const KinematicTree& tree);
+
+// The joints from this one on, depth first; children by shape, equal ones in the order of the document. So the joints
+// of two limbs of one shape correspond, one by one.
+std::vector<int> limb_joints(const KinematicTree& tree, const std::vector<int>& shapes, int first);
+
 // From the base outwards. What lies in a limb of a class is not looked into again: the fingers of two equal arms
 // correspond from arm to arm, not within a hand. Limbs stand in the order of the document's children, and so do those
 // branches of a limb that could be exchanged.

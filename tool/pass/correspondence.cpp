@@ -25,10 +25,6 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b = 0) {
   return h ^ h >> 31;
 }
 
-bool is_sum(const Statement& s) {
-  return s.op == Op::add || s.op == Op::subtract;
-}
-
 constexpr std::size_t kMostLanes = 8, kMostClasses = 8;  // a bit for each limb; further classes have no lanes
 
 // Seeds of hashes, by what is hashed.
@@ -48,8 +44,8 @@ std::vector<bool> inner_sums(const Program& p) {
     for (const Operand& o : array.values)
       if (o.kind == Operand::Kind::statement) ++uses[at(o.index)];
   for (const Statement& s : p.statements) {
-    if (!is_sum(s)) continue;
-    for_each_read(s, [&](int read) { inner[at(read)] = uses[at(read)] == 1 && is_sum(p.statements[at(read)]); });
+    if (!is_sum(s.op)) continue;
+    for_each_read(s, [&](int read) { inner[at(read)] = uses[at(read)] == 1 && is_sum(p.statements[at(read)].op); });
   }
   return inner;
 }
@@ -123,7 +119,7 @@ void Correspondence::hash_statement(std::size_t i) {
     if ((limbs_[i] & all) == all) limbs_[i] &= ~all;
   const bool is_shared = !std::has_single_bit(limbs_[i]);
   const auto of = [&](Likeness likeness, std::vector<std::uint64_t>& all, std::vector<std::uint64_t>& terms) {
-    if (is_sum(s)) {
+    if (is_sum(s.op)) {
       for (const Operand& o : {s.a, s.b}) {
         const bool is_inner = o.kind == Operand::Kind::statement && inner_[at(o.index)];
         terms[i] += is_inner ? terms[at(o.index)] : mix(hash(o, likeness));
@@ -151,7 +147,7 @@ std::uint64_t Correspondence::hash(const Operand& o, Likeness likeness) const {
   if (likeness == Likeness::equal) return equal_[i];
   if (likeness == Likeness::similar || !std::has_single_bit(limbs_[i])) return similar_[i];
   const Statement& s = program_.statements[i];
-  return mix(is_sum(s) ? static_cast<std::uint64_t>(Kind::sum) : of_operation(s.op));
+  return mix(is_sum(s.op) ? static_cast<std::uint64_t>(Kind::sum) : of_operation(s.op));
 }
 
 std::vector<Tuple> Correspondence::match(std::vector<std::vector<Operand>>& lists) const {

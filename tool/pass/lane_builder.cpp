@@ -22,10 +22,6 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-bool is_statement(const Operand& o) {
-  return o.kind == Operand::Kind::statement;
-}
-
 }  // namespace
 
 LaneBuilder::LaneBuilder(const Program& old) : old_(old), new_(old) {
@@ -75,8 +71,8 @@ Operand LaneBuilder::make(Statement s, int latency) {
   s.width = s.op == Op::gather      ? static_cast<int>(s.lanes.size())
             : s.op == Op::sum_lanes ? 1
                                     : std::max(width(s.a), symbolic::is_binary(s.op) ? width(s.b) : 1);
-  int start = std::max(ready(s.a), symbolic::is_binary(s.op) ? ready(s.b) : 0);
-  for (const Operand& o : s.lanes) start = std::max(start, ready(o));
+  int start = 0;
+  for_each_operand(s, [&](const Operand& o) { start = std::max(start, ready(o)); });
   Made made = {std::move(s), place_, false, start + latency};
   made_.push_back(std::move(made));
   return {Operand::Kind::statement, static_cast<int>(made_.size()) - 1, false};
@@ -114,7 +110,7 @@ Operand LaneBuilder::numbers(const Tuple& lanes, unsigned flips) {
 Operand LaneBuilder::gather(Tuple lanes) {
   Statement s;
   s.op = Op::gather;
-  const bool moves = std::any_of(lanes.begin(), lanes.end(), is_statement);
+  const bool moves = std::any_of(lanes.begin(), lanes.end(), symbolic::is_statement);
   s.lanes = std::move(lanes);
   const Operand result = make(std::move(s), moves ? symbolic::kMoveLatency : 0);
   made_.back().late = true;
@@ -223,9 +219,7 @@ void LaneBuilder::settle_late() {
       made.statement.section = made_[at(user[i])].statement.section;
     }
     const int reader = static_cast<int>(i);
-    note(made.statement.a, reader);
-    if (symbolic::is_binary(made.statement.op)) note(made.statement.b, reader);
-    for (const Operand& o : made.statement.lanes) note(o, reader);
+    for_each_operand(made.statement, [&](const Operand& o) { note(o, reader); });
   }
 }
 
@@ -238,12 +232,8 @@ std::vector<int> LaneBuilder::order() const {
     readers[at(o.index)].push_back(static_cast<int>(reader));
     ++missing[reader];
   };
-  for (std::size_t i = 0; i < made_.size(); ++i) {
-    const Statement& s = made_[i].statement;
-    note(s.a, i);
-    if (symbolic::is_binary(s.op)) note(s.b, i);
-    for (const Operand& o : s.lanes) note(o, i);
-  }
+  for (std::size_t i = 0; i < made_.size(); ++i)
+    for_each_operand(made_[i].statement, [&](const Operand& o) { note(o, i); });
   using Entry = std::pair<int, int>;  // place, index
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;
   for (std::size_t i = 0; i < made_.size(); ++i)
@@ -288,9 +278,7 @@ Program LaneBuilder::program(const std::vector<std::vector<Operand>>& outputs) {
   Program result = std::move(new_);
   for (const int i : places) {
     Statement s = std::move(made_[at(i)].statement);
-    renumber(s.a);
-    if (symbolic::is_binary(s.op)) renumber(s.b);
-    for (Operand& o : s.lanes) renumber(o);
+    for_each_operand(s, renumber);
     result.statements.push_back(std::move(s));
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {

@@ -24,14 +24,6 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-bool is_statement(const Operand& o) {
-  return o.kind == Operand::Kind::statement;
-}
-
-bool is_sum(Op op) {
-  return op == Op::add || op == Op::subtract;
-}
-
 // A value of lanes, flipped in some of them.
 struct Part {
   int wide = -1;
@@ -175,7 +167,7 @@ class Packing {
     const Operand& first = tuple.front();
     if (all([](const Operand& o) { return o.kind == Operand::Kind::constant; })) return Wide::Kind::numbers;
     if (all([&](const Operand& o) { return o == first; })) return Wide::Kind::broadcast;
-    if (!all(is_statement)) return Wide::Kind::gather;
+    if (!all(symbolic::is_statement)) return Wide::Kind::gather;
     const Op op = statement(first).op;
     if (is_sum(op) && all([&](const Operand& o) { return is_sum(statement(o).op); })) return Wide::Kind::sum;
     if (all([&](const Operand& o) { return statement(o).op == op; })) return Wide::Kind::operation;

@@ -16,10 +16,6 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-bool is_sum(const Statement& s) {
-  return s.op == Op::add || s.op == Op::subtract;
-}
-
 // How often each statement is read, outputs included.
 std::vector<int> uses_of(const Program& p) {
   std::vector<int> uses(p.statements.size(), 0);
@@ -76,7 +72,7 @@ std::vector<int> latest_finish(const Program& p, int deadline) {
     const Statement& s = p.statements[i];
     for_each_read(s, [&](int read) {
       const auto r = static_cast<std::size_t>(read);
-      const bool fused = is_sum(s) && p.statements[r].op == Op::multiply;
+      const bool fused = is_sum(s.op) && p.statements[r].op == Op::multiply;
       latest[r] = std::min(latest[r], fused ? latest[i] : latest[i] - latency(s.op));
     });
   }
@@ -90,10 +86,10 @@ class Reassociation {
     const symbolic::OperationCount now = symbolic::count(p);
     latest_ = latest_finish(p, std::max(now.critical_path, now.instructions / 2));
     for (const Statement& s : p.statements) {
-      if (!is_sum(s)) continue;
+      if (!is_sum(s.op)) continue;
       for_each_read(s, [&](int read) {
         const auto r = static_cast<std::size_t>(read);
-        inner_[r] = uses_[r] == 1 && is_sum(p.statements[r]) && !p.statements[r].named;
+        inner_[r] = uses_[r] == 1 && is_sum(p.statements[r].op) && !p.statements[r].named;
       });
     }
   }
@@ -102,7 +98,7 @@ class Reassociation {
     for (std::size_t i = 0; i < p_.statements.size(); ++i) {
       if (inner_[i]) continue;  // made with its root
       rebuild_.enter_section_of(i);
-      if (!is_sum(p_.statements[i]) || !make_chain(i)) keep(i);
+      if (!is_sum(p_.statements[i].op) || !make_chain(i)) keep(i);
     }
     return rebuild_.finish();
   }
@@ -152,8 +148,8 @@ class Reassociation {
     int start = 0;
     for (const Operand& o : {s.a, s.b}) {
       if (o.kind != Operand::Kind::statement) continue;
-      if (inner_[static_cast<std::size_t>(o.index)] && is_sum(s)) keep(static_cast<std::size_t>(o.index));
-      start = std::max(start, is_sum(s) ? ready(o) : finish_[static_cast<std::size_t>(o.index)]);
+      if (inner_[static_cast<std::size_t>(o.index)] && is_sum(s.op)) keep(static_cast<std::size_t>(o.index));
+      start = std::max(start, is_sum(s.op) ? ready(o) : finish_[static_cast<std::size_t>(o.index)]);
     }
     rebuild_.set(i, rebuild_.compute(i));
     finish_[i] = start + latency(s.op);

@@ -17,8 +17,9 @@ symbolic::Program rearrange(
 // Calls f on every operand that reads a statement.
 template <class F>
 void for_each_read(const symbolic::Statement& s, F f) {
-  if (s.a.kind == symbolic::Operand::Kind::statement) f(s.a.index);
-  if (symbolic::is_binary(s.op) && s.b.kind == symbolic::Operand::Kind::statement) f(s.b.index);
+  symbolic::for_each_operand(s, [&](const symbolic::Operand& o) {
+    if (symbolic::is_statement(o)) f(o.index);
+  });
 }
 
 }  // namespace robcogen::pass

@@ -28,12 +28,8 @@ bool is_fusable(const Program& p, int sum, const Operand& product) {
 // -1 stands for users that swallow no product.
 Uses uses_of(const Program& p) {
   const auto for_each = [&](const auto& note) {
-    for (std::size_t i = 0; i < p.statements.size(); ++i) {
-      const Statement& s = p.statements[i];
-      note(s.a, static_cast<int>(i));
-      if (is_binary(s.op)) note(s.b, static_cast<int>(i));
-      for (const Operand& o : s.lanes) note(o, -1);
-    }
+    for (std::size_t i = 0; i < p.statements.size(); ++i)
+      for_each_operand(p.statements[i], [&](const Operand& o) { note(o, static_cast<int>(i)); });
     for (const OutputArray& array : p.outputs)
       for (const Operand& o : array.values) note(o, -1);
   };
@@ -56,15 +52,12 @@ Uses uses_of(const Program& p) {
 // uses first: they block fewest others.
 int fused_products(const Program& p) {
   const Uses uses = uses_of(p);
-  const auto is_sum = [&](int user) {
-    return user >= 0 && (p.statements[static_cast<std::size_t>(user)].op == Op::add ||
-                         p.statements[static_cast<std::size_t>(user)].op == Op::subtract);
-  };
+  const auto adds = [&](int user) { return user >= 0 && is_sum(p.statements[static_cast<std::size_t>(user)].op); };
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     if (p.statements[i].op != Op::multiply) continue;
     const std::span<const int> users = uses.of(i);
-    if (!users.empty() && std::all_of(users.begin(), users.end(), is_sum)) candidates.push_back(i);
+    if (!users.empty() && std::all_of(users.begin(), users.end(), adds)) candidates.push_back(i);
   }
   std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
     return uses.of(a).size() < uses.of(b).size();
@@ -146,21 +139,25 @@ Program given_parameters(const Program& p) {
     return o.kind == Operand::Kind::constant || (o.kind == Operand::Kind::input && is_parameter[i]) ||
            (o.kind == Operand::Kind::statement && place[i] < 0);
   };
-  const auto moved = [&](Operand o) {
-    if (o.kind != Operand::Kind::statement) return o;
+  const auto move = [&](Operand& o) {
+    if (!is_statement(o)) return;
     const int index = place[static_cast<std::size_t>(o.index)];
-    return index < 0 ? Operand{Operand::Kind::input, 0, o.negative} : Operand{o.kind, index, o.negative};
+    if (index < 0)
+      o = {Operand::Kind::input, 0, o.negative};
+    else
+      o.index = index;
   };
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     Statement s = p.statements[i];
-    if (is_given(s.a) && (!is_binary(s.op) || is_given(s.b))) continue;
+    bool all_given = true;
+    for_each_operand(s, [&](const Operand& o) { all_given = all_given && is_given(o); });
+    if (all_given) continue;
     place[i] = static_cast<int>(rest.statements.size());
-    s.a = moved(s.a);
-    if (is_binary(s.op)) s.b = moved(s.b);
+    for_each_operand(s, move);
     rest.statements.push_back(std::move(s));
   }
   for (OutputArray& array : rest.outputs)
-    for (Operand& o : array.values) o = moved(o);
+    for (Operand& o : array.values) move(o);
   for (InputArray& array : rest.inputs)
     if (array.role == Role::parameters) array.role = Role::value;
   return rest;

@@ -40,6 +40,26 @@ struct Statement {
   std::vector<Operand> lanes = {};  // of gather: a scalar each
 };
 
+constexpr bool is_sum(Op op) {
+  return op == Op::add || op == Op::subtract;
+}
+
+inline bool is_statement(const Operand& o) {
+  return o.kind == Operand::Kind::statement;
+}
+
+// Calls f on every operand of a statement, in their order; with those of a statement that is no constant, f may change
+// them.
+template <class AnyStatement, class F>
+void for_each_operand(AnyStatement& s, F f) {
+  if (s.op == Op::gather) {
+    for (auto& o : s.lanes) f(o);
+    return;
+  }
+  f(s.a);
+  if (is_binary(s.op)) f(s.b);
+}
+
 // What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.
 enum class Role {
   joint_position,           // rad or m

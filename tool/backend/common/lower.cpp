@@ -15,12 +15,6 @@ using symbolic::Statement;
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
-bool is_statement(const Operand& o) {
-  return o.kind == Operand::Kind::statement;
-}
-bool is_sum(Op op) {
-  return op == Op::add || op == Op::subtract;
-}
 // By Dialect::binds_parameters.
 bool is_bound(symbolic::Role role) {
   using symbolic::Role;
@@ -163,9 +157,7 @@ class Lowering {
     for (std::size_t i = places_.size(); i-- > 0;) {
       if (uses[i] == 0 && stores_[i].empty()) continue;
       const Statement& s = statement(i);
-      use(s.a, static_cast<int>(i));
-      if (is_binary(s.op)) use(s.b, static_cast<int>(i));
-      for (const Operand& o : s.lanes) use(o, static_cast<int>(i));
+      for_each_operand(s, [&](const Operand& o) { use(o, static_cast<int>(i)); });
       note_width(s.width);
       places_[i] = apart[i] && !is_angle_function(s.op) ? Place::own : place(i, uses[i], last_user[i]);
       if (places_[i] == Place::angle) note_angle(i);
@@ -332,15 +324,13 @@ class Lowering {
   // The part of i's expression to take out first: the widest, products inside sums last.
   void consider_parts(std::size_t i, Part& best) const {
     const Statement& s = statement(i);
-    std::vector<Operand> operands = s.lanes;
-    operands.insert(operands.end(), {s.a, is_binary(s.op) ? s.b : Operand{}});
-    for (const Operand& o : operands) {
-      if (!is_statement(o) || places_[at(o.index)] != Place::inside) continue;
+    for_each_operand(s, [&](const Operand& o) {
+      if (!is_statement(o) || places_[at(o.index)] != Place::inside) return;
       const Part part{
           o.index, statement(at(o.index)).op == Op::multiply && is_sum(s.op), expression(at(o.index)).text.size()};
       if (best.statement < 0 || std::pair(!part.fused, part.width) > std::pair(!best.fused, best.width)) best = part;
       consider_parts(at(o.index), best);
-    }
+    });
   }
 
   void fit(std::size_t i) {
