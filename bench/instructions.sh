@@ -43,8 +43,12 @@ count_model() { # name model folder
     cat "$3/remarks" >&2
     return 1
   fi
+  local flags="-O2 -mavx2 -mfma"
+  if ${CXX:-g++} --version | grep -q "Free Software Foundation"; then
+    flags+=" -fno-tree-slp-vectorize -frename-registers"
+  fi
   # shellcheck disable=SC2086  # words
-  ${CXX:-g++} -std=c++17 ${CXXFLAGS:--O2 -mavx2 -mfma -fno-tree-slp-vectorize} -I"$3" -I"$here/../runtime/include" \
+  ${CXX:-g++} -std=c++17 ${CXXFLAGS:-$flags} -I"$3" -I"$here/../runtime/include" \
     $(pkg-config --cflags eigen3 2>/dev/null || echo -I/usr/include/eigen3) \
     "$here/instructions.cpp" $(find "$3/subject" -name '*.cpp' | sort) -o "$3/instructions"
   local published row=0 function count

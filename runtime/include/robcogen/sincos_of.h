@@ -163,9 +163,9 @@ ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosin
 
   // In odd quadrants sine and cosine are exchanged: of the two, each gets what the other has not.
   const Bits<Doubles> odd = k << 63, half_turn = k >> 1 << 63;
-  const Bits<Doubles> first = bits(chosen(odd, sin_r, cos_r)), second = bits(sin_r) ^ bits(cos_r) ^ first;
-  sine = doubles<Doubles>(first ^ half_turn);
-  cosine = doubles<Doubles>(second ^ (half_turn ^ odd));
+  const Bits<Doubles> sine_bits = bits(chosen(odd, sin_r, cos_r)) ^ half_turn;
+  sine = doubles<Doubles>(sine_bits);
+  cosine = doubles<Doubles>((bits(sin_r) ^ bits(cos_r) ^ odd) ^ sine_bits);
 }
 
 // Whether any has a bit from kBeyond on.
