@@ -21,6 +21,9 @@ struct Formulation {
   // with `frames` only).
   bool is_draft = false;
   std::shared_ptr<const LinkNumbers> numbers = nullptr;
+
+  // For programs whose equal limbs are to share lanes: what is typical of their numbers; not for drafts.
+  TypicalLinks typical = {};
 };
 
 // Names of the choices, in the order of the fields.

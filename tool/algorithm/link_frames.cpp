@@ -152,8 +152,14 @@ class Framing {
       Trace& trace,
       const LinkFrames& frames,
       const std::vector<AxisPlacement>& placements,
-      const std::vector<Expression>& q)
-      : trace_(trace), frames_(frames), placements_(placements), q_(q), turned_by_(trace.tree.links.size()) {}
+      const std::vector<Expression>& q,
+      const TypicalLinks& typical)
+      : trace_(trace),
+        frames_(frames),
+        placements_(placements),
+        q_(q),
+        typical_(typical),
+        turned_by_(trace.tree.links.size()) {}
 
   FramedLinks run(const std::vector<MassProperties>& masses) {
     const model::KinematicTree& tree = trace_.tree;
@@ -172,6 +178,7 @@ class Framing {
       model = pose_of(trace_, model_in_frame(frames_[at(j)]), {});
       MassProperties& mass = result.masses[at(joint.child)];
       mass = placed(model, frames_[at(j)], mass);
+      if (!typical_.empty()) see_among(trace_, typical_[at(j)], mass);
       const std::optional<PlaneRotation>& rho = turned_by_[at(joint.child)];
       if (!rho) continue;
       model = turned(*rho, model);
@@ -185,6 +192,7 @@ class Framing {
   const LinkFrames& frames_;
   const std::vector<AxisPlacement>& placements_;
   const std::vector<Expression>& q_;
+  const TypicalLinks& typical_;
   std::vector<std::optional<PlaneRotation>> turned_by_;  // by link: from its frame to the recursion's, when they differ
 
   static std::vector<PrimitiveTransform> model_in_frame(const LinkFrame& frame) {
@@ -225,6 +233,7 @@ class Framing {
       if (!p.rotation && p.amount.is_constant()) scale += std::abs(p.amount.number().value());
     drop_rounding(result.offset, scale);
     if (revolute) join_slide(result, scale);
+    if (!typical_.empty()) see_among(trace_, typical_[at(j)], result);
     if (const auto& rho = turned_by_[at(joint.parent)]) result = turned(*rho, result);
     std::vector<PlaneRotation>& planes = result.rotation.planes;
     if (!frame.turns_with_joint && !planes.empty() && planes.back().axis == 2) {
@@ -285,8 +294,9 @@ FramedLinks in_frames(
     const LinkFrames& frames,
     const std::vector<AxisPlacement>& placements,
     const std::vector<Expression>& q,
-    const std::vector<MassProperties>& masses) {
-  return Framing(trace, frames, placements, q).run(masses);
+    const std::vector<MassProperties>& masses,
+    const TypicalLinks& typical) {
+  return Framing(trace, frames, placements, q, typical).run(masses);
 }
 
 }  // namespace robcogen::algorithm

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithm/newton_euler.h"
+#include "algorithm/typical_limbs.h"
 
 namespace robcogen::algorithm {
 
@@ -42,13 +43,15 @@ AxisPlacement axis_placement(const model::Placement& placement);
 // By joint.
 std::vector<AxisPlacement> axis_placements(const model::KinematicTree& tree);
 
-// `masses` are in the frames of the model.
+// `masses` are in the frames of the model. The numbers that are found are marked by what is typical of their places, if
+// that is given.
 FramedLinks in_frames(
     Trace& trace,
     const LinkFrames& frames,
     const std::vector<AxisPlacement>& placements,
     const std::vector<Expression>& q,
-    const std::vector<MassProperties>& masses);
+    const std::vector<MassProperties>& masses,
+    const TypicalLinks& typical = {});
 
 // One line: which links are seen in which frames; empty when all are in the model's.
 std::string description(const model::KinematicTree& tree, const LinkFrames& frames);

@@ -1,6 +1,9 @@
 #include "algorithm/robot_programs.h"
 
+#include <algorithm>
+
 #include "algorithm/kinematics.h"
+#include "algorithm/setup.h"
 #include "algorithm/transform_kinds.h"
 #include "symbolic/count.h"
 
@@ -440,9 +443,25 @@ const Formulation& Formulations::inertia() {
   });
 }
 
+std::optional<Formulations> Formulations::with_typical_limbs() const {
+  if (!tree_.parameters.empty()) return std::nullopt;
+  Formulations result = *this;
+  bool some_differ = false;
+  const auto mark = [&](Formulation& formulation) {
+    formulation.typical = typical_links(tree_, formulation);
+    some_differ = some_differ || !formulation.typical.empty();
+  };
+  mark(result.common_);
+  for (std::optional<Formulation>* found : {&result.newton_euler_, &result.unactuated_base_, &result.inertia_})
+    if (*found) mark(**found);
+  if (result.forward_dynamics_) mark(result.forward_dynamics_->formulation);
+  return some_differ ? std::optional(std::move(result)) : std::nullopt;
+}
+
 Formulation Formulations::cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace) {
   const auto work = [&](Formulation formulation) {
     formulation.is_draft = true;
+    formulation.typical.clear();
     return symbolic::work(trace(formulation));
   };
   return work(newton_euler()) < work(common_) ? newton_euler() : common_;
@@ -482,6 +501,27 @@ std::vector<RobotFunction> functions(
   if (group == "velocities") return velocities_group(tree, desired);
   if (group == "accelerations") return accelerations_group(tree, desired);
   return {};
+}
+
+std::vector<std::optional<symbolic::Program>> alike_programs(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    const Formulations& formulations) {
+  static const std::vector<std::string> kOfLimbs = {
+      "inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "joint_space_inertia_factor",
+      "coriolis_matrix",  "energy"};
+  if (std::find(kOfLimbs.begin(), kOfLimbs.end(), group) == kOfLimbs.end()) return {};
+  std::optional<Formulations> alike = formulations.with_typical_limbs();
+  if (!alike) return {};
+  std::vector<std::optional<symbolic::Program>> programs;
+  for (RobotFunction& f : functions(tree, desired, group, *alike)) {
+    const bool is_other = std::any_of(f.program.constants.begin(), f.program.constants.end(), [](const Number& n) {
+      return n.typical() != n.value();
+    });
+    programs.push_back(is_other ? std::optional(std::move(f.program)) : std::nullopt);
+  }
+  return programs;
 }
 
 }  // namespace robcogen::algorithm

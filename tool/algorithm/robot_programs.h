@@ -41,6 +41,9 @@ class Formulations {
   const Formulation& unactuated_base();
   const Formulation& inertia();
   const ForwardDynamicsChoice& forward_dynamics();
+  // The same for programs whose equal limbs are to fold alike (typical_limbs.h); nullopt where they do so anyway, and of
+  // robots with parameters.
+  std::optional<Formulations> with_typical_limbs() const;
   // For a program that no frames were looked for: those of Newton-Euler, or the model's.
   Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);
 
@@ -66,5 +69,12 @@ std::vector<RobotFunction> functions(
     const model::DesiredTransforms& desired,
     const std::string& group,
     const Formulation& formulation = {});
+
+// The programs of these functions with equal limbs that fold alike, for lanes; nullopt where these are the same.
+std::vector<std::optional<symbolic::Program>> alike_programs(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    const Formulations& formulations);
 
 }  // namespace robcogen::algorithm

@@ -46,8 +46,24 @@ Setup::Setup(Trace& t, const std::vector<Expression>& q, const Formulation& form
   poses = joint_poses(trace, q);
   for (const model::Link& link : tree().links) masses.push_back(mass_properties_of(trace, link));
   if (formulation.regroup) masses = regrouped(trace, poses, masses);
-  if (!formulation.frames.empty()) move_into(in_frames(trace, formulation.frames, axis_placements(tree()), q, masses));
+  if (!formulation.frames.empty()) {
+    move_into(in_frames(trace, formulation.frames, axis_placements(tree()), q, masses, formulation.typical));
+  } else if (!formulation.typical.empty()) {
+    for (std::size_t j = 0; j < poses.size(); ++j) {
+      see_among(trace, formulation.typical[j], poses[j]);
+      see_among(trace, formulation.typical[j], masses[static_cast<std::size_t>(tree().joints[j].child)]);
+    }
+  }
   begin_base(trace);
+}
+
+TypicalLinks typical_links(const model::KinematicTree& tree, const Formulation& formulation) {
+  Trace trace(tree);
+  Formulation plain = formulation;
+  plain.is_draft = true;
+  for (LinkFrame& frame : plain.frames) frame.turns_with_joint = true;
+  const Setup setup(trace, trace.joint_input("q", Role::joint_position), plain);
+  return typical_links(tree, setup.poses, setup.masses);
 }
 
 void Setup::move_into(FramedLinks&& framed) {

@@ -40,6 +40,10 @@ struct Setup {
   void move_into(FramedLinks&& framed);
 };
 
+// What is typical of the numbers that such a setup takes from a robot without parameters, before any turns with a joint;
+// empty where equal limbs fold alike as they are.
+TypicalLinks typical_links(const model::KinematicTree& tree, const Formulation& formulation);
+
 // Gravity and external wrenches of a program. Declares its inputs: call after all other inputs.
 struct LoadInputs {
   LoadInputs(Trace& trace, Loads loads);

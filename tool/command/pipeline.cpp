@@ -189,7 +189,10 @@ SplitSteps split(const Steps& steps) {
   return result;
 }
 
-InLanes in_lanes(const model::KinematicTree& tree, const symbolic::Program& program) {
+InLanes in_lanes(
+    const model::KinematicTree& tree,
+    const symbolic::Program& program,
+    const std::optional<symbolic::Program>& alike) {
   std::vector<std::string> names;
   std::vector<pass::InputTuples> classes;
   for (const algorithm::LimbsInLanes& limbs : algorithm::limbs_in_lanes(tree)) {
@@ -198,28 +201,50 @@ InLanes in_lanes(const model::KinematicTree& tree, const symbolic::Program& prog
   }
   InLanes result;
   if (classes.empty()) return result;
-  pass::Packed packed = pass::pack_lanes(program, classes);
+  pass::Packed packed = pass::pack_lanes(program, classes, alike);
   for (std::size_t c = 0; c < classes.size(); ++c)
     if (packed.in_lanes[c]) result.limbs.push_back(names[c]);
   if (!result.limbs.empty()) result.program = std::move(packed.program);
   return result;
 }
 
+namespace {
+
+// Functions, and for each the same program with equal limbs that fold alike, where that is another one.
+struct Traced {
+  std::vector<algorithm::RobotFunction> functions;
+  std::vector<std::optional<symbolic::Program>> alike;
+};
+
+Traced trace(const Robot& robot, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes) {
+  require_traceable(robot);
+  const auto [formulation, passes] = split(steps);
+  algorithm::Formulations formulations(robot.tree, formulation);
+  Traced result;
+  for (const std::string& group : groups) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulations)) {
+      f.program = pass::run(std::move(f.program), passes);
+      result.functions.push_back(std::move(f));
+    }
+    if (for_lanes) {
+      for (std::optional<symbolic::Program>& program :
+           algorithm::alike_programs(robot.tree, robot.desired, group, formulations)) {
+        if (program) program = pass::run(std::move(*program), passes);
+        result.alike.push_back(std::move(program));
+      }
+    }
+    result.alike.resize(result.functions.size());
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,
     const std::vector<std::string>& groups,
     const Steps& steps) {
-  require_traceable(robot);
-  const auto [formulation, passes] = split(steps);
-  algorithm::Formulations formulations(robot.tree, formulation);
-  std::vector<algorithm::RobotFunction> all;
-  for (const std::string& group : groups) {
-    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulations)) {
-      f.program = pass::run(std::move(f.program), passes);
-      all.push_back(std::move(f));
-    }
-  }
-  return all;
+  return trace(robot, groups, steps, false).functions;
 }
 
 backend::PrimitiveConvention convention_of(Primitives primitives) {
@@ -234,11 +259,13 @@ void add_product(algorithm::PrimitiveProduct product, backend::Function& functio
   function.amounts = std::move(product.amounts);
 }
 
-backend::Library library(
+namespace {
+
+backend::Library library_of(
     const Robot& robot,
     const LibraryNames& names,
     const std::vector<std::string>& groups,
-    const Steps& steps,
+    std::vector<algorithm::RobotFunction> functions,
     Primitives primitives) {
   backend::Library result;
   result.name = names.name;
@@ -261,7 +288,7 @@ backend::Library library(
     data.is_dynamics = model::is_dynamics(p.kind);
     result.parameters.push_back(std::move(data));
   }
-  for (algorithm::RobotFunction& f : trace(robot, groups, steps)) {
+  for (algorithm::RobotFunction& f : functions) {
     backend::Function function;
     function.group = std::move(f.group);
     function.scope = std::move(f.scope);
@@ -278,6 +305,17 @@ backend::Library library(
     result.functions.push_back(std::move(function));
   }
   return result;
+}
+
+}  // namespace
+
+backend::Library library(
+    const Robot& robot,
+    const LibraryNames& names,
+    const std::vector<std::string>& groups,
+    const Steps& steps,
+    Primitives primitives) {
+  return library_of(robot, names, groups, trace(robot, groups, steps), primitives);
 }
 
 namespace {
@@ -333,12 +371,20 @@ backend::Library library_for_vectors(
     const LibraryNames& names,
     const std::vector<std::string>& groups,
     const Steps& steps) {
-  const bool is_constant = robot.tree.parameters.empty();
-  backend::Library result =
-      is_constant ? library(robot, names, groups, steps) : split_library(robot, names, groups, steps);
-  if (std::count(steps.names.begin(), steps.names.end(), kLanesStep) == 0) return result;
-  for (backend::Function& function : result.functions) {
-    InLanes packed = in_lanes(robot.tree, function.program);
+  const bool has_lanes = std::count(steps.names.begin(), steps.names.end(), kLanesStep) > 0;
+  std::vector<std::optional<symbolic::Program>> alike;
+  backend::Library result;
+  if (robot.tree.parameters.empty()) {
+    Traced traced = trace(robot, groups, steps, has_lanes);
+    alike = std::move(traced.alike);
+    result = library_of(robot, names, groups, std::move(traced.functions), std::nullopt);
+  } else {
+    result = split_library(robot, names, groups, steps);
+    alike.resize(result.functions.size());
+  }
+  for (std::size_t i = 0; has_lanes && i < result.functions.size(); ++i) {
+    backend::Function& function = result.functions[i];
+    InLanes packed = in_lanes(robot.tree, function.program, alike[i]);
     function.in_lanes = std::move(packed.program);
     function.limbs_in_lanes = std::move(packed.limbs);
   }

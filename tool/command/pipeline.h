@@ -88,7 +88,11 @@ struct InLanes {
   std::vector<std::string> limbs;  // of each class: `LF, RF, LH, RH`
 };
 
-InLanes in_lanes(const model::KinematicTree& tree, const symbolic::Program& program);
+// `alike`: the same program with equal limbs that fold alike, where that is another one.
+InLanes in_lanes(
+    const model::KinematicTree& tree,
+    const symbolic::Program& program,
+    const std::optional<symbolic::Program>& alike = std::nullopt);
 
 // All functions of these groups, by these steps; without lanes. The robot must be traceable.
 std::vector<algorithm::RobotFunction> trace(

@@ -487,6 +487,11 @@ class Packing {
   }
 };
 
+// What is predicted to gain less may lose.
+bool is_clearly_faster(int time, int other) {
+  return 8 * time < 7 * other;
+}
+
 bool can_be_lanes(const InputTuples& limbs) {
   const std::size_t width = limbs.empty() ? 0 : limbs.front().size();
   return width == 2 || width == 4 || width == kMostLanes;
@@ -500,7 +505,27 @@ Program packed(const Program& program, const std::vector<InputTuples>& classes) 
   return Packing(program, with_inputs).run().value_or(program);
 }
 
-Packed pack_lanes(const Program& program, const std::vector<InputTuples>& classes) {
+Program with_plain_numbers(const Program& program) {
+  Program result = program;
+  result.constants.clear();
+  std::vector<int> place;
+  for (const Number& n : program.constants) {
+    const Number number = n.plain();
+    const auto known = std::find(result.constants.begin(), result.constants.end(), number);
+    place.push_back(static_cast<int>(known - result.constants.begin()));
+    if (known == result.constants.end()) result.constants.push_back(number);
+  }
+  const auto renumber = [&](Operand& o) {
+    if (o.kind == Operand::Kind::constant) o.index = place[at(o.index)];
+  };
+  for (Statement& s : result.statements) for_each_operand(s, renumber);
+  for (symbolic::OutputArray& array : result.outputs) std::for_each(array.values.begin(), array.values.end(), renumber);
+  return result;
+}
+
+namespace {
+
+Packed pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
   Packed best = {program, std::vector<bool>(classes.size(), false)};
   std::vector<InputTuples> chosen;
   int time = symbolic::predicted_time(program);
@@ -509,7 +534,7 @@ Packed pack_lanes(const Program& program, const std::vector<InputTuples>& classe
     chosen.push_back(classes[c]);
     std::optional<Program> candidate = Packing(program, chosen).run();
     const int candidate_time = candidate ? symbolic::predicted_time(*candidate) : time;
-    if (8 * candidate_time < 7 * time) {  // what is predicted to gain less may lose
+    if (is_clearly_faster(candidate_time, time)) {
       time = candidate_time;
       best.program = std::move(*candidate);
       best.in_lanes[c] = true;
@@ -518,6 +543,20 @@ Packed pack_lanes(const Program& program, const std::vector<InputTuples>& classe
     }
   }
   return best;
+}
+
+}  // namespace
+
+Packed pack_lanes(
+    const Program& program,
+    const std::vector<InputTuples>& classes,
+    const std::optional<Program>& alike) {
+  Packed best = pack_classes(program, classes);
+  if (!alike) return best;
+  Packed other = pack_classes(with_plain_numbers(*alike), classes);
+  const int time = symbolic::predicted_time(other.program);
+  const bool is_best = time < symbolic::predicted_time(best.program);
+  return is_best && is_clearly_faster(time, symbolic::predicted_time(program)) ? other : best;
 }
 
 }  // namespace robcogen::pass

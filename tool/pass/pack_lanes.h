@@ -1,6 +1,7 @@
 // Equal limbs in the lanes of vectors: one statement computes the same for all limbs of a class.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pass/correspondence.h"
@@ -13,6 +14,9 @@ struct Packed {
   std::vector<bool> in_lanes;  // which of the classes share lanes
 };
 
+// The program with its constants as plain numbers (Number::plain), each once.
+symbolic::Program with_plain_numbers(const symbolic::Program& program);
+
 // The program with lanes for those classes of limbs of which that makes it clearly faster by prediction
 // (symbolic::predicted_time); the program itself, where none does. Each class has 2, 4 or 8 limbs.
 //
@@ -20,7 +24,13 @@ struct Packed {
 // corresponding terms of sums over the limbs, tuples of statements become one statement each, operand by operand. What
 // is the same for all limbs stays scalar; constants differ from lane to lane, and take up signs in which limbs differ;
 // what has no counterpart is computed as before and gathered.
-Packed pack_lanes(const symbolic::Program& program, const std::vector<InputTuples>& classes);
+//
+// `alike` computes the same with limbs that fold alike, at the price of products with zeros and ones: it comes into
+// lanes in the place of the program where it gets faster that way.
+Packed pack_lanes(
+    const symbolic::Program& program,
+    const std::vector<InputTuples>& classes,
+    const std::optional<symbolic::Program>& alike = std::nullopt);
 
 // All classes that can be packed, whatever that costs.
 symbolic::Program packed(const symbolic::Program& program, const std::vector<InputTuples>& classes);

@@ -29,8 +29,15 @@ class Number {
   // no number, or is beyond the largest double; a literal below the smallest is zero.
   static std::optional<Number> parse(const std::string& literal);
 
+  // The same value in a place where others of its kind are `typical`. Who folds sees both: it is zero, one or equal to
+  // another number only where both are. Sums, products and quotients have the typical value of the same computation.
+  Number among(double typical) const;
+  double typical() const { return typical_.value_or(value_); }
+  // Without what is typical.
+  Number plain() const;
+
   double value() const { return value_; }
-  bool is_zero() const { return value_ == 0.0; }
+  bool is_zero() const { return value_ == 0.0 && typical() == 0.0; }
   bool is_pi_multiple() const { return ratio_.has_value() && times_pi_; }
   // The factor r of an exact `r` or `r * PI`; nullopt when only the double is known.
   const std::optional<Rational>& ratio() const { return ratio_; }
@@ -46,13 +53,14 @@ class Number {
   friend Number tan(const Number& a);
   friend Number sqrt(const Number& a);
 
-  // Same double and the same exact form.
+  // Same double, the same exact form, and typical of the same.
   friend bool operator==(const Number& a, const Number& b);
 
  private:
   double value_ = 0.0;
   std::optional<Rational> ratio_ = Rational{0, 1};
   bool times_pi_ = false;
+  std::optional<double> typical_;  // where it is not the value
 };
 
 // How a document spells the number: `0.25`, `1.0/3.0`, `PI/2.0`, `-2.0 PI/3.0`. Reads back as the same double and,

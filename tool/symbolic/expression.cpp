@@ -102,7 +102,9 @@ Graph::Key Graph::key(const Node& n) const {
   const auto kind = static_cast<std::uint64_t>(n.kind);
   if (n.kind == Node::Kind::constant) {
     const Number& value = number(n);
-    return {std::bit_cast<std::uint64_t>(value.value()), kind * 64 + (value.is_pi_multiple() ? 1 : 0)};
+    return {
+        std::bit_cast<std::uint64_t>(value.value()), kind * 64 + (value.is_pi_multiple() ? 1 : 0),
+        std::bit_cast<std::uint64_t>(value.typical())};
   }
   const std::uint64_t a = static_cast<std::uint32_t>(n.a);
   const std::uint64_t b = static_cast<std::uint32_t>(n.b);
@@ -127,8 +129,8 @@ int Graph::intern(const Node& n) {
 
 Expression Graph::constant(const Number& value) {
   if (std::isnan(value.value()) || std::isinf(value.value())) throw std::logic_error("a constant is not finite");
-  const bool negative = value.value() < 0;
-  const Number magnitude = value.value() == 0.0 ? Number() : negative ? -value : value;
+  const bool negative = value.value() < 0 || (value.value() == 0.0 && value.typical() < 0);
+  const Number magnitude = value.is_zero() ? Number() : negative ? -value : value;
   const std::size_t constants_before = constants_.size();
   constants_.push_back(magnitude);
   Node n;

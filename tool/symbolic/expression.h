@@ -119,6 +119,7 @@ class Graph {
   struct Key {
     std::uint64_t bits;
     std::uint64_t kind;
+    std::uint64_t typical = 0;  // of a constant
     friend bool operator==(const Key&, const Key&) = default;
   };
 
