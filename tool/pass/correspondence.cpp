@@ -115,8 +115,9 @@ Correspondence::Owner Correspondence::owner(const Operand& o) const {
 void Correspondence::hash_statement(std::size_t i) {
   const Statement& s = program_.statements[i];
   limbs_[i] = limbs(s.a) | (symbolic::is_binary(s.op) ? limbs(s.b) : 0);
+  // Of a sum when it is complete: terms that one limb adds to it later are no reason to belong to that limb.
   for (const std::uint64_t all : all_limbs_)
-    if ((limbs_[i] & all) == all) limbs_[i] &= ~all;
+    if (!inner_[i] && (limbs_[i] & all) == all) limbs_[i] &= ~all;
   const bool is_shared = !std::has_single_bit(limbs_[i]);
   const auto of = [&](Likeness likeness, std::vector<std::uint64_t>& all, std::vector<std::uint64_t>& terms) {
     if (is_sum(s.op)) {
