@@ -38,6 +38,9 @@ class InterpretedRobot {
   reflection::Robot tables() const { return tables_.robot(); }
   const std::map<std::string, symbolic::Program>& programs() const { return programs_; }
 
+  // Takes the place of the program of that name: another form of the same.
+  void replace(symbolic::Program program) { programs_.at(program.name) = std::move(program); }
+
   // The members that checks call: see CompiledRobot.
   Vector<double> inverse_dynamics(const State& m, const reference::Arguments& arguments) const;
   Vector<double> inverse_dynamics_fully_actuated(const State& m, const reference::Arguments& arguments) const;
