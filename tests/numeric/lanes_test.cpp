@@ -212,6 +212,7 @@ void expect_same_results(
       if (alike[i]) {
         ++tally.alike;
         const Program plain = pass::with_plain_numbers(pass::run(std::move(*alike[i]), passes));
+        for (const Number& n : plain.constants) ASSERT_EQ(n, n.plain());
         expect_same_program(program, plain);
         packed = pass::packed(plain, classes);
         expect_same_program(program, packed);
@@ -248,6 +249,53 @@ TEST(Lanes, OfRandomRobotsComputeTheSame) {
   }
   EXPECT_GT(tally.with_lanes, tally.programs / 2);
   EXPECT_GT(tally.alike, tally.programs / 10);
+}
+
+// The programs of two legs one of which has zeros where the other has none, and those of two legs without zeros.
+TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
+  const auto robot = [](bool has_zeros) {
+    model::Description d;
+    d.name = "legs";
+    d.floating_base = true;
+    d.base = model::test::link("base");
+    d.base.inertia = model::test::ball(5, 1);
+    for (const std::string leg : {"left", "right"}) {
+      const bool is_zero = has_zeros && leg == "left";
+      const auto length = [&](double value) { return model::test::number(is_zero ? 0.0 : value); };
+      for (const std::string part : {"thigh", "shank"}) {
+        model::DescribedLink link = model::test::link(leg + "_" + part);
+        link.inertia = model::test::ball(1.5, 0.5);
+        link.inertia->com = {model::test::number(0.1), length(0.02), length(0.03)};
+        model::Placement placement;
+        placement.translation = {model::test::number(is_zero ? 1.0 : 0.9), length(0.04), model::test::number(0.2)};
+        placement.rotation = {model::test::pi(1, 2), {}, {}};
+        (part == "thigh" ? d.base : d.links.back()).children.push_back({link.name, "to_" + link.name, {}, {}});
+        d.links.push_back(link);
+        d.joints.push_back(model::test::joint("to_" + link.name, model::JointType::revolute, placement));
+      }
+    }
+    Diagnostics diagnostics;
+    return model::build(d, diagnostics).value();
+  };
+  const KinematicTree with_zeros = robot(true), without = robot(false);
+  algorithm::Formulations formulations(with_zeros, {}), of_others(without, {});
+  for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
+    const auto alike = algorithm::alike_programs(with_zeros, {}, group, formulations);
+    const auto others = algorithm::functions(without, {}, group, of_others);
+    EXPECT_TRUE(algorithm::alike_programs(without, {}, group, of_others).empty()) << "nothing differs";
+    ASSERT_EQ(alike.size(), others.size()) << group;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      ASSERT_TRUE(alike[i]);
+      const auto count = [](const KinematicTree& tree, const Program& program) {
+        return symbolic::count(pass::packed(program, classes_of(tree, program)));
+      };
+      const auto found = count(with_zeros, pass::with_plain_numbers(*alike[i])),
+                 wanted = count(without, others[i].program);
+      EXPECT_EQ(found.mul, wanted.mul) << others[i].name;
+      EXPECT_EQ(found.add, wanted.add) << others[i].name;
+      EXPECT_EQ(found.moves, wanted.moves) << others[i].name;
+    }
+  }
 }
 
 // A quadruped of the field, whose first leg has a centre of mass on an axis that the other legs have it beside: all its
