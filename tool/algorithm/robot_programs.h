@@ -41,8 +41,8 @@ class Formulations {
   const Formulation& unactuated_base();
   const Formulation& inertia();
   const ForwardDynamicsChoice& forward_dynamics();
-  // The same for programs whose equal limbs are to fold alike (typical_limbs.h); nullopt where they do so anyway, and of
-  // robots with parameters.
+  // The same for programs whose equal limbs are to fold alike (typical_limbs.h); nullopt where they do so anyway, and
+  // of robots with parameters.
   std::optional<Formulations> with_typical_limbs() const;
   // For a program that no frames were looked for: those of Newton-Euler, or the model's.
   Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);

@@ -50,7 +50,7 @@ class Correspondence {
   std::vector<std::uint64_t> input_limbs_;
   std::vector<int> input_group_;  // -1: none
   std::vector<bool> input_is_number_;
-  std::vector<std::uint64_t> limbs_;  // by statement
+  std::vector<std::uint64_t> limbs_;                        // by statement
   std::vector<std::uint64_t> equal_, similar_;              // by statement
   std::vector<std::uint64_t> equal_terms_, similar_terms_;  // of sums: of their terms, in any order
 };

@@ -20,11 +20,6 @@ symbolic::Program with_plain_numbers(const symbolic::Program& program);
 // The program with lanes for those classes of limbs of which that makes it clearly faster by prediction
 // (symbolic::predicted_time); the program itself, where none does. Each class has 2, 4 or 8 limbs.
 //
-// Superword packing from known seeds (after Larsen and Amarasinghe 2000): from corresponding outputs, and from
-// corresponding terms of sums over the limbs, tuples of statements become one statement each, operand by operand. What
-// is the same for all limbs stays scalar; constants differ from lane to lane, and take up signs in which limbs differ;
-// what has no counterpart is computed as before and gathered.
-//
 // `alike` computes the same with limbs that fold alike, at the price of products with zeros and ones: it comes into
 // lanes in the place of the program where it gets faster that way.
 Packed pack_lanes(

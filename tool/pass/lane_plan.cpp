@@ -1,0 +1,269 @@
+#include "pass/lane_plan.h"
+
+#include <algorithm>
+#include <map>
+
+#include "pass/statements.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+class Planning {
+ public:
+  Planning(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
+      : p_(p), classes_(classes), zero_(zero), inner_(inner_sums(p)), alike_(p, classes, inner_) {
+    plan_.scalars.resize(p.statements.size());
+  }
+
+  std::optional<LanePlan> run() {
+    for (const symbolic::OutputArray& array : p_.outputs) pack_outputs(array);
+    expand_all();
+    if (!order_values()) return std::nullopt;
+    return std::move(plan_);
+  }
+
+ private:
+  const Program& p_;
+  const std::vector<InputTuples>& classes_;
+  Operand zero_;
+  std::vector<bool> inner_;
+  Correspondence alike_;
+  LanePlan plan_;
+  std::map<std::vector<std::pair<int, int>>, int> known_;  // by kinds and indices of the lanes
+  std::vector<int> pending_wides_, pending_scalars_;
+
+  const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
+
+  // -------------------------------------------------------------------------------------------------------------------
+  // What is to be computed
+
+  // The elements of each limb, each value once.
+  void pack_outputs(const symbolic::OutputArray& array) {
+    for (std::size_t c = 0; c < classes_.size(); ++c) {
+      std::vector<std::vector<Operand>> lists(width(c));
+      std::vector<bool> seen(plan_.scalars.size(), false);
+      for (Operand o : array.values) {
+        const Correspondence::Owner owner = alike_.owner(o);
+        if (!is_statement(o) || owner.limbs != static_cast<int>(c) || seen[at(o.index)]) continue;
+        seen[at(o.index)] = true;
+        o.negative = false;
+        lists[at(owner.lane)].push_back(o);
+      }
+      for (const Tuple& tuple : alike_.match(lists)) plan_.roots.push_back(part(tuple).wide);
+    }
+    for (const Operand& o : array.values) need(o);
+  }
+
+  std::size_t width(std::size_t c) const { return classes_[c].empty() ? 0 : classes_[c].front().size(); }
+
+  void need(const Operand& o) {
+    if (!is_statement(o) || plan_.scalars[at(o.index)].needed) return;
+    plan_.scalars[at(o.index)].needed = true;
+    pending_scalars_.push_back(o.index);
+  }
+
+  Part part(Tuple tuple) {
+    Part result;
+    std::vector<std::pair<int, int>> key;
+    for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
+      if (tuple[lane].negative) result.flips |= 1U << lane;
+      tuple[lane].negative = false;
+      key.emplace_back(static_cast<int>(tuple[lane].kind), tuple[lane].index);
+    }
+    const auto [place, fresh] = known_.try_emplace(std::move(key), static_cast<int>(plan_.wides.size()));
+    result.wide = place->second;
+    if (fresh) add(std::move(tuple));
+    return result;
+  }
+
+  void add(Tuple tuple) {
+    Wide w;
+    w.kind = kind_of(tuple);
+    w.width = static_cast<int>(tuple.size());
+    for (const Operand& o : tuple)
+      if (is_statement(o)) w.place = std::max(w.place, o.index);
+    w.lanes = std::move(tuple);
+    pending_wides_.push_back(static_cast<int>(plan_.wides.size()));
+    plan_.wides.push_back(std::move(w));
+  }
+
+  Wide::Kind kind_of(const Tuple& tuple) const {
+    const auto all = [&](auto condition) { return std::all_of(tuple.begin(), tuple.end(), condition); };
+    const Operand& first = tuple.front();
+    if (all([](const Operand& o) { return o.kind == Operand::Kind::constant; })) return Wide::Kind::numbers;
+    if (all([&](const Operand& o) { return o == first; })) return Wide::Kind::broadcast;
+    if (!all(symbolic::is_statement)) return Wide::Kind::gather;
+    const Op op = statement(first).op;
+    if (is_sum(op) && all([&](const Operand& o) { return is_sum(statement(o).op); })) return Wide::Kind::sum;
+    if (all([&](const Operand& o) { return statement(o).op == op; })) return Wide::Kind::operation;
+    return Wide::Kind::gather;
+  }
+
+  // Vectors first: scalars that turn out to be lanes of them are not computed by themselves.
+  void expand_all() {
+    while (!pending_wides_.empty() || !pending_scalars_.empty()) {
+      if (!pending_wides_.empty()) {
+        const int wide = pending_wides_.back();
+        pending_wides_.pop_back();
+        expand_wide(at(wide));
+        continue;
+      }
+      const int s = pending_scalars_.back();
+      pending_scalars_.pop_back();
+      if (plan_.scalars[at(s)].wide < 0) expand_scalar(s);
+    }
+  }
+
+  void expand_wide(std::size_t w) {
+    const Wide::Kind kind = plan_.wides[w].kind;
+    const Tuple lanes = plan_.wides[w].lanes;
+    if (kind == Wide::Kind::broadcast || kind == Wide::Kind::gather)
+      for (const Operand& o : lanes) need(o);
+    if (kind != Wide::Kind::operation && kind != Wide::Kind::sum) return;
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+      LanePlan::Scalar& scalar = plan_.scalars[at(lanes[lane].index)];
+      if (scalar.wide >= 0) continue;
+      scalar.wide = static_cast<int>(w);
+      scalar.lane = static_cast<int>(lane);
+    }
+    const Op op = statement(lanes.front()).op;
+    std::vector<Part> parts;
+    if (kind == Wide::Kind::sum) {
+      std::vector<std::vector<Operand>> lists;
+      for (const Operand& o : lanes) lists.push_back(terms_of(p_, inner_, o.index));
+      for (const Tuple& tuple : alike_.match(lists)) parts.push_back(part(tuple));
+      for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
+    } else if (op == Op::multiply) {
+      std::vector<std::vector<Operand>> lists;
+      for (const Operand& o : lanes) lists.push_back({statement(o).a, statement(o).b});
+      for (const Tuple& tuple : alike_.match(lists)) parts.push_back(part(tuple));
+      for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
+    } else {
+      Tuple a, b;
+      for (const Operand& o : lanes) {
+        a.push_back(statement(o).a);
+        b.push_back(statement(o).b);
+      }
+      parts.push_back(part(a));
+      if (symbolic::is_binary(op)) parts.push_back(part(b));
+    }
+    plan_.wides[w].op = op;
+    plan_.wides[w].parts = std::move(parts);
+  }
+
+  // What is left, in its order; limbs that have fewer terms get zeros.
+  std::vector<Tuple> filled_up(const std::vector<std::vector<Operand>>& lists) {
+    std::size_t longest = 0;
+    for (const std::vector<Operand>& list : lists) longest = std::max(longest, list.size());
+    std::vector<Tuple> tuples(longest);
+    for (std::size_t k = 0; k < longest; ++k)
+      for (const std::vector<Operand>& list : lists) tuples[k].push_back(k < list.size() ? list[k] : zero_);
+    return tuples;
+  }
+
+  void expand_scalar(int s) {
+    const Statement& old = p_.statements[at(s)];
+    if (is_sum(old.op)) find_sum_of_limbs(s);
+    if (const std::optional<SumOfLimbs>& sum = plan_.scalars[at(s)].sum) {
+      for (const Operand& o : sum->rest) need(o);
+      return;
+    }
+    need(old.a);
+    if (symbolic::is_binary(old.op)) need(old.b);
+  }
+
+  void find_sum_of_limbs(int s) {
+    if (alike_.owner({Operand::Kind::statement, s, false}).limbs >= 0) return;
+    SumOfLimbs sum;
+    std::vector<std::vector<std::vector<Operand>>> lists;
+    for (std::size_t c = 0; c < classes_.size(); ++c) lists.emplace_back(width(c));
+    for (const Operand& o : terms_of(p_, inner_, s)) {
+      const Correspondence::Owner owner = alike_.owner(o);
+      (owner.limbs < 0 || !is_statement(o) ? sum.rest : lists[at(owner.limbs)][at(owner.lane)]).push_back(o);
+    }
+    for (std::size_t c = 0; c < classes_.size(); ++c) {
+      Wide w;
+      w.kind = Wide::Kind::sum;
+      w.width = static_cast<int>(width(c));
+      w.place = s;
+      for (const Tuple& tuple : alike_.match(lists[c])) w.parts.push_back(part(tuple));
+      for (const std::vector<Operand>& list : lists[c]) sum.rest.insert(sum.rest.end(), list.begin(), list.end());
+      if (w.parts.empty()) continue;
+      sum.wides.push_back(static_cast<int>(plan_.wides.size()));
+      plan_.wides.push_back(std::move(w));
+    }
+    if (!sum.wides.empty()) plan_.scalars[at(s)].sum = std::move(sum);
+  }
+
+  // -------------------------------------------------------------------------------------------------------------------
+  // In which order
+
+  std::vector<int> read_by(int node) const {
+    std::vector<int> nodes;
+    const auto note = [&](const Operand& o) {
+      if (is_statement(o)) nodes.push_back(o.index);
+    };
+    if (node >= plan_.scalar_count()) {
+      const Wide& w = plan_.wides[at(node - plan_.scalar_count())];
+      for (const Part& part : w.parts) nodes.push_back(plan_.scalar_count() + part.wide);
+      if (w.kind == Wide::Kind::broadcast || w.kind == Wide::Kind::gather)
+        for (const Operand& o : w.lanes) note(o);
+      return nodes;
+    }
+    const LanePlan::Scalar& s = plan_.scalars[at(node)];
+    if (s.wide >= 0) return {plan_.scalar_count() + s.wide};
+    if (s.sum) {
+      for (const int wide : s.sum->wides) nodes.push_back(plan_.scalar_count() + wide);
+      for (const Operand& o : s.sum->rest) note(o);
+      return nodes;
+    }
+    for_each_read(p_.statements[at(node)], [&](int read) { nodes.push_back(read); });
+    return nodes;
+  }
+
+  bool order_values() {
+    enum class State { fresh, open, done };
+    std::vector<State> states(plan_.scalars.size() + plan_.wides.size(), State::fresh);
+    std::vector<int> pending;
+    for (const symbolic::OutputArray& array : p_.outputs) {
+      for (auto o = array.values.rbegin(); o != array.values.rend(); ++o)
+        if (is_statement(*o)) pending.push_back(o->index);
+    }
+    while (!pending.empty()) {
+      const int node = pending.back();
+      State& state = states[at(node)];
+      if (state != State::fresh) {
+        pending.pop_back();
+        if (state == State::open) plan_.order.push_back(node);
+        state = State::done;
+        continue;
+      }
+      state = State::open;
+      for (const int read : read_by(node)) {
+        if (states[at(read)] == State::open) return false;
+        if (states[at(read)] == State::fresh) pending.push_back(read);
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
+std::optional<LanePlan> lane_plan(
+    const Program& program,
+    const std::vector<InputTuples>& classes,
+    const Operand& zero) {
+  return Planning(program, classes, zero).run();
+}
+
+}  // namespace robcogen::pass

@@ -1,0 +1,66 @@
+// Which values of a program equal limbs compute together, one limb in each lane, and in which order.
+//
+// Superword packing from known seeds (after Larsen and Amarasinghe 2000): from corresponding outputs, and from
+// corresponding terms of sums over the limbs, tuples of statements become one value each, operand by operand. What is
+// the same for all limbs stays scalar; what has no counterpart is computed as before and gathered.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pass/correspondence.h"
+#include "symbolic/program.h"
+
+namespace robcogen::pass {
+
+inline constexpr int kMostLanes = 8;
+
+// A value of lanes, flipped in some of them.
+struct Part {
+  int wide = -1;  // into LanePlan::wides
+  unsigned flips = 0;
+};
+
+// A value of lanes.
+struct Wide {
+  enum class Kind { broadcast, numbers, gather, operation, sum };
+  Kind kind = Kind::gather;
+  Tuple lanes;  // what it stands for, without signs; empty: a sum that no limb has by itself
+  int width = 0;
+  int place = 0;  // after which statement of the program it can be computed
+  symbolic::Op op = symbolic::Op::add;
+  std::vector<Part> parts;
+};
+
+// A bit for each.
+constexpr unsigned all_lanes(const Wide& w) {
+  return (1U << w.width) - 1U;
+}
+
+// A scalar sum of which some terms come from all limbs of a class.
+struct SumOfLimbs {
+  std::vector<int> wides;
+  std::vector<symbolic::Operand> rest;
+};
+
+struct LanePlan {
+  struct Scalar {
+    bool needed = false;
+    int wide = -1, lane = -1;  // where it is a lane of a value
+    std::optional<SumOfLimbs> sum;
+  };
+  std::vector<Scalar> scalars;  // by statement
+  std::vector<Wide> wides;
+  std::vector<int> roots;  // the values of lanes that outputs ask for
+  std::vector<int> order;  // statements, then wides, as one list of indices; operands before users
+
+  int scalar_count() const { return static_cast<int>(scalars.size()); }
+};
+
+// `zero`: the constant that limbs with fewer terms or factors get. None where values would have to wait for each other.
+std::optional<LanePlan> lane_plan(
+    const symbolic::Program& program,
+    const std::vector<InputTuples>& classes,
+    const symbolic::Operand& zero);
+
+}  // namespace robcogen::pass

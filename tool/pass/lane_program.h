@@ -1,0 +1,19 @@
+// The program that computes what was planned for lanes.
+#pragma once
+
+#include <vector>
+
+#include "pass/lane_builder.h"
+#include "pass/lane_plan.h"
+
+namespace robcogen::pass {
+
+// `signs`: of plan_signs. Constants differ from lane to lane, and take up signs in which limbs differ. The builder is
+// one for this program.
+symbolic::Program lane_program(
+    const symbolic::Program& program,
+    const LanePlan& plan,
+    const std::vector<unsigned>& signs,
+    LaneBuilder& builder);
+
+}  // namespace robcogen::pass

@@ -1,0 +1,95 @@
+#include "pass/plan_signs.h"
+
+#include "pass/lane_signs.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Op;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+class SignChoice {
+ public:
+  explicit SignChoice(const LanePlan& plan) : plan_(plan), sign_(plan.wides.size()) {}
+
+  std::vector<unsigned> run() {
+    for (const int node : plan_.order)
+      if (node >= plan_.scalar_count())
+        choose_sign(at(node - plan_.scalar_count()));
+      else
+        choose_signs_of_sum(node);
+    for (const int root : plan_.roots) signs_.make_plain(sign_[at(root)]);
+    std::vector<unsigned> values;
+    for (std::size_t w = 0; w < sign_.size(); ++w) values.push_back(signs_.value(sign_[w]) & all_lanes(plan_.wides[w]));
+    return values;
+  }
+
+ private:
+  const LanePlan& plan_;
+  Signs signs_{kMostLanes};
+  std::vector<Sign> sign_;  // by wide: of what is computed, against what it stands for
+
+  const Wide& wide(const Part& part) const { return plan_.wides[at(part.wide)]; }
+  Sign sign_of(const Part& part) const { return signs_.product(sign_[at(part.wide)], signs_.fixed(part.flips)); }
+  bool is_numbers(const Part& part) const { return wide(part).kind == Wide::Kind::numbers; }
+
+  void choose_sign(std::size_t index) {
+    const Wide& w = plan_.wides[index];
+    Sign& sign = sign_[index];
+    switch (w.kind) {
+      case Wide::Kind::numbers:
+        return;
+      case Wide::Kind::broadcast:
+      case Wide::Kind::gather:
+        sign = signs_.variable(true);
+        return;
+      case Wide::Kind::sum:
+        agree(w.parts);
+        for (const Part& part : w.parts)
+          if (!is_numbers(part)) {
+            sign = sign_of(part);
+            break;
+          }
+        return;
+      case Wide::Kind::operation:
+        break;
+    }
+    if (w.op == Op::multiply || w.op == Op::divide) {
+      const bool takes_signs = is_numbers(w.parts[0]) || is_numbers(w.parts[1]);
+      sign = takes_signs ? signs_.variable(false) : signs_.product(sign_of(w.parts[0]), sign_of(w.parts[1]));
+    } else if (w.op == Op::sine) {
+      sign = sign_of(w.parts[0]);
+    } else if (w.op == Op::square_root) {
+      signs_.make_plain(sign_of(w.parts[0]));
+    }
+  }
+
+  // Makes the signs of the terms of a sum the same, as far as that is free.
+  void agree(const std::vector<Part>& parts) {
+    const Part* first = nullptr;
+    for (const Part& part : parts) {
+      if (is_numbers(part)) continue;
+      if (first)
+        signs_.make_plain(signs_.product(sign_of(*first), sign_of(part)));
+      else
+        first = &part;
+    }
+  }
+
+  void choose_signs_of_sum(int s) {
+    const LanePlan::Scalar& scalar = plan_.scalars[at(s)];
+    if (scalar.wide >= 0 || !scalar.sum) return;
+    for (const int wide : scalar.sum->wides) signs_.make_plain(sign_[at(wide)]);
+  }
+};
+
+}  // namespace
+
+std::vector<unsigned> plan_signs(const LanePlan& plan) {
+  return SignChoice(plan).run();
+}
+
+}  // namespace robcogen::pass
