@@ -14,6 +14,7 @@
 #include "interpreted_robot.h"
 #include "pass/pack_lanes.h"
 #include "pass/passes.h"
+#include "symbolic/blocks.h"
 #include "symbolic/count.h"
 #include "symbolic/interpret.h"
 #include "symbolic/text.h"
@@ -174,6 +175,32 @@ std::string difference(const Program& expected, const Program& program, std::uin
   return "";
 }
 
+// Whether blocks and fills are what the program returns, each element at most once.
+std::string fault_of_stores(const Program& p) {
+  const symbolic::Stores stores = symbolic::stores(p);
+  std::vector<std::vector<bool>> taken;
+  for (const symbolic::OutputArray& array : p.outputs) taken.emplace_back(array.values.size(), false);
+  for (const symbolic::Block& block : stores.blocks) {
+    for (int lane = 0; lane < block.width; ++lane) {
+      for (std::size_t k = 0; k < block.columns.size(); ++k) {
+        const auto element = static_cast<std::size_t>(block.first + lane * block.stride) + k;
+        const auto array = static_cast<std::size_t>(block.array);
+        symbolic::Operand expected = block.columns[k];
+        if (is_statement(expected)) expected.lane = lane;
+        if (p.outputs[array].values.at(element) != expected) return "another element in a block";
+        if (taken[array][element]) return "an element twice";
+        taken[array][element] = true;
+      }
+    }
+  }
+  for (const symbolic::Fill& fill : stores.fills) {
+    const std::vector<symbolic::Operand>& values = p.outputs[static_cast<std::size_t>(fill.array)].values;
+    if (fill.first + fill.count > static_cast<int>(values.size())) return "a fill beyond the end";
+    if (fill.value.kind != symbolic::Operand::Kind::constant) return "a fill that is no constant";
+  }
+  return "";
+}
+
 struct Tally {
   int programs = 0, with_lanes = 0;
   int alike = 0;  // programs of limbs that fold alike, where these are others
@@ -181,6 +208,7 @@ struct Tally {
 
 void expect_same_program(const Program& expected, const Program& program) {
   ASSERT_EQ(symbolic::verify(program), "") << program.name;
+  ASSERT_EQ(fault_of_stores(program), "") << program.name << "\n" << symbolic::print(program);
   ASSERT_EQ(difference(expected, program, 1), "") << program.name << "\n" << symbolic::print(program);
   std::string error;
   const auto read = symbolic::parse(symbolic::print(program), error);

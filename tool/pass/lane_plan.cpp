@@ -51,14 +51,13 @@ class Planning {
     for (std::size_t c = 0; c < classes_.size(); ++c) {
       std::vector<std::vector<Operand>> lists(width(c));
       std::vector<bool> seen(plan_.scalars.size(), false);
-      for (Operand o : array.values) {
+      for (const Operand& o : array.values) {
         const Correspondence::Owner owner = alike_.owner(o);
         if (!is_statement(o) || owner.limbs != static_cast<int>(c) || seen[at(o.index)]) continue;
         seen[at(o.index)] = true;
-        o.negative = false;
         lists[at(owner.lane)].push_back(o);
       }
-      for (const Tuple& tuple : alike_.match(lists)) plan_.roots.push_back(part(tuple).wide);
+      for (const Tuple& tuple : alike_.match(lists)) plan_.roots.push_back(part(tuple));
     }
     for (const Operand& o : array.values) need(o);
   }

@@ -51,8 +51,8 @@ struct LanePlan {
   };
   std::vector<Scalar> scalars;  // by statement
   std::vector<Wide> wides;
-  std::vector<int> roots;  // the values of lanes that outputs ask for
-  std::vector<int> order;  // statements, then wides, as one list of indices; operands before users
+  std::vector<Part> roots;  // the values of lanes that outputs ask for, with their signs there
+  std::vector<int> order;   // statements, then wides, as one list of indices; operands before users
 
   int scalar_count() const { return static_cast<int>(scalars.size()); }
 };

@@ -21,7 +21,7 @@ class SignChoice {
         choose_sign(at(node - plan_.scalar_count()));
       else
         choose_signs_of_sum(node);
-    for (const int root : plan_.roots) signs_.make_plain(sign_[at(root)]);
+    for (const Part& root : plan_.roots) signs_.make_plain(sign_of(root));
     std::vector<unsigned> values;
     for (std::size_t w = 0; w < sign_.size(); ++w) values.push_back(signs_.value(sign_[w]) & all_lanes(plan_.wides[w]));
     return values;

@@ -5,6 +5,8 @@
 #include <set>
 #include <span>
 
+#include "symbolic/blocks.h"
+
 namespace robcogen::symbolic {
 namespace {
 
@@ -163,17 +165,36 @@ Program given_parameters(const Program& p) {
   return rest;
 }
 
-// Instructions that bring lanes together and take them apart. An element of an output that comes from a lane counts
-// three times: as measured with inertia matrices, which store much and compute little.
+// Elements that are lanes, but in no block, cost one instruction each.
+int moves_to_outputs(const Program& p) {
+  int count = 0;
+  for (const OutputArray& array : p.outputs)
+    count += static_cast<int>(
+        std::count_if(array.values.begin(), array.values.end(), [](const Operand& o) { return o.lane >= 0; }));
+  for (const Block& block : stores(p).blocks) {
+    const auto from_lanes = std::count_if(block.columns.begin(), block.columns.end(), is_statement);
+    count += moves(block) - block.width * static_cast<int>(from_lanes);
+  }
+  return count;
+}
+
+// Instructions that bring lanes together and take them apart.
 int moves(const Program& p) {
   int count = 0;
+  std::vector<bool> is_loaded(p.statements.size(), false);
+  for (const Block& block : loads(p)) {
+    count += moves(block);
+    for (const Operand& o : block.columns) is_loaded[static_cast<std::size_t>(o.index)] = true;
+  }
   std::set<std::pair<int, int>> picked;
   const auto note = [&](const Operand& o) {
     if (o.kind == Operand::Kind::statement && o.lane > 0) picked.emplace(o.index, o.lane);
   };
-  for (const Statement& s : p.statements) {
+  for (std::size_t i = 0; i < p.statements.size(); ++i) {
+    const Statement& s = p.statements[i];
     const auto is_constant = [](const Operand& o) { return o.kind == Operand::Kind::constant; };
-    if (s.op == Op::gather && !std::all_of(s.lanes.begin(), s.lanes.end(), is_constant)) count += s.width - 1;
+    if (s.op == Op::gather && !is_loaded[i] && !std::all_of(s.lanes.begin(), s.lanes.end(), is_constant))
+      count += s.width - 1;
     for (const Operand& o : s.lanes) note(o);
     if (s.op == Op::sum_lanes) {
       for (int width = p.statements[static_cast<std::size_t>(s.a.index)].width; width > 1; width /= 2) count += 2;
@@ -182,10 +203,7 @@ int moves(const Program& p) {
       if (is_binary(s.op)) note(s.b);
     }
   }
-  for (const OutputArray& array : p.outputs)
-    count += 3 * static_cast<int>(std::count_if(
-                     array.values.begin(), array.values.end(), [](const Operand& o) { return o.lane >= 0; }));
-  return count + static_cast<int>(picked.size());
+  return count + static_cast<int>(picked.size()) + moves_to_outputs(p);
 }
 
 }  // namespace

@@ -48,9 +48,13 @@ constexpr int kRegisterBytes = 16;
 
 // How many of them a register of the processor holds.
 template <class Scalar>
-constexpr int kInRegister = ROBCOGEN_HAS_VECTORS&& std::is_floating_point_v<Scalar>
-                                ? kRegisterBytes / static_cast<int>(sizeof(Scalar))
-                                : 1;
+constexpr int kInRegister = 1;
+#if ROBCOGEN_HAS_VECTORS
+template <>
+constexpr int kInRegister<double> = kRegisterBytes / static_cast<int>(sizeof(double));
+template <>
+constexpr int kInRegister<float> = kRegisterBytes / static_cast<int>(sizeof(float));
+#endif
 
 // That many elements as a type of the compiler's, which has the operators of an element. One is the element itself.
 template <class Element, int kSize>
@@ -277,17 +281,32 @@ class Lanes<Scalar, kSize, false> {
 
 namespace lanes {
 
-// Half of the lanes, from kFirst on.
-template <int kFirst, class Scalar, int kSize, int... kLane>
-ROBCOGEN_INLINE Lanes<Scalar, kSize / 2> half(
-    const Lanes<Scalar, kSize>& x,
-    std::integer_sequence<int, kLane...>) noexcept {
+// Lanes of two values, counted on from the first to the second, as a value. Both, and the result, fit into a register.
+template <int... kLane, class Scalar, int kSize>
+ROBCOGEN_INLINE Lanes<Scalar, sizeof...(kLane)> shuffled(
+    const Lanes<Scalar, kSize>& a,
+    const Lanes<Scalar, kSize>& b) noexcept {
+  using Result = Lanes<Scalar, sizeof...(kLane)>;
 #if ROBCOGEN_HAS_SHUFFLES
-  if constexpr (kSize > 2 && kSize <= kInRegister<Scalar>)
-    return Lanes<Scalar, kSize / 2>::of_vector(__builtin_shufflevector(x.vector(), x.vector(), (kFirst + kLane)...));
+  if constexpr (kSize > 1 && sizeof...(kLane) > 1)
+    return Result::of_vector(__builtin_shufflevector(a.vector(), b.vector(), kLane...));
   else
 #endif
-    return Lanes<Scalar, kSize / 2>::of(x[kFirst + kLane]...);
+    return Result::of((kLane < kSize ? a[kLane] : b[kLane - kSize])...);
+}
+
+// The first half of the lanes (0), or the second (1).
+template <int kHalf, class Scalar, int kSize>
+ROBCOGEN_INLINE Lanes<Scalar, kSize / 2> half(const Lanes<Scalar, kSize>& x) noexcept {
+  if constexpr (kSize > kInRegister<Scalar>) {
+    return kHalf == 0 ? x.low() : x.high();
+  } else if constexpr (kSize == 2) {
+    return Lanes<Scalar, 1>(x[kHalf]);
+  } else {
+    Vector<Scalar, kSize / 2> halves[2];  // of a shuffle, gcc would not see that its result can go to memory at once
+    std::memcpy(halves, &x.vector(), sizeof(halves));
+    return Lanes<Scalar, kSize / 2>::of_vector(halves[kHalf]);
+  }
 }
 
 }  // namespace lanes
@@ -298,8 +317,7 @@ ROBCOGEN_INLINE Scalar sum_lanes(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (kSize == 1) {
     return x[0];
   } else {
-    using Half = std::make_integer_sequence<int, kSize / 2>;
-    return sum_lanes(lanes::half<0>(x, Half()) + lanes::half<kSize / 2>(x, Half()));
+    return sum_lanes(lanes::half<0>(x) + lanes::half<1>(x));
   }
 }
 

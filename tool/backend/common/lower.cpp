@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "backend/common/block_plan.h"
+
 namespace robcogen::backend {
 namespace {
 
@@ -38,6 +40,7 @@ enum class Place {
   inside,   // part of its only user's expression
   own,      // a definition
   output,   // stored without a name
+  loaded,   // part of a block
 };
 
 // Sine and cosine of one argument.
@@ -60,12 +63,14 @@ class Lowering {
 
   void run() {
     declare_parameters();
+    if (dialect_.stores) blocks_ = block_plan(program_);
     find_uses();
     if (dialect_.binds_parameters) bind_parameters();
     find_angles_together();
     name_values();
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (places_[i] != Place::nowhere && places_[i] != Place::angle) fit(i);
+    emit_fills();
     emit_input_angles();
     for (std::size_t i = 0; i < places_.size(); ++i) emit(i);
     if (dialect_.stores) {
@@ -92,6 +97,8 @@ class Lowering {
   int first_together_ = 0;    // input element
   std::size_t together_ = 0;  // how many from it on have their sines and cosines computed together; 0: none
   std::string section_;       // title of the section that the last line belongs to
+  BlockPlan blocks_;
+  std::vector<std::string> load_names_;
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
@@ -151,15 +158,22 @@ class Lowering {
       for (std::size_t k = 0; k < values.size(); ++k) {
         const Operand& o = values[k];
         if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
-        if (is_statement(o)) stores_[at(o.index)].push_back({element(output_parameter(p), k), o.negative, o.lane});
+        if (is_statement(o) && !is_in_block(p, k))
+          stores_[at(o.index)].push_back({element(output_parameter(p), k), o.negative, o.lane});
       }
     }
     for (std::size_t i = places_.size(); i-- > 0;) {
-      if (uses[i] == 0 && stores_[i].empty()) continue;
+      const bool is_column = dialect_.stores && blocks_.is_column[i];
+      if (uses[i] == 0 && stores_[i].empty() && !is_column) continue;
       const Statement& s = statement(i);
-      for_each_operand(s, [&](const Operand& o) { use(o, static_cast<int>(i)); });
       note_width(s.width);
-      places_[i] = apart[i] && !is_angle_function(s.op) ? Place::own : place(i, uses[i], last_user[i]);
+      if (const auto column = blocks_.loaded.find(i); column != blocks_.loaded.end()) {
+        places_[i] = Place::loaded;
+        kernel_.parameters[at(blocks_.loads[column->second.first].array)].used = true;
+        continue;
+      }
+      for_each_operand(s, [&](const Operand& o) { use(o, static_cast<int>(i)); });
+      places_[i] = (apart[i] || is_column) && !is_angle_function(s.op) ? Place::own : place(i, uses[i], last_user[i]);
       if (places_[i] == Place::angle) note_angle(i);
     }
     std::size_t element = 0;
@@ -167,6 +181,10 @@ class Lowering {
       for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k)
         if (inputs_used[element++]) kernel_.parameters[p].used = true;
     inputs_used_ = std::move(inputs_used);
+  }
+
+  bool is_in_block(std::size_t output, std::size_t element) const {
+    return dialect_.stores && blocks_.is_stored[output][element];
   }
 
   int width(const Operand& o) const { return is_statement(o) && o.lane < 0 ? statement(at(o.index)).width : 1; }
@@ -246,8 +264,15 @@ class Lowering {
     std::vector<std::string> wanted;
     for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
     const std::vector<std::string> names = claim_all(scope_, wanted);
+    for (const symbolic::Block& load : blocks_.loads)
+      load_names_.push_back(scope_.claim(program_.inputs[at(load.array)].name + "_lanes"));
     for (std::size_t i = 0; i < names.size(); ++i) {
       const Statement& s = statement(i);
+      if (places_[i] == Place::loaded) {
+        const auto& [load, column] = blocks_.loaded.at(i);
+        spellings_[i].text = dialect_.element(load_names_[load], column);
+        continue;
+      }
       if (places_[i] != Place::angle) {
         spellings_[i].text = names[i];
         continue;
@@ -387,9 +412,41 @@ class Lowering {
       if (key.first == Operand::Kind::input) emit_angle(key, angle);
   }
 
+  // Before all that stands between their elements.
+  void emit_fills() {
+    for (const symbolic::Fill& fill : blocks_.stores.fills) {
+      Line line{Line::Kind::fill, {}, text(spell(fill.value)), at(fill.count)};
+      line.targets = {element(output_parameter(at(fill.array)), at(fill.first))};
+      add(std::move(line));
+    }
+  }
+
+  void emit_load(std::size_t k) {
+    const symbolic::Block& block = blocks_.loads[k];
+    const std::string first = element(kernel_.parameters[at(block.array)], at(block.first));
+    add({Line::Kind::load_block, {load_names_[k]}, first, block.columns.size(), block.width, block.stride});
+  }
+
+  void emit_block(const symbolic::Block& block) {
+    Line line{Line::Kind::store_block, {}, "", block.columns.size(), block.width, block.stride};
+    line.targets = {element(output_parameter(at(block.array)), at(block.first))};
+    for (const Operand& o : block.columns) line.values.push_back(text(spell(o, block.width)));
+    add(std::move(line));
+  }
+
   void emit(std::size_t i) {
+    emit_value(i);
+    const auto [first, last] = blocks_.store_after.equal_range(i);
+    for (auto block = first; block != last; ++block) emit_block(blocks_.stores.blocks[block->second]);
+  }
+
+  void emit_value(std::size_t i) {
     const Statement& s = statement(i);
-    if (places_[i] == Place::nowhere) return;
+    if (const auto load = blocks_.load_at.find(i); load != blocks_.load_at.end()) {
+      enter_section(i);
+      emit_load(load->second);
+    }
+    if (places_[i] == Place::nowhere || places_[i] == Place::loaded) return;
     if (s.op == Op::square_root) need("sqrt");
     if (places_[i] == Place::inside) return;
     if (places_[i] == Place::angle) {
@@ -445,7 +502,7 @@ class Lowering {
       for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
         for (std::size_t k = 0; k < program_.outputs[p].values.size(); ++k) {
           const Operand& o = program_.outputs[p].values[k];
-          if (o.kind != kind) continue;
+          if (o.kind != kind || is_in_block(p, k)) continue;
           const std::string value = text(spell(o));
           if (targets[value].empty()) values.push_back(value);
           targets[value].push_back(element(output_parameter(p), k));

@@ -23,19 +23,24 @@ struct Parameter {
 
 struct Line {
   enum class Kind {
-    section,     // a comment: `expression` is its text
-    binding,     // targets: the name of `expression`, an element of the parameters
-    sincos,      // targets: sine and cosine of `expression`
-    sincos_of,   // targets: the name that stands for sines and cosines of `count` elements, from `expression` on
-    pick,        // targets: sine and cosine of one of them, `expression`
-    definition,  // targets: the one name that is defined
-    store,       // targets: elements of outputs that get the same value
+    section,      // a comment: `expression` is its text
+    binding,      // targets: the name of `expression`, an element of the parameters
+    sincos,       // targets: sine and cosine of `expression`
+    sincos_of,    // targets: the name that stands for sines and cosines of `count` elements, from `expression` on
+    pick,         // targets: sine and cosine of one of them, `expression`
+    definition,   // targets: the one name that is defined
+    store,        // targets: elements of outputs that get the same value
+    load_block,   // targets: the name of `count` values, whose first element is `expression`
+    store_block,  // targets: the first element of what takes the lanes of `values`
+    fill,         // targets: the first of `count` elements of an output that get the value
   };
   Kind kind = Kind::definition;
   std::vector<std::string> targets;
   std::string expression;
-  std::size_t count = 0;  // of sincos_of
-  int width = 1;          // of a definition: lanes
+  std::size_t count = 0;  // of sincos_of, load_block and fill
+  int width = 1;          // of definitions: lanes
+  int stride = 0;         // of blocks: from lane to lane
+  std::vector<std::string> values = {};
 };
 
 struct Kernel {
@@ -89,6 +94,7 @@ std::vector<Parameter> parameters(const symbolic::Program& program, const Dialec
 //   that of the program.
 // - Values of several lanes are names of their own where a lane is read; scalars that all lanes take are spread there.
 // - A value that only outputs use is stored without a name, equal elements at once.
+// - Of programs with lanes, what stands side by side in an array is loaded and stored in blocks (symbolic/blocks.h).
 // - Statements that no output needs are left out.
 Kernel lower(const symbolic::Program& program, const std::string& name, const Dialect& dialect);
 

@@ -1,5 +1,6 @@
 #include "backend/cpp/lower.h"
 
+#include "backend/cpp/layout.h"
 #include "backend/cpp/names.h"
 #include "support/number.h"
 
@@ -10,26 +11,29 @@ std::string element(const std::string& array, std::size_t k) {
   return array + "[" + std::to_string(k) + "]";
 }
 
+constexpr std::size_t kIndentation = 2;
+
 // A call whose arguments do not fit in one line has them in several.
 std::string wrapped(const std::string& line, std::size_t limit) {
   if (line.size() <= limit) return line;
-  const std::size_t open = line.find("::of(");
-  if (open == std::string::npos) return line;
   const std::string margin = "\n      ";
-  const std::size_t equals = line.find(" = ");
-  if (line.size() - equals - 3 + 4 <= limit) return line.substr(0, equals + 2) + margin + line.substr(equals + 3);
-  std::string result = line.substr(0, open + 5), rest = line.substr(open + 5);
+  const std::size_t equals = line.find(" = "), of = line.find("::of(");
+  const bool is_definition = equals != std::string::npos;
+  if (is_definition && of == std::string::npos) return line;
+  if (is_definition && line.size() - equals - 3 + 4 <= limit)
+    return line.substr(0, equals + 2) + margin + line.substr(equals + 3);
+  const std::size_t begin = (is_definition ? line.find('(', of) : line.find('(')) + 1;
+  std::string result = line.substr(0, begin), rest = line.substr(begin);
   for (std::size_t column = limit; !rest.empty();) {
     const std::size_t comma = std::min(rest.find(", "), rest.size());
     const std::string part = rest.substr(0, std::min(comma + 1, rest.size()));
-    if (column + part.size() + 1 > limit) {
-      result += margin;
-      column = margin.size();
+    if (column + 1 + part.size() > limit + kIndentation) {
+      result += margin + part;
+      column = margin.size() - 1 + part.size();
     } else {
-      result += ' ';
+      result += ' ' + part;
+      column += 1 + part.size();
     }
-    result += part;
-    column += part.size() + 1;
     rest.erase(0, std::min(comma + 2, rest.size()));
   }
   return result;
@@ -47,8 +51,8 @@ const Dialect& dialect() {
     d.is_reserved = is_reserved;
     d.used_names = {"Lanes2", "Lanes4", "Lanes8", "Scalar", "cos",      "robcogen",
                     "sin",    "sincos", "sqrt",   "std",    "sum_lanes"};
-    d.line_limit = 118;  // 120 columns less the indentation
-    d.name_limit = 30;   // three such operands and their operators fit in one line
+    d.line_limit = kColumns - kIndentation;
+    d.name_limit = 30;  // three such operands and their operators fit in one line
     d.angles_together = 4;
     d.binds_parameters = true;
     d.literal = [](const Number& value) { return literal(value.value()); };
@@ -99,6 +103,16 @@ std::string text(const Line& line) {
           "const " + (line.width > 1 ? type(line.width) : "Scalar") + " " + line.targets[0] + " = " + line.expression +
               ";",
           dialect().line_limit);
+    case Line::Kind::load_block:
+      return "const auto " + line.targets[0] + " = robcogen::load_lanes<" + std::to_string(line.width) + ", " +
+             std::to_string(line.count) + ", " + std::to_string(line.stride) + ">(&" + line.expression + ");";
+    case Line::Kind::store_block: {
+      std::string result = "robcogen::store_lanes<" + std::to_string(line.stride) + ">(&" + line.targets[0];
+      for (const std::string& value : line.values) result += ", " + value;
+      return wrapped(result + ");", dialect().line_limit);
+    }
+    case Line::Kind::fill:
+      return "robcogen::fill<" + std::to_string(line.count) + ">(&" + line.targets[0] + ", " + line.expression + ");";
     case Line::Kind::store:
       break;
   }

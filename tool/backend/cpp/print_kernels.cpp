@@ -268,18 +268,21 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   if (group == kTrigonometry && !api.takes_sines())
     return paragraphs({banner(*api.library, path, "no kernels of sines and cosines"), "#pragma once\n"});
   std::vector<std::string> cores, kernels;
+  bool has_lanes = false;
   for (const Callable& c : callables_of(api, group)) {
+    has_lanes = has_lanes || c.function->in_lanes.has_value();
     if (c.function->parts) cores.push_back(print_core(c));
     kernels.push_back(print_kernel(*api.library, c));
   }
   if (group == kParameters) kernels.push_back(whole_update(api));
   if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
+  std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
+  if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
   const std::string remark = "// Of known sines and cosines: sin_q and cos_q are those of all angles.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
-       "#pragma once\n", includes({"<cmath>"}),
-       includes({"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+       "#pragma once\n", includes({"<cmath>"}), includes(headers), runtime_check(api),
        in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }
 

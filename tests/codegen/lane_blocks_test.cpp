@@ -1,0 +1,101 @@
+// Blocks of lanes against single elements.
+#include "robcogen/lane_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace robcogen {
+namespace {
+
+constexpr int kUntouched = -1;  // what is in memory that no element of a block is in
+
+template <class Scalar_, int kSize_>
+struct Shape {
+  using Scalar = Scalar_;
+  static constexpr int kSize = kSize_;
+};
+
+template <class Shape>
+class LaneBlocksOf : public testing::Test {};
+
+using Shapes = testing::Types<
+    Shape<double, 1>,
+    Shape<double, 2>,
+    Shape<double, 4>,
+    Shape<double, 8>,
+    Shape<double, 16>,
+    Shape<float, 1>,
+    Shape<float, 2>,
+    Shape<float, 4>,
+    Shape<float, 8>,
+    Shape<float, 16>,
+    Shape<long double, 4>>;
+TYPED_TEST_SUITE(LaneBlocksOf, Shapes);
+
+// Lane i of value k, no two alike.
+template <class Scalar>
+Scalar number(int k, int i) {
+  return static_cast<Scalar>(100 * k + i);
+}
+
+template <class Scalar, int kSize>
+Lanes<Scalar, kSize> value(int k) {
+  Scalar numbers[kSize];
+  for (int i = 0; i < kSize; ++i) numbers[i] = number<Scalar>(k, i);
+  return Lanes<Scalar, kSize>::load(numbers);
+}
+
+// The block in memory, written element by element, with a margin on both sides.
+template <class Scalar>
+std::vector<Scalar> memory(int count, int stride, int size) {
+  std::vector<Scalar> elements(static_cast<std::size_t>(stride * size + 2 * count), Scalar(kUntouched));
+  for (int i = 0; i < size; ++i)
+    for (int k = 0; k < count; ++k) elements[static_cast<std::size_t>(count + i * stride + k)] = number<Scalar>(k, i);
+  return elements;
+}
+
+template <class Scalar, int kSize, int kStride, int... kValue>
+void expect_block(std::integer_sequence<int, kValue...>) {
+  constexpr int kCount = sizeof...(kValue);
+  SCOPED_TRACE(testing::Message() << kCount << " values, distance " << kStride);
+  const std::vector<Scalar> expected = memory<Scalar>(kCount, kStride, kSize);
+  std::vector<Scalar> found(expected.size(), Scalar(kUntouched));
+  store_lanes<kStride>(found.data() + kCount, value<Scalar, kSize>(kValue)...);
+  EXPECT_EQ(found, expected);
+  const auto loaded = load_lanes<kSize, kCount, kStride>(expected.data() + kCount);
+  for (int k = 0; k < kCount; ++k)
+    for (int i = 0; i < kSize; ++i) EXPECT_EQ(loaded[static_cast<std::size_t>(k)][i], number<Scalar>(k, i)) << k << i;
+}
+
+template <class Scalar, int kSize, int... kLess>
+void expect_blocks(std::integer_sequence<int, kLess...>) {
+  (expect_block<Scalar, kSize, kLess + 1>(std::make_integer_sequence<int, kLess + 1>()), ...);
+  (expect_block<Scalar, kSize, kLess + 2>(std::make_integer_sequence<int, kLess + 1>()), ...);
+  (expect_block<Scalar, kSize, 18>(std::make_integer_sequence<int, kLess + 1>()), ...);
+}
+
+TYPED_TEST(LaneBlocksOf, AreStoredAndLoadedAsSingleElements) {
+  expect_blocks<typename TypeParam::Scalar, TypeParam::kSize>(std::make_integer_sequence<int, 9>());
+}
+
+template <class Scalar, int kCount>
+void expect_filled() {
+  std::vector<Scalar> expected(kCount + 2, Scalar(kUntouched)), found = expected;
+  for (int i = 1; i <= kCount; ++i) expected[static_cast<std::size_t>(i)] = Scalar(0.5);
+  fill<kCount>(found.data() + 1, Scalar(0.5));
+  EXPECT_EQ(found, expected) << kCount;
+}
+
+template <class Scalar, int... kLess>
+void expect_all_filled(std::integer_sequence<int, kLess...>) {
+  (expect_filled<Scalar, kLess + 1>(), ...);
+}
+
+TYPED_TEST(LaneBlocksOf, FillNoMoreThanTheyAreTold) {
+  expect_all_filled<typename TypeParam::Scalar>(std::make_integer_sequence<int, 35>());
+}
+
+}  // namespace
+}  // namespace robcogen

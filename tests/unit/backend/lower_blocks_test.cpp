@@ -1,0 +1,77 @@
+// Blocks of programs with lanes, as lines of C++.
+#include <gtest/gtest.h>
+
+#include "backend/cpp/lower.h"
+#include "programs.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::string lowered(const std::string& statements, int outputs) {
+  const symbolic::Program program = test::program(
+      "program limbs\n"
+      "input q joint_position a0 a1 b0 b1\n"
+      "output out value " +
+      std::to_string(outputs) + " 1\nsection limbs limbs\n" + statements);
+  std::string result;
+  for (const Line& line : lower(program, "limbs").lines) result += text(line) + "\n";
+  return result;
+}
+
+TEST(LowerBlocks, InputsAreLoadedAtFirstUseAndOutputsStoredWhenTheLastColumnIsKnown) {
+  EXPECT_EQ(
+      lowered(
+          "tmp s = gather q[0] q[2]\n"
+          "tmp t = gather q[1] q[3]\n"
+          "let x = s * t\n"
+          "let y = x + s\n"
+          "return out x@0 y@0 x@1 y@1\n",
+          4),
+      "// limbs\n"
+      "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);\n"
+      "const Lanes2 x = q_lanes[0] * q_lanes[1];\n"
+      "const Lanes2 y = x + q_lanes[0];\n"
+      "robcogen::store_lanes<2>(&out[0], x, y);\n");
+}
+
+TEST(LowerBlocks, ConstantsAreFilledInFirstAndOnlyOnce) {
+  EXPECT_EQ(
+      lowered(
+          "tmp s = gather q[0] q[3]\n"
+          "let x = s * s\n"
+          "let y = x + s\n"
+          "return out x@0 0 -y@0 x@1 0 -y@1 0 0 0 0 x@0 0 0 1\n",
+          14),
+      "robcogen::fill<7>(&out[6], Scalar(0.0));\n"
+      "// limbs\n"
+      "const Lanes2 s = Lanes2::of(q[0], q[3]);\n"
+      "const Lanes2 x = s * s;\n"
+      "out[10] = x[0];\n"
+      "const Lanes2 y = x + s;\n"
+      "robcogen::store_lanes<3>(&out[0], x, Lanes2(Scalar(0.0)), -y);\n"
+      "// constant elements\n"
+      "out[13] = Scalar(1.0);\n");
+}
+
+TEST(LowerBlocks, LongListsGoOnInTheNextLine) {
+  std::string statements = "tmp s = gather q[0] q[3]\n", first, second;
+  for (int k = 0; k < 8; ++k) {
+    const std::string name = "name_of_moderate_length_" + std::to_string(k);
+    statements +=
+        "let " + name + " = s * " + (k == 0 ? "s" : "name_of_moderate_length_" + std::to_string(k - 1)) + "\n";
+    first += " " + name + "@0";
+    second += " " + name + "@1";
+  }
+  const std::string result = lowered(statements + "return out" + first + second + "\n", 16);
+  const std::size_t begin = result.find("robcogen::store_lanes");
+  EXPECT_EQ(
+      result.substr(begin),
+      "robcogen::store_lanes<8>(\n"
+      "      &out[0], name_of_moderate_length_0, name_of_moderate_length_1, name_of_moderate_length_2,\n"
+      "      name_of_moderate_length_3, name_of_moderate_length_4, name_of_moderate_length_5, "
+      "name_of_moderate_length_6,\n"
+      "      name_of_moderate_length_7);\n");
+}
+
+}  // namespace
+}  // namespace robcogen::backend::cpp
