@@ -59,17 +59,20 @@ Program total_mass(const model::KinematicTree& tree, const std::string& name) {
   return trace.program(name);
 }
 
-Program center_of_mass(const model::KinematicTree& tree, const std::string& name) {
+Program center_of_mass(const model::KinematicTree& tree, const std::string& name, const TypicalLinks& typical) {
   Trace trace(tree);
-  const Setup setup(trace, trace.joint_input("q", Role::joint_position));
+  const Setup setup(trace, trace.joint_input("q", Role::joint_position), typical);
   const WholeBody body(setup);
   trace.output("com", Role::position, std::vector<Expression>{body.com[0], body.com[1], body.com[2]});
   return trace.program(name);
 }
 
-Program center_of_mass_jacobian(const model::KinematicTree& tree, const std::string& name) {
+Program center_of_mass_jacobian(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const TypicalLinks& typical) {
   Trace trace(tree);
-  const Setup setup(trace, trace.joint_input("q", Role::joint_position));
+  const Setup setup(trace, trace.joint_input("q", Role::joint_position), typical);
   const WholeBody body(setup);
   std::vector<Expression> columns;
   if (tree.floating_base) {
@@ -81,9 +84,12 @@ Program center_of_mass_jacobian(const model::KinematicTree& tree, const std::str
   return trace.program(name);
 }
 
-Program centroidal_momentum_matrix(const model::KinematicTree& tree, const std::string& name) {
+Program centroidal_momentum_matrix(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const TypicalLinks& typical) {
   Trace trace(tree);
-  const Setup setup(trace, trace.joint_input("q", Role::joint_position));
+  const Setup setup(trace, trace.joint_input("q", Role::joint_position), typical);
   const WholeBody body(setup);
   const Vector3& first_moment = body.total.first_moment;
   std::vector<Expression> columns;

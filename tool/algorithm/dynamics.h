@@ -131,12 +131,21 @@ symbolic::Program coriolis_matrix(
 // What moves: every link but a fixed base. Its mass, a number of the parameters alone: -> mass.
 symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
 // Its centre of mass: q -> com, base coordinates; zero where nothing that moves has mass.
-symbolic::Program center_of_mass(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program center_of_mass(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const TypicalLinks& typical = {});
 // Velocity of that point, in base axes: q -> J, 3 x n, or 3 x (6 + n) base twist first.
-symbolic::Program center_of_mass_jacobian(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program center_of_mass_jacobian(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const TypicalLinks& typical = {});
 // Spatial momentum about that point, in base axes (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base twist
 // first; angular rows first.
-symbolic::Program centroidal_momentum_matrix(const model::KinematicTree& tree, const std::string& name);
+symbolic::Program centroidal_momentum_matrix(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const TypicalLinks& typical = {});
 
 // q, qd [, base_velocity] -> T, summed over the links.
 symbolic::Program kinetic_energy(
@@ -144,6 +153,10 @@ symbolic::Program kinetic_energy(
     const std::string& name,
     const Formulation& formulation = {});
 // q -> V of what moves, zero where its centre of mass is at the base origin.
-symbolic::Program potential_energy(const model::KinematicTree& tree, const std::string& name, Loads loads);
+symbolic::Program potential_energy(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const TypicalLinks& typical = {});
 
 }  // namespace robcogen::algorithm

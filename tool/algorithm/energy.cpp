@@ -46,11 +46,15 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
   return trace.program(name);
 }
 
-Program potential_energy(const model::KinematicTree& tree, const std::string& name, Loads loads) {
+Program potential_energy(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const TypicalLinks& typical) {
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const LoadInputs load(trace, loads);
-  const Setup setup(trace, q);
+  const Setup setup(trace, q, typical);
   const MassProperties body = moving_body(setup, composite_bodies(setup));
   trace.output("V", Role::energy, std::vector<Expression>{-dot(load.gravity, body.first_moment)});
   return trace.program(name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithm/kinematics.h"
+#include "algorithm/limb_inputs.h"
 #include "algorithm/setup.h"
 #include "algorithm/transform_kinds.h"
 #include "symbolic/count.h"
@@ -197,7 +198,7 @@ std::vector<RobotFunction> coriolis_matrix_group(const KinematicTree& tree, Form
   return list;
 }
 
-std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
+std::vector<RobotFunction> centroidal_group(const KinematicTree& tree, const TypicalLinks& typical) {
   const std::string moves = tree.floating_base ? "the robot" : "the moving links";
   const std::string columns =
       tree.floating_base ? "(6 + n) columns: for the velocity (base twist in base coordinates, angular first; qd)."
@@ -208,11 +209,11 @@ std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
   std::vector<RobotFunction> list = {
       function(
           "center_of_mass", {"Centre of mass of " + moves + " (m), in base coordinates."},
-          center_of_mass(tree, "center_of_mass")),
+          center_of_mass(tree, "center_of_mass", typical)),
       function(
           "center_of_mass_jacobian",
           {"Velocity (m/s) of the centre of mass of " + moves + ", in base axes: 3 rows.", columns},
-          center_of_mass_jacobian(tree, "center_of_mass_jacobian")),
+          center_of_mass_jacobian(tree, "center_of_mass_jacobian", typical)),
       function(
           "centroidal_momentum_matrix",
           {"Spatial momentum of " + moves +
@@ -220,7 +221,7 @@ std::vector<RobotFunction> centroidal_group(const KinematicTree& tree) {
                "s) "
                "(Orin, Goswami, Lee 2013).",
            columns},
-          centroidal_momentum_matrix(tree, "centroidal_momentum_matrix"))};
+          centroidal_momentum_matrix(tree, "centroidal_momentum_matrix", typical))};
   // A constant of robots without parameters.
   if (!tree.parameters.empty())
     list.push_back(function("total_mass", {"Mass of " + moves + " (kg)."}, total_mass(tree, "total_mass")));
@@ -240,7 +241,10 @@ std::vector<RobotFunction> energy_group(const KinematicTree& tree, Formulations&
       list, tree, "energy", "potential_energy",
       {std::string("Potential energy (J) of ") + (tree.floating_base ? "the robot" : "the moving links") +
        ", zero where their centre of mass is at the base origin."},
-      [&](const std::string& kernel, Loads loads) { return potential_energy(tree, kernel, loads); }, false);
+      [&](const std::string& kernel, Loads loads) {
+        return potential_energy(tree, kernel, loads, formulations.typical_of_model());
+      },
+      false);
   return list;
 }
 
@@ -444,9 +448,10 @@ const Formulation& Formulations::inertia() {
 }
 
 std::optional<Formulations> Formulations::with_typical_limbs() const {
-  if (!tree_.parameters.empty()) return std::nullopt;
+  if (!tree_.parameters.empty() || limbs_in_lanes(tree_).empty()) return std::nullopt;
   Formulations result = *this;
-  bool some_differ = false;
+  result.typical_of_model_ = typical_links(tree_);
+  bool some_differ = !result.typical_of_model_.empty();
   const auto mark = [&](Formulation& formulation) {
     formulation.typical = typical_links(tree_, formulation);
     some_differ = some_differ || !formulation.typical.empty();
@@ -492,7 +497,7 @@ std::vector<RobotFunction> functions(
   if (group == "joint_space_inertia") return joint_space_inertia_group(tree, formulations.inertia());
   if (group == "joint_space_inertia_factor") return joint_space_inertia_factor_group(tree, formulations.inertia());
   if (group == "coriolis_matrix") return coriolis_matrix_group(tree, formulations);
-  if (group == "centroidal") return centroidal_group(tree);
+  if (group == "centroidal") return centroidal_group(tree, formulations.typical_of_model());
   if (group == "energy") return energy_group(tree, formulations);
   if (group == "transforms") return transforms_group(tree, desired);
   if (group == "jacobians") return jacobians_group(tree, desired);
@@ -509,8 +514,8 @@ std::vector<std::optional<symbolic::Program>> alike_programs(
     const std::string& group,
     const Formulations& formulations) {
   static const std::vector<std::string> kOfLimbs = {
-      "inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "joint_space_inertia_factor",
-      "coriolis_matrix",  "energy"};
+      "inverse_dynamics",           "bias_forces",     "forward_dynamics", "joint_space_inertia",
+      "joint_space_inertia_factor", "coriolis_matrix", "centroidal",       "energy"};
   if (std::find(kOfLimbs.begin(), kOfLimbs.end(), group) == kOfLimbs.end()) return {};
   std::optional<Formulations> alike = formulations.with_typical_limbs();
   if (!alike) return {};

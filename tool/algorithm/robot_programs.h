@@ -41,6 +41,8 @@ class Formulations {
   const Formulation& unactuated_base();
   const Formulation& inertia();
   const ForwardDynamicsChoice& forward_dynamics();
+  // For programs of the model as it is.
+  const TypicalLinks& typical_of_model() const { return typical_of_model_; }
   // The same for programs whose equal limbs are to fold alike (typical_limbs.h); nullopt where they do so anyway, and
   // of robots with parameters.
   std::optional<Formulations> with_typical_limbs() const;
@@ -50,6 +52,7 @@ class Formulations {
  private:
   const model::KinematicTree& tree_;
   Formulation common_;
+  TypicalLinks typical_of_model_;
   std::optional<Formulation> newton_euler_, unactuated_base_, inertia_;
 
   // Looks for frames, from those of `start` on, unless that was done.

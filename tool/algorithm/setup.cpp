@@ -31,8 +31,10 @@ MassProperties lift(Trace& trace, const MassNumbers& numbers) {
 
 }  // namespace
 
-Setup::Setup(Trace& t, const std::vector<Expression>& q) : trace(t), poses(joint_poses(t, q)) {
+Setup::Setup(Trace& t, const std::vector<Expression>& q, const TypicalLinks& typical)
+    : trace(t), poses(joint_poses(t, q)) {
   for (const model::Link& link : tree().links) masses.push_back(mass_properties_of(trace, link));
+  see_among_typical(typical);
   begin_base(trace);
 }
 
@@ -46,14 +48,10 @@ Setup::Setup(Trace& t, const std::vector<Expression>& q, const Formulation& form
   poses = joint_poses(trace, q);
   for (const model::Link& link : tree().links) masses.push_back(mass_properties_of(trace, link));
   if (formulation.regroup) masses = regrouped(trace, poses, masses);
-  if (!formulation.frames.empty()) {
+  if (formulation.frames.empty())
+    see_among_typical(formulation.typical);
+  else
     move_into(in_frames(trace, formulation.frames, axis_placements(tree()), q, masses, formulation.typical));
-  } else if (!formulation.typical.empty()) {
-    for (std::size_t j = 0; j < poses.size(); ++j) {
-      see_among(trace, formulation.typical[j], poses[j]);
-      see_among(trace, formulation.typical[j], masses[static_cast<std::size_t>(tree().joints[j].child)]);
-    }
-  }
   begin_base(trace);
 }
 
@@ -66,10 +64,23 @@ TypicalLinks typical_links(const model::KinematicTree& tree, const Formulation& 
   return typical_links(tree, setup.poses, setup.masses);
 }
 
+TypicalLinks typical_links(const model::KinematicTree& tree) {
+  Trace trace(tree);
+  const Setup setup(trace, trace.joint_input("q", Role::joint_position));
+  return typical_links(tree, setup.poses, setup.masses);
+}
+
 void Setup::move_into(FramedLinks&& framed) {
   poses = std::move(framed.poses);
   masses = std::move(framed.masses);
   frames_of_model = std::move(framed.frames_of_model);
+}
+
+void Setup::see_among_typical(const TypicalLinks& typical) {
+  for (std::size_t j = 0; j < typical.size(); ++j) {
+    see_among(trace, typical[j], poses[j]);
+    see_among(trace, typical[j], masses[static_cast<std::size_t>(tree().joints[j].child)]);
+  }
 }
 
 std::vector<JointView> Setup::children(int link) const {

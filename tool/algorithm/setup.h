@@ -19,7 +19,7 @@ struct JointView {
 
 struct Setup {
   // The mass properties of the model; with a formulation, those that make the same dynamics cheap.
-  Setup(Trace& trace, const std::vector<Expression>& q);
+  Setup(Trace& trace, const std::vector<Expression>& q, const TypicalLinks& typical = {});
   Setup(Trace& trace, const std::vector<Expression>& q, const Formulation& formulation);
 
   Trace& trace;
@@ -38,11 +38,14 @@ struct Setup {
 
  private:
   void move_into(FramedLinks&& framed);
+  void see_among_typical(const TypicalLinks& typical);
 };
 
-// What is typical of the numbers that such a setup takes from a robot without parameters, before any turns with a joint;
-// empty where equal limbs fold alike as they are.
+// What is typical of the numbers that such a setup takes from a robot without parameters, before any turns with a
+// joint; empty where equal limbs fold alike as they are.
 TypicalLinks typical_links(const model::KinematicTree& tree, const Formulation& formulation);
+// The same for a setup without formulation.
+TypicalLinks typical_links(const model::KinematicTree& tree);
 
 // Gravity and external wrenches of a program. Declares its inputs: call after all other inputs.
 struct LoadInputs {

@@ -22,7 +22,7 @@ std::vector<double> numbers(const MassProperties& m) {
 
 std::vector<MassProperties> regrouped_masses(Trace& trace) {
   const auto q = trace.joint_input("q", symbolic::Role::joint_position);
-  const Setup setup(trace, q, {.regroup = true});
+  const Setup setup(trace, q, Formulation{.regroup = true});
   return setup.masses;
 }
 
