@@ -151,7 +151,24 @@ Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
   return sum({a, b});
 }
 
+// Constants of the limbs, that meet where their sums are taken apart, are one term.
+void LaneBuilder::fold_constants(std::vector<Operand>& terms) {
+  const auto is_constant = [](const Operand& o) { return o.kind == Operand::Kind::constant; };
+  const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
+  if (std::count_if(terms.begin(), terms.end(), is_constant) < 2) return;
+  Number sum;
+  for (const Operand& o : terms) {
+    if (!is_constant(o)) continue;
+    const Number& n = new_.constants[at(o.index)];
+    sum = o.negative ? sum - n : sum + n;
+  }
+  *first = number(sum.value() < 0.0 ? -sum : sum);
+  first->negative = sum.value() < 0.0;
+  terms.erase(std::remove_if(first + 1, terms.end(), is_constant), terms.end());
+}
+
 Operand LaneBuilder::sum(std::vector<Operand> terms) {
+  fold_constants(terms);
   const auto start = [&](const Operand& o) { return is_product(o) ? ready(o) - symbolic::kLatency : ready(o); };
   std::stable_sort(terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return start(a) < start(b); });
   const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });

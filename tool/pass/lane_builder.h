@@ -52,6 +52,7 @@ class LaneBuilder {
   int ready(const symbolic::Operand& o) const;
   bool is_product(const symbolic::Operand& o) const;
   int section_of(const Tuple& lanes, int place);
+  void fold_constants(std::vector<symbolic::Operand>& terms);
   void settle_late();
   std::vector<int> order() const;
   void name_all(symbolic::Program& program) const;

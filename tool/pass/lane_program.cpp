@@ -32,21 +32,29 @@ class Making {
         compute_wide(at(node - plan_.scalar_count()));
       else
         compute_scalar(node);
+    for (const Part& root : plan_.roots) make_root(root);
     std::vector<std::vector<Operand>> outputs;
     for (const symbolic::OutputArray& array : p_.outputs) {
       outputs.emplace_back();
-      for (const Operand& o : array.values) outputs.back().push_back(scalar(o));
+      for (const Operand& o : array.values) outputs.back().push_back(output(o));
     }
     return builder_.program(outputs);
   }
 
  private:
+  // A value, of which some lanes are negated.
+  struct Lanes {
+    Operand value;
+    unsigned negated = 0;
+  };
+
   const Program& p_;
   const LanePlan& plan_;
   const std::vector<unsigned>& signs_;  // by wide: the lanes that are kept negated
   LaneBuilder& builder_;
   std::vector<Operand> scalars_, wides_;  // what was made
   std::map<std::pair<int, unsigned>, Operand> flipped_;
+  std::map<int, Lanes> roots_;  // by wide: what outputs take in its place
 
   const Wide& wide(const Part& part) const { return plan_.wides[at(part.wide)]; }
   bool is_numbers(const Part& part) const { return wide(part).kind == Wide::Kind::numbers; }
@@ -55,16 +63,39 @@ class Making {
   Operand scalar(const Operand& o) {
     if (!is_statement(o)) return o;
     const LanePlan::Scalar& s = plan_.scalars[at(o.index)];
-    Operand result = s.wide < 0 ? scalars_[at(o.index)] : lane(s.wide, s.lane);
+    Operand result = s.wide < 0 ? scalars_[at(o.index)] : lane({wides_[at(s.wide)], signs_[at(s.wide)]}, s.lane);
     result.negative = result.negative != o.negative;
     return result;
   }
 
-  Operand lane(int wide, int lane) {
-    Operand result = wides_[at(wide)];
+  Operand lane(const Lanes& lanes, int lane) {
+    Operand result = lanes.value;
     if (builder_.width(result) > 1) result.lane = lane;
-    if (signs_[at(wide)] >> lane & 1U) result.negative = !result.negative;
+    if (lanes.negated >> lane & 1U) result.negative = !result.negative;
     return result;
+  }
+
+  // The value of an element of an output.
+  Operand output(const Operand& o) {
+    if (!is_statement(o)) return o;
+    const LanePlan::Scalar& s = plan_.scalars[at(o.index)];
+    const auto root = roots_.find(s.wide);
+    if (root == roots_.end()) return scalar(o);
+    Operand result = lane(root->second, s.lane);
+    result.negative = result.negative != o.negative;
+    return result;
+  }
+
+  // Where lanes are kept with other signs than outputs give them, all of them are changed at once: less than one by
+  // one, and what has the same sign in all lanes can be stored as a vector.
+  void make_root(const Part& root) {
+    const Wide& w = plan_.wides[at(root.wide)];
+    const unsigned change = (signs_[at(root.wide)] ^ root.flips) & all_lanes(w);
+    const bool is_operation = w.kind == Wide::Kind::operation || w.kind == Wide::Kind::sum;
+    if (!is_operation || change == 0 || change == all_lanes(w)) return;
+    builder_.begin(w.lanes, w.place);
+    const unsigned negated = root.flips & all_lanes(w);
+    roots_.emplace(root.wide, Lanes{use(root.wide, negated), negated});
   }
 
   // A value of lanes whose lanes are negated like this.
