@@ -45,7 +45,7 @@ count_model() { # name model folder
   fi
   local flags="-O2 -mavx2 -mfma"
   if ${CXX:-g++} --version | grep -q "Free Software Foundation"; then
-    flags+=" -fno-tree-slp-vectorize -frename-registers"
+    flags+=" -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2"
   fi
   # shellcheck disable=SC2086  # words
   ${CXX:-g++} -std=c++17 ${CXXFLAGS:-$flags} -I"$3" -I"$here/../runtime/include" \

@@ -34,7 +34,7 @@ void KernelEvaluator::run(const std::string& line) {
     for (int k = 0; k < count; ++k)
       angles_[name + "[" + std::to_string(k) + "]"] = first + "[" + std::to_string(begin + k) + "]";
     expect(")");
-  } else if (accept("const Scalar ")) {
+  } else if (accept("const Scalar ") || accept("const Scalar& ")) {
     const std::string name = word();
     expect(" = ");
     define(name, sum());

@@ -383,9 +383,10 @@ class Lowering {
   }
 
   void emit_angle(const AngleKey& key, const Angle& angle) {
-    const std::string argument = text(spell({key.first, key.second, false}));
+    const Operand operand{key.first, key.second, false};
+    const std::string argument = text(spell(operand));
     if (angle.sine && angle.cosine && dialect_.pairs_angles) {
-      add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument});
+      add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument, 0, width(operand)});
       return;
     }
     if (angle.sine) define("sin", argument, angle.sine_name);

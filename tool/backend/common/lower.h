@@ -19,12 +19,13 @@ struct Parameter {
   bool output = false;
   bool used = true;                        // an unused parameter needs no name
   std::vector<std::string> elements = {};  // by Dialect::names_variables: arguments of their own
+  int width = 1;                           // of its elements: lanes
 };
 
 struct Line {
   enum class Kind {
     section,      // a comment: `expression` is its text
-    binding,      // targets: the name of `expression`, an element of the parameters
+    binding,      // targets: the name of `expression`, an element of an array
     sincos,       // targets: sine and cosine of `expression`
     sincos_of,    // targets: the name that stands for sines and cosines of `count` elements, from `expression` on
     pick,         // targets: sine and cosine of one of them, `expression`
@@ -38,7 +39,7 @@ struct Line {
   std::vector<std::string> targets;
   std::string expression;
   std::size_t count = 0;  // of sincos_of, load_block and fill
-  int width = 1;          // of definitions: lanes
+  int width = 1;          // of what is defined: lanes
   int stride = 0;         // of blocks: from lane to lane
   std::vector<std::string> values = {};
 };

@@ -7,6 +7,10 @@
 namespace robcogen::backend::cpp {
 namespace {
 
+// Lines of kernels that may stay in the instruction cache (64 KB, 21 bytes a line on x86-64), and of their parts and
+// those of others.
+constexpr std::size_t kCached = 3000, kPart = 700, kShortPart = 200;
+
 std::string element(const std::string& array, std::size_t k) {
   return array + "[" + std::to_string(k) + "]";
 }
@@ -39,6 +43,10 @@ std::string wrapped(const std::string& line, std::size_t limit) {
   return result;
 }
 
+std::string type_of(const Line& line) {
+  return line.width > 1 ? type(line.width) : "Scalar";
+}
+
 }  // namespace
 
 std::string type(int width) {
@@ -49,8 +57,8 @@ const Dialect& dialect() {
   static const Dialect cpp = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"Lanes2", "Lanes4", "Lanes8", "Scalar", "cos",      "robcogen",
-                    "sin",    "sincos", "sqrt",   "std",    "sum_lanes"};
+    d.used_names = {"Lanes2", "Lanes4",   "Lanes8", "Scalar", "cos",  "kept", "kept_2",   "kept_4",
+                    "kept_8", "robcogen", "sin",    "sincos", "sqrt", "std",  "sum_lanes"};
     d.line_limit = kColumns - kIndentation;
     d.name_limit = 30;  // three such operands and their operators fit in one line
     d.angles_together = 4;
@@ -72,6 +80,10 @@ Kernel lower(const symbolic::Program& program, const std::string& name) {
   return backend::lower(program, name, dialect());
 }
 
+Parts split(const Kernel& kernel) {
+  return in_parts(kernel, kernel.lines.size() > kCached ? kShortPart : kPart, dialect());
+}
+
 Kernel lower_values(const symbolic::Program& program) {
   Dialect values = dialect();
   values.stores = false;
@@ -89,7 +101,7 @@ std::string text(const Line& line) {
       return "// " + line.expression;
     // A reference: read where it is used, and no register is spent on it before.
     case Line::Kind::binding:
-      return "const Scalar& " + line.targets[0] + " = " + line.expression + ";";
+      return "const " + type_of(line) + "& " + line.targets[0] + " = " + line.expression + ";";
     case Line::Kind::sincos:
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = robcogen::sincos(" + line.expression +
              ");";
@@ -100,9 +112,7 @@ std::string text(const Line& line) {
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = " + line.expression + ";";
     case Line::Kind::definition:
       return wrapped(
-          "const " + (line.width > 1 ? type(line.width) : "Scalar") + " " + line.targets[0] + " = " + line.expression +
-              ";",
-          dialect().line_limit);
+          "const " + type_of(line) + " " + line.targets[0] + " = " + line.expression + ";", dialect().line_limit);
     case Line::Kind::load_block:
       return "const auto " + line.targets[0] + " = robcogen::load_lanes<" + std::to_string(line.width) + ", " +
              std::to_string(line.count) + ", " + std::to_string(line.stride) + ">(&" + line.expression + ");";

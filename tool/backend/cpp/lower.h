@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "backend/common/lower.h"
+#include "backend/common/parts.h"
 
 namespace robcogen::backend::cpp {
 
+using backend::Handed;
 using backend::Kernel;
 using backend::Line;
 using backend::Parameter;
+using backend::Parts;
 
 const Dialect& dialect();
 
@@ -18,6 +21,14 @@ const Dialect& dialect();
 std::vector<Parameter> parameters(const symbolic::Program& program);
 
 Kernel lower(const symbolic::Program& program, const std::string& name);
+
+// Kernels of more lines than these are split: compilers take less than half as long for parts of hundreds of lines as
+// for thousands at once.
+inline constexpr std::size_t kLongest = 2000;
+
+// In parts as long as costs no time when they run; and short ones, for the sake of registers, where the code is larger
+// than the instruction cache of any processor, so that time goes with its size.
+Parts split(const Kernel& kernel);
 
 // The program's lines without stores: what its outputs are stands in Kernel::results.
 Kernel lower_values(const symbolic::Program& program);

@@ -27,18 +27,23 @@ std::string counts(const symbolic::Program& program) {
          " cycles.";
 }
 
+std::string lanes(int width) {
+  return "robcogen::Lanes<Scalar, " + std::to_string(width) + ">";
+}
+
 // `head` is all before the parameters: `void name`.
 std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail) {
   std::vector<std::string> list;
-  for (const Parameter& p : parameters)
-    list.push_back((p.output ? "Scalar* " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
+  for (const Parameter& p : parameters) {
+    const std::string type = p.width > 1 ? lanes(p.width) : "Scalar";
+    list.push_back((p.output ? type : "const " + type) + "* " + (p.used ? p.name : "/*" + p.name + "*/"));
+  }
   return "template <class Scalar>\n" + declaration(head, list, tail);
 }
 
 std::string lines(const Kernel& kernel) {
   std::string result;
-  for (const int width : kernel.widths)
-    result += "  using " + type(width) + " = robcogen::Lanes<Scalar, " + std::to_string(width) + ">;\n";
+  for (const int width : kernel.widths) result += "  using " + type(width) + " = " + lanes(width) + ";\n";
   if (!kernel.widths.empty() && kernel.functions.empty()) result += "\n";
   for (const std::string& function : kernel.functions) result += "  using std::" + function + ";\n";
   if (!kernel.functions.empty()) result += "\n";
@@ -56,6 +61,42 @@ std::string definition(const Kernel& kernel, const std::string& specifiers = "")
   const std::string head = specifiers + "void " + kernel.name;
   if (kernel.lines.empty()) return signature(head, kernel.parameters, " noexcept {}");
   return signature(head, kernel.parameters, " noexcept {") + lines(kernel) + "}\n";
+}
+
+// Where the parts of long kernels stand.
+constexpr const char* kParts = "parts";
+
+// Inlined into the one function that calls it, a part would be none.
+std::string print_parts(const Parts& parts, const std::string& name) {
+  std::vector<std::string> list;
+  for (const Kernel& part : parts.kernels) {
+    const std::string number = std::to_string(list.size() + 1);
+    list.push_back(
+        comment("Part " + number + " of " + std::to_string(parts.kernels.size()) + " of " + name + ".") +
+        definition(part, "[[gnu::noinline]] "));
+  }
+  return in_namespace(kParts, paragraphs(list));
+}
+
+// The kernel that calls them.
+std::string definition(const Kernel& kernel, const Parts& parts) {
+  std::string text = signature("void " + kernel.name, kernel.parameters, " noexcept {");
+  for (const Handed& h : parts.handed)
+    text += "  " + (h.array.width > 1 ? lanes(h.array.width) : "Scalar") + " " + h.array.name + "[" +
+            std::to_string(h.size) + "];\n";
+  for (const Kernel& part : parts.kernels) {
+    std::vector<std::string> arguments;
+    for (const Parameter& p : part.parameters) arguments.push_back(p.name);
+    text += call(kParts + ("::" + part.name) + "<Scalar>", arguments, 2);
+  }
+  return text + "}\n";
+}
+
+// The kernel behind these comments, and before them its parts where it is long.
+std::string print_whole_or_parts(const std::string& comments, const Kernel& kernel) {
+  if (kernel.lines.size() <= kLongest) return comments + definition(kernel);
+  const Parts parts = split(kernel);
+  return paragraphs({print_parts(parts, kernel.name), comments + definition(kernel, parts)});
 }
 
 // `0:HAA, 1:HFE`
@@ -86,9 +127,10 @@ constexpr int kSmallCore = 64;
 
 std::string print_core(const Callable& callable) {
   const symbolic::Program& core = callable.function->parts->core;
-  const bool is_small = symbolic::count(core).instructions <= kSmallCore;
-  return summary(callable) + comment(counts(core)) +
-         definition(lower(core, callable.kernel), is_small ? "[[gnu::always_inline]] inline " : "");
+  const std::string comments = summary(callable) + comment(counts(core));
+  const Kernel kernel = lower(core, callable.kernel);
+  if (symbolic::count(core).instructions > kSmallCore) return print_whole_or_parts(comments, kernel);
+  return comments + definition(kernel, "[[gnu::always_inline]] inline ");
 }
 
 // Sines and cosines of these angles, each to its place in sin_q and cos_q.
@@ -128,10 +170,12 @@ std::string print_caller(const Library& library, const Callable& callable) {
   return text + call("core::" + callable.kernel, arguments, 2) + "}\n";
 }
 
-std::string print_one_by_one(const Library& library, const Callable& callable) {
-  if (callable.function->parts) return print_caller(library, callable);
+// Behind these comments.
+std::string print_one_by_one(const Library& library, const Callable& callable, const std::string& comments = "") {
+  if (callable.function->parts) return comments + print_caller(library, callable);
   const symbolic::Program& program = callable.function->program;
-  return comment(counts(program)) + arrays(library, program) + definition(lower(program, callable.kernel));
+  return print_whole_or_parts(
+      comments + comment(counts(program)) + arrays(library, program), lower(program, callable.kernel));
 }
 
 std::string print_in_lanes(const Callable& callable) {
@@ -139,7 +183,7 @@ std::string print_in_lanes(const Callable& callable) {
   std::string text;
   for (const std::string& limbs : function.limbs_in_lanes) text += comment("In lanes: the limbs from " + limbs + ".");
   text += comment("Where limbs are mirrored, some lanes of a value are negated.");
-  return text + comment(counts(*function.in_lanes)) + definition(lower(*function.in_lanes, callable.kernel));
+  return print_whole_or_parts(text + comment(counts(*function.in_lanes)), lower(*function.in_lanes, callable.kernel));
 }
 
 // Chooses between the two ways of computing the same.
@@ -156,7 +200,7 @@ std::string chooser(const Callable& callable) {
 std::string print_kernel(const Library& library, const Callable& callable) {
   if (!callable.function->in_lanes) {
     const bool has_core = callable.function->parts.has_value();
-    return (has_core ? "" : summary(callable)) + print_one_by_one(library, callable);
+    return print_one_by_one(library, callable, has_core ? "" : summary(callable));
   }
   return paragraphs(
       {in_namespace(kInLanes, print_in_lanes(callable)), in_namespace(kOneByOne, print_one_by_one(library, callable)),

@@ -1,0 +1,223 @@
+// Long kernels in parts: each reads what it is given, and together they compute what the whole computes.
+#include "backend/common/parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "backend/cpp/lower.h"
+#include "kernel_evaluator.h"
+#include "programs.h"
+#include "random_program.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::Program;
+
+Parts parts_of(const Program& program, std::size_t longest) {
+  return in_parts(lower(program, "leg"), longest, dialect());
+}
+
+std::vector<std::string> texts(const Kernel& kernel) {
+  std::vector<std::string> result;
+  for (const Line& line : kernel.lines) result.push_back(text(line));
+  return result;
+}
+
+std::vector<std::string> names(const std::vector<Parameter>& parameters) {
+  std::vector<std::string> result;
+  for (const Parameter& p : parameters) result.push_back(p.name);
+  return result;
+}
+
+using Texts = std::vector<std::string>;
+
+const char* const kTwoLinks =
+    "let hip_a = q[0] + qd[0]\n"
+    "let hip_b = hip_a * hip_a\n"
+    "in 1\n"
+    "let knee_a = hip_b * q[1]\n"
+    "let knee_b = knee_a * knee_a\n"
+    "tmp t0 = knee_a + knee_b\n"
+    "return tau t0\n";
+
+TEST(Parts, AreCutBetweenSectionsAndHandOnWhatIsReadLater) {
+  const Parts parts = parts_of(test::leg_program(kTwoLinks), 4);
+  ASSERT_EQ(parts.kernels.size(), 2u);
+  EXPECT_EQ(parts.kernels[0].name, "leg_1");
+  EXPECT_EQ(names(parts.kernels[0].parameters), (Texts{"q", "qd", "kept"}));
+  EXPECT_EQ(
+      texts(parts.kernels[0]), (Texts{
+                                   "// link hip: velocity",
+                                   "const Scalar hip_a = q[0] + qd[0];",
+                                   "const Scalar hip_b = hip_a * hip_a;",
+                                   "kept[0] = hip_b;",
+                               }));
+  EXPECT_EQ(parts.kernels[1].name, "leg_2");
+  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"q", "tau", "kept"}));
+  EXPECT_EQ(
+      texts(parts.kernels[1]), (Texts{
+                                   "const Scalar& hip_b = kept[0];",
+                                   "// link knee: velocity",
+                                   "const Scalar knee_a = hip_b * q[1];",
+                                   "const Scalar knee_b = knee_a * knee_a;",
+                                   "tau[0] = knee_a + knee_b;",
+                               }));
+  ASSERT_EQ(parts.handed.size(), 1u);
+  EXPECT_EQ(parts.handed[0].size, 1u);
+}
+
+TEST(Parts, AreOneWhereAllLinesFit) {
+  const Parts parts = parts_of(test::leg_program(kTwoLinks), 100);
+  ASSERT_EQ(parts.kernels.size(), 1u);
+  EXPECT_TRUE(parts.handed.empty());
+  EXPECT_EQ(texts(parts.kernels[0]), texts(lower(test::leg_program(kTwoLinks), "leg")));
+}
+
+// Three sections, the first with the second or the second with the third: what the first hands to the second is more.
+TEST(Parts, AreCutWhereFewValuesAreHandedOn) {
+  const Program program = test::program(
+      "program leg\n"
+      "input q value a b c\n"
+      "output tau value 1 1\n"
+      "section hip hip\n"
+      "section knee knee\n"
+      "section foot foot\n"
+      "in 0\n"
+      "let x = q[0] * q[1]\n"
+      "let y = q[0] * q[2]\n"
+      "let z = q[1] * q[2]\n"
+      "in 1\n"
+      "let u = x + y\n"
+      "let v = u * z\n"
+      "let w = v * x\n"
+      "in 2\n"
+      "let a = w * q[0]\n"
+      "let b = a * a\n"
+      "let c = b * a\n"
+      "return tau c\n");
+  const Parts parts = parts_of(program, 8);
+  ASSERT_EQ(parts.kernels.size(), 2u);
+  EXPECT_EQ(texts(parts.kernels[1]).front(), "const Scalar& w = kept[0];");
+}
+
+TEST(Parts, NameParametersWhereTheyAreRead) {
+  const Program program = test::program(
+      "program leg\n"
+      "input parameters parameters length mass\n"
+      "input q value a\n"
+      "output tau value 1 1\n"
+      "section hip hip\n"
+      "section knee knee\n"
+      "in 0\n"
+      "let x = parameters[0] * q[0]\n"
+      "in 1\n"
+      "let y = parameters[1] * x\n"
+      "tmp t0 = y * y\n"
+      "return tau t0\n");
+  const Parts parts = parts_of(program, 2);
+  ASSERT_EQ(parts.kernels.size(), 2u);
+  EXPECT_EQ(texts(parts.kernels[0])[0], "const Scalar& length = parameters[0];");
+  EXPECT_EQ(texts(parts.kernels[1])[0], "const Scalar& mass = parameters[1];");
+  EXPECT_EQ(texts(parts.kernels[1])[1], "const Scalar& x = kept[0];");
+  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"parameters", "tau", "kept"}));
+}
+
+TEST(Parts, HandOnLanesInArraysOfTheirOwn) {
+  const Program program = test::program(
+      "program leg\n"
+      "input q value a b\n"
+      "output tau value 1 1\n"
+      "section hip hip\n"
+      "section knee knee\n"
+      "in 0\n"
+      "let x = gather q[0] q[1]\n"
+      "let y = q[0] * q[1]\n"
+      "in 1\n"
+      "let z = x * x\n"
+      "let s = sum_lanes z\n"
+      "let t = s * y\n"
+      "return tau t\n");
+  const Parts parts = parts_of(program, 3);
+  ASSERT_EQ(parts.kernels.size(), 2u);
+  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"tau", "kept", "kept_2"}));
+  EXPECT_EQ(texts(parts.kernels[1])[0], "const Lanes2& x = kept_2[0];");
+  EXPECT_EQ(parts.kernels[1].widths, std::vector<int>{2});
+  ASSERT_EQ(parts.handed.size(), 2u);
+  EXPECT_EQ(parts.handed[1].array.width, 2);
+}
+
+TEST(Parts, LoadBlocksWhereTheyAreReadAndStoreThem) {
+  const Program program = test::program(
+      "program limbs\n"
+      "input q joint_position a0 a1 b0 b1\n"
+      "output out value 4 1\n"
+      "section first first\n"
+      "section second second\n"
+      "in 0\n"
+      "tmp s = gather q[0] q[2]\n"
+      "tmp t = gather q[1] q[3]\n"
+      "let x = s * t\n"
+      "in 1\n"
+      "let y = x + s\n"
+      "return out x@0 y@0 x@1 y@1\n");
+  const Parts parts = parts_of(program, 3);
+  ASSERT_EQ(parts.kernels.size(), 2u);
+  EXPECT_EQ(
+      texts(parts.kernels[0]), (Texts{
+                                   "// first",
+                                   "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
+                                   "const Lanes2 x = q_lanes[0] * q_lanes[1];",
+                                   "kept_2[0] = x;",
+                               }));
+  EXPECT_EQ(
+      texts(parts.kernels[1]), (Texts{
+                                   "const Lanes2& x = kept_2[0];",
+                                   "// second",
+                                   "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
+                                   "const Lanes2 y = x + q_lanes[0];",
+                                   "robcogen::store_lanes<2>(&out[0], x, y);",
+                               }));
+  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"q", "out", "kept_2"}));
+}
+
+TEST(PartsProperty, ComputeWhatTheProgramComputes) {
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::RandomProgram source(seed);
+    const Program program = source.make();
+    symbolic::Arrays<double> inputs;
+    test::KernelEvaluator::Values known;  // by all parts so far
+    for (const symbolic::InputArray& array : program.inputs) {
+      for (std::size_t k = 0; k < array.elements.size(); ++k) {
+        inputs[array.name].push_back(source.value());
+        known[array.name + "[" + std::to_string(k) + "]"] = inputs[array.name].back();
+      }
+    }
+    const Parts parts = parts_of(program, 1 + seed % 12);
+    for (const Kernel& part : parts.kernels) {
+      // Elements that the part stores are not given: each is free before.
+      test::KernelEvaluator::Values given;
+      for (const Parameter& p : part.parameters)
+        for (const auto& [element, value] : known)
+          if (element.rfind(p.name + "[", 0) == 0 && p.name != "kept") given.emplace(element, value);
+      for (const Line& line : part.lines)
+        if (line.kind == Line::Kind::binding) given.emplace(line.expression, known.at(line.expression));
+      test::KernelEvaluator evaluator(given);
+      for (const Line& line : part.lines) ASSERT_NO_THROW(evaluator.run(text(line))) << text(line);
+      for (const auto& [element, value] : evaluator.values())
+        if (element.find('[') != std::string::npos) known[element] = value;
+    }
+    for (const auto& [name, values] : symbolic::interpret(program, inputs)) {
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const double found = known.at(name + "[" + std::to_string(k) + "]");
+        EXPECT_TRUE(found == values[k] || (std::isnan(found) && std::isnan(values[k]))) << name << k;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::backend::cpp

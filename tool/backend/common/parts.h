@@ -1,0 +1,28 @@
+// Long kernels in parts, functions of their own that compute it one after the other: compilers take time that grows
+// faster than the length of a function, and keep fewer values in registers the longer it is.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "backend/common/lower.h"
+
+namespace robcogen::backend {
+
+// Values that parts hand on: an array of so many, each of this width.
+struct Handed {
+  Parameter array;
+  std::size_t size = 0;
+};
+
+struct Parts {
+  std::vector<Kernel> kernels;  // in their order; parameters: those that are used, then arrays of `handed`
+  std::vector<Handed> handed;   // by ascending width
+};
+
+// Cuts the kernel between sections into parts of at most so many lines each (a longer section stays whole), so that few
+// values are handed on. Each value stands in an array from the part that computes it to the last that reads it, which
+// names it as it was named; elements and blocks of inputs that have names are named in each part that reads them.
+Parts in_parts(const Kernel& kernel, std::size_t longest, const Dialect& dialect);
+
+}  // namespace robcogen::backend
