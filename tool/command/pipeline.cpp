@@ -353,8 +353,8 @@ backend::Library split_library(
 }  // namespace
 
 void split_angles(backend::Library& library) {
-  std::vector<symbolic::Program> programs;
-  for (const backend::Function& function : library.functions) programs.push_back(function.program);
+  std::vector<pass::WithLanes> programs;
+  for (const backend::Function& function : library.functions) programs.push_back({function.program, function.in_lanes});
   std::vector<std::string> joints;
   for (const backend::JointData& joint : library.joints) joints.push_back(joint.name);
   pass::SplitAngles split = pass::split_angles(programs, joints);

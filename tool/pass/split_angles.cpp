@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "pass/lane_names.h"
 #include "pass/passes.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
@@ -52,10 +53,10 @@ struct SinCos {
 // The angles of all programs, in one graph whose inputs are parameters and joint positions.
 class Angles {
  public:
-  Angles(const std::vector<Program>& programs, const std::vector<std::string>& joints)
+  Angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints)
       : q_{"q", Role::joint_position, joints}, labels_(joints), taken_(joints.begin(), joints.end()) {
-    for (const Program& program : programs)
-      if (const Place p = place_of(program, Role::parameters); p.array) parameters_ = *p.array;
+    for (const WithLanes& p : programs)
+      if (const Place place = place_of(p.program, Role::parameters); place.array) parameters_ = *place.array;
     for (int k = 0; k < joint_count(); ++k) {
       numbers_[position(k).node()] = k;
       all_.push_back(position(k));
@@ -65,24 +66,29 @@ class Angles {
   int joint_count() const { return static_cast<int>(q_.elements.size()); }
   int count() const { return static_cast<int>(all_.size()); }
 
-  // Of each statement that is a sine or cosine of an angle: the angle, and the sign that it has there.
+  // Of a sine or cosine of an angle: the angle, and the sign that it has there.
   struct Reading {
     int angle = 0;
     bool negative = false;
   };
-  std::vector<std::optional<Reading>> add(const Program& program) {
-    std::vector<std::optional<Reading>> readings(program.statements.size());
-    std::vector<std::optional<Expression>> values(program.statements.size());
+  // Of each statement that is a sine or cosine of angles: a reading for each lane; else none.
+  using Readings = std::vector<std::vector<Reading>>;
+
+  Readings add(const Program& program) {
+    Readings readings(program.statements.size());
+    Values values(program.statements.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Statement& s = program.statements[i];
-      const std::optional<Expression> a = read(program, values, s.a);
-      if (!a) continue;
-      if (s.op == Op::sine || s.op == Op::cosine) {
-        if (const std::optional<int> k = number(*a)) readings[i] = Reading{*k, a->negative()};
-        continue;
+      for (int lane = 0; lane < s.width; ++lane) {
+        const std::optional<Expression> a = read(program, values, s.op == Op::gather ? s.lanes[at(lane)] : s.a, lane);
+        if (s.op == Op::sine || s.op == Op::cosine) {
+          if (const auto k = a ? number(*a) : std::nullopt) readings[i].push_back({*k, a->negative()});
+          values[i].emplace_back();
+        } else {
+          values[i].push_back(compute(program, values, s, a, lane));
+        }
       }
-      const auto b = symbolic::is_binary(s.op) ? read(program, values, s.b) : Expression();
-      if (b) values[i] = symbolic::apply(s.op, *a, *b);
+      if (readings[i].size() < values[i].size()) readings[i].clear();
     }
     return readings;
   }
@@ -126,13 +132,29 @@ class Angles {
     return arrays;
   }
 
-  std::optional<Expression> read(
+  using Values = std::vector<std::vector<std::optional<Expression>>>;  // by statement and lane
+
+  // This lane of a statement whose first operand is `a` there.
+  std::optional<Expression> compute(
       const Program& program,
-      const std::vector<std::optional<Expression>>& values,
-      const Operand& o) {
+      const Values& values,
+      const Statement& s,
+      std::optional<Expression> a,
+      int lane) {
+    if (s.op == Op::gather || !a) return a;
+    const auto b = symbolic::is_binary(s.op) ? read(program, values, s.b, lane) : Expression();
+    if (!b || s.op == Op::sum_lanes) return std::nullopt;
+    return symbolic::apply(s.op, *a, *b);
+  }
+
+  // An operand of a value with lanes, in one of these.
+  std::optional<Expression> read(const Program& program, const Values& values, const Operand& o, int lane) {
     std::optional<Expression> value;
     if (o.kind == Operand::Kind::constant) value = graph_.constant(program.constants[at(o.index)]);
-    if (o.kind == Operand::Kind::statement) value = values[at(o.index)];
+    if (o.kind == Operand::Kind::statement) {
+      const auto& lanes = values[at(o.index)];
+      value = lanes[lanes.size() == 1 ? 0 : at(o.lane >= 0 ? o.lane : lane)];
+    }
     if (o.kind == Operand::Kind::input) {
       const Place q = place_of(program, Role::joint_position), p = place_of(program, Role::parameters);
       if (q.contains(o.index)) value = position(o.index - q.begin);
@@ -237,57 +259,104 @@ class Angles {
 
 // The program with sines and cosines as inputs behind the joint positions. Statement by statement, so that it rounds
 // as the program does.
-Program core_of(
-    const Program& program,
-    const std::vector<std::optional<Angles::Reading>>& readings,
-    const InputArray& sines,
-    const InputArray& cosines) {
-  const Place q = place_of(program, Role::joint_position);
-  const int end = q.begin + q.size(), count = static_cast<int>(sines.elements.size());
-  Program core = program;
-  const auto moved = [&](Operand& o) {
-    if (o.kind == Operand::Kind::input && o.index >= end) o.index += 2 * count;
-    if (o.kind != Operand::Kind::statement || !readings[at(o.index)]) return;
-    const Angles::Reading& reading = *readings[at(o.index)];
-    const bool is_cosine = program.statements[at(o.index)].op == Op::cosine;
-    o = {
-        Operand::Kind::input, end + reading.angle + (is_cosine ? count : 0),
-        o.negative != (reading.negative && !is_cosine)};
-  };
-  for (Statement& s : core.statements) {
-    moved(s.a);
-    if (symbolic::is_binary(s.op)) moved(s.b);
+class Core {
+ public:
+  Core(const Program& program, const Angles::Readings& readings, const InputArray& sines, const InputArray& cosines)
+      : program_(program), readings_(readings), sines_(sines), cosines_(cosines) {
+    const Place q = place_of(program, Role::joint_position);
+    behind_ = static_cast<std::size_t>(q.array - program.inputs.data()) + 1;
+    end_ = q.begin + q.size();
+    for (const Statement& s : program.statements) names_.insert(s.name);
   }
-  for (OutputArray& array : core.outputs)
-    for (Operand& o : array.values) moved(o);
-  const auto behind = core.inputs.begin() + (q.array - program.inputs.data()) + 1;
-  core.inputs.insert(behind, {sines, cosines});
-  return eliminate_dead_code(core);
-}
 
-std::vector<int> angles_read(const std::vector<std::optional<Angles::Reading>>& readings) {
+  Program run() {
+    Program core = program_;
+    for (std::size_t i = 0; i < core.statements.size(); ++i) {
+      Statement& s = core.statements[i];
+      if (!readings_[i].empty() && s.width > 1)
+        s = gathered(i);
+      else
+        for_each_operand(s, [&](Operand& o) { move(o); });
+    }
+    for (OutputArray& array : core.outputs)
+      for (Operand& o : array.values) move(o);
+    core.inputs.insert(core.inputs.begin() + static_cast<std::ptrdiff_t>(behind_), {sines_, cosines_});
+    return eliminate_dead_code(core);
+  }
+
+ private:
+  int count() const { return static_cast<int>(sines_.elements.size()); }
+
+  void move(Operand& o) const {
+    if (o.kind == Operand::Kind::input && o.index >= end_) o.index += 2 * count();
+    if (o.kind != Operand::Kind::statement || readings_[at(o.index)].empty()) return;
+    const bool is_whole = program_.statements[at(o.index)].width > 1 && o.lane < 0;
+    if (!is_whole) o = input(at(o.index), at(std::max(o.lane, 0)), o.negative);
+  }
+
+  // What a sine or cosine is in this lane.
+  Operand input(std::size_t statement, std::size_t lane, bool negative) const {
+    const Angles::Reading& reading = readings_[statement][lane];
+    const bool is_cosine = program_.statements[statement].op == Op::cosine;
+    const int element = end_ + reading.angle + (is_cosine ? count() : 0);
+    return {Operand::Kind::input, element, negative != (reading.negative && !is_cosine)};
+  }
+
+  Statement gathered(std::size_t i) {
+    const Statement& old = program_.statements[i];
+    Statement s;
+    s.op = Op::gather;
+    s.section = old.section;
+    s.width = old.width;
+    std::vector<std::string> labels;
+    for (std::size_t lane = 0; lane < readings_[i].size(); ++lane) {
+      s.lanes.push_back(input(i, lane, false));
+      labels.push_back((old.op == Op::cosine ? cosines_ : sines_).elements[at(readings_[i][lane].angle)]);
+    }
+    const std::string wanted = common_name(labels);
+    s.name = wanted;
+    for (int k = 2; !names_.insert(s.name).second; ++k) s.name = wanted + "_" + std::to_string(k);
+    return s;
+  }
+
+  const Program& program_;
+  const Angles::Readings& readings_;
+  const InputArray &sines_, &cosines_;
+  std::size_t behind_ = 0;  // the array behind the joint positions
+  int end_ = 0;             // the element behind them
+  std::set<std::string> names_;
+};
+
+std::set<int> angles_read(const Angles::Readings& readings) {
   std::set<int> read;
-  for (const auto& reading : readings)
-    if (reading) read.insert(reading->angle);
-  return {read.begin(), read.end()};
+  for (const auto& lanes : readings)
+    for (const Angles::Reading& reading : lanes) read.insert(reading.angle);
+  return read;
 }
 
 }  // namespace
 
-SplitAngles split_angles(const std::vector<Program>& programs, const std::vector<std::string>& joints) {
+SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints) {
   Angles angles(programs, joints);
-  std::vector<std::vector<std::optional<Angles::Reading>>> readings;
-  for (const Program& program : programs) readings.push_back(angles.add(program));
+  std::vector<Angles::Readings> readings, readings_in_lanes;
+  for (const WithLanes& p : programs) readings.push_back(angles.add(p.program));
+  for (const WithLanes& p : programs)
+    readings_in_lanes.push_back(p.in_lanes ? angles.add(*p.in_lanes) : Angles::Readings());
 
   SplitAngles result;
   result.angle_count = angles.count();
   const InputArray sines = angles.sines(), cosines = angles.cosines();
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    result.parts.emplace_back();
-    const std::vector<int> read = angles_read(readings[i]);
-    if (!read.empty())
-      result.parts.back() = symbolic::AngleParts{
-          core_of(programs[i], readings[i], sines, cosines), read, angles.program("angles_" + programs[i].name, read)};
+    std::optional<symbolic::AngleParts>& parts = result.parts.emplace_back();
+    std::set<int> read = angles_read(readings[i]);
+    read.merge(angles_read(readings_in_lanes[i]));
+    if (read.empty()) continue;
+    const auto& [program, in_lanes] = programs[i];
+    parts.emplace();
+    parts->core = Core(program, readings[i], sines, cosines).run();
+    if (in_lanes) parts->core_in_lanes = Core(*in_lanes, readings_in_lanes[i], sines, cosines).run();
+    parts->read = {read.begin(), read.end()};
+    parts->angles = angles.program("angles_" + program.name, parts->read);
   }
   std::vector<int> all;
   for (int k = 0; k < angles.count(); ++k) all.push_back(k);

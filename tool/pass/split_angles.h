@@ -23,8 +23,14 @@ struct SplitAngles {
   symbolic::Program addition;  // [parameters,] sin_joint, cos_joint -> sin_q, cos_q of all angles
 };
 
+// A program, and the same where equal limbs share lanes, if some do.
+struct WithLanes {
+  symbolic::Program program;
+  std::optional<symbolic::Program> in_lanes = {};
+};
+
 // A sine or cosine of anything else than a sum of positions, constants and parameters stays where it is. The programs
 // have the same joint positions, of these joints, and the same parameters, or none.
-SplitAngles split_angles(const std::vector<symbolic::Program>& programs, const std::vector<std::string>& joints);
+SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints);
 
 }  // namespace robcogen::pass

@@ -19,8 +19,7 @@ Program rearrange(const Program& p, const std::vector<int>& kept, const std::vec
   result.statements.clear();
   for (int i : kept) {
     Statement s = p.statements[static_cast<std::size_t>(i)];
-    renumber(s.a);
-    if (symbolic::is_binary(s.op)) renumber(s.b);
+    for_each_operand(s, renumber);
     result.statements.push_back(std::move(s));
   }
   for (symbolic::OutputArray& array : result.outputs)

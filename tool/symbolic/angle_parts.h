@@ -1,6 +1,7 @@
 // A program parted at the sines and cosines that it reads.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "symbolic/program.h"
@@ -11,7 +12,9 @@ struct AngleParts {
   // The program without them: it takes sin_q and cos_q, of all angles of its library, as inputs behind the joint
   // positions.
   Program core;
-  std::vector<int> read;  // the angles whose sine or cosine it reads, in rising order
+  // The same where equal limbs share lanes, if they do in the program.
+  std::optional<Program> core_in_lanes;
+  std::vector<int> read;  // the angles whose sine or cosine these read, in rising order
   Program angles;         // [parameters,] q -> these angles, in this order
 };
 

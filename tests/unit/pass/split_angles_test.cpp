@@ -78,7 +78,7 @@ void expect_same(const Program& program, const SplitAngles& split) {
 TEST(SplitAngles, TakesSinesOfJoints) {
   const Program program =
       with("tmp s = sin q[2]\ntmp c = cos -q[1]\ntmp x = s * v[1]\ntmp y = x + c\ntmp z = q[0] * c\n", "y -z");
-  const SplitAngles split = split_angles({program}, kJoints);
+  const SplitAngles split = split_angles({{program}}, kJoints);
   ASSERT_TRUE(split.parts[0]);
   EXPECT_EQ(split.angle_count, 3);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 2}));
@@ -98,7 +98,7 @@ TEST(SplitAngles, AddsTheoremsForSums) {
       "tmp s = sin -turned\ntmp c = cos right\ntmp d = cos sum\n"
       "tmp x = s * v[1]\ntmp y = x + c\ntmp z = d * s\n",
       "y z");
-  const SplitAngles split = split_angles({program}, kJoints);
+  const SplitAngles split = split_angles({{program}}, kJoints);
   EXPECT_EQ(split.angle_count, 6);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4, 5}));
   const std::vector<std::string> labels = split.parts[0]->core.inputs[2].elements;
@@ -112,7 +112,7 @@ TEST(SplitAngles, AddsTheoremsForSums) {
 TEST(SplitAngles, CountsOfTheorems) {
   const auto count_of = [](const std::string& sum) {
     const Program program = with("tmp a = " + sum + "\ntmp s = sin a\n", "s s");
-    const symbolic::OperationCount c = symbolic::count(split_angles({program}, kJoints).addition);
+    const symbolic::OperationCount c = symbolic::count(split_angles({{program}}, kJoints).addition);
     return std::pair(c.mul, c.add);
   };
   EXPECT_EQ(count_of("q[1] + pi:1:2"), std::pair(0, 0));
@@ -124,7 +124,7 @@ TEST(SplitAngles, CountsOfTheorems) {
 TEST(SplitAngles, SumsMayHoldParameters) {
   const Program program =
       with("tmp turned = q[1] + p[0]\ntmp s = sin turned\ntmp c = cos q[1]\ntmp x = c * p[1]\n", "s x");
-  const SplitAngles split = split_angles({program}, kJoints);
+  const SplitAngles split = split_angles({{program}}, kJoints);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 3}));
   expect_same(program, split);
 }
@@ -133,7 +133,7 @@ TEST(SplitAngles, SumsMayHoldParameters) {
 TEST(SplitAngles, ProgramsShareAngles) {
   const Program first = with("tmp a = q[1] + q[2]\ntmp s = sin a\n", "s s");
   const Program second = with("tmp a = q[2] + q[1]\ntmp b = q[0] + q[1]\ntmp s = cos a\ntmp t = sin b\n", "s t");
-  const SplitAngles split = split_angles({first, second}, kJoints);
+  const SplitAngles split = split_angles({{first}, {second}}, kJoints);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3}));
   EXPECT_EQ(split.parts[1]->read, (std::vector<int>{3, 4}));
   EXPECT_EQ(split.parts[0]->core.inputs[2].elements.size(), 5u);
@@ -142,9 +142,9 @@ TEST(SplitAngles, ProgramsShareAngles) {
 // What no theorem reaches stays: angles of other inputs, products of positions, sines of parameters alone.
 TEST(SplitAngles, LeavesTheRest) {
   const Program others = with("tmp s = sin v[1]\ntmp c = cos p[0]\n", "s c");
-  EXPECT_FALSE(split_angles({others}, kJoints).parts[0]);
+  EXPECT_FALSE(split_angles({{others}}, kJoints).parts[0]);
   const Program twice = with("tmp d = q[1] * 3\ntmp s = sin d\ntmp c = cos q[1]\n", "s c");
-  const SplitAngles split = split_angles({twice}, kJoints);
+  const SplitAngles split = split_angles({{twice}}, kJoints);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
   EXPECT_EQ(symbolic::count(split.parts[0]->core).sincos, 1);
   expect_same(twice, split);

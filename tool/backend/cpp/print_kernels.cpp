@@ -121,16 +121,56 @@ std::string summary(const Callable& callable) {
   return result;
 }
 
+// What is compiled into its caller.
+constexpr const char* kInline = "[[gnu::always_inline]] inline ";
+
+// Of a kernel whose limbs share lanes.
+std::string comments_in_lanes(const Callable& callable, const symbolic::Program& program) {
+  std::string text;
+  for (const std::string& limbs : callable.function->limbs_in_lanes)
+    text += comment("In lanes: the limbs from " + limbs + ".");
+  text += comment("Where limbs are mirrored, some lanes of a value are negated.");
+  return text + comment(counts(program));
+}
+
+// Chooses between the two ways of computing the same.
+std::string print_chooser(
+    const Callable& callable,
+    const symbolic::Program& program,
+    const std::string& specifiers = "") {
+  std::vector<std::string> names;
+  for (const Parameter& p : parameters(program)) names.push_back(p.name);
+  const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
+  return signature(specifiers + "void " + callable.kernel, parameters(program), " noexcept {") +
+         "  if constexpr (robcogen::kPrefersLanes<Scalar>) {\n" + call_in(kInLanes) + "  } else {\n" +
+         call_in(kOneByOne) + "  }\n}\n";
+}
+
+// Where equal limbs share lanes, both ways of computing it, and what chooses between them.
+std::string print_both(
+    const Callable& callable,
+    const std::string& in_lanes,
+    const std::string& one_by_one,
+    const std::string& chooser) {
+  return paragraphs(
+      {in_namespace(kInLanes, in_lanes), in_namespace(kOneByOne, one_by_one), summary(callable) + chooser});
+}
+
 // Instructions of a core that is compiled into its caller too, for the call is measurable there. All others are
 // compiled once.
 constexpr int kSmallCore = 64;
 
 std::string print_core(const Callable& callable) {
-  const symbolic::Program& core = callable.function->parts->core;
-  const std::string comments = summary(callable) + comment(counts(core));
-  const Kernel kernel = lower(core, callable.kernel);
-  if (symbolic::count(core).instructions > kSmallCore) return print_whole_or_parts(comments, kernel);
-  return comments + definition(kernel, "[[gnu::always_inline]] inline ");
+  const auto& [core, in_lanes, read, angles] = *callable.function->parts;
+  const auto print = [&](const std::string& comments, const symbolic::Program& program) {
+    const Kernel kernel = lower(program, callable.kernel);
+    if (symbolic::count(program).instructions > kSmallCore) return print_whole_or_parts(comments, kernel);
+    return comments + definition(kernel, kInline);
+  };
+  if (!in_lanes) return print(summary(callable) + comment(counts(core)), core);
+  return print_both(
+      callable, print(comments_in_lanes(callable, *in_lanes), *in_lanes), print(comment(counts(core)), core),
+      print_chooser(callable, core, kInline));
 }
 
 // Sines and cosines of these angles, each to its place in sin_q and cos_q.
@@ -154,16 +194,27 @@ std::string sines_and_cosines(const Library& library, const std::vector<int>& re
   return call(name, {from("q"), from("sin_q"), from("cos_q")}, 2);
 }
 
+// Instructions of a kernel in lanes that computes its own sines: in fewer, it is measurable that a core has to wait for
+// them on their way from an array to lanes. All others call a core in lanes: that is written and compiled once.
+constexpr int kSmallInLanes = 128;
+
+bool has_own_lanes(const Function& function) {
+  return function.in_lanes && (!function.parts || symbolic::count(*function.in_lanes).instructions <= kSmallInLanes);
+}
+
 // A kernel that computes sines and cosines and calls its core.
 std::string print_caller(const Library& library, const Callable& callable) {
   const symbolic::Program& program = callable.function->program;
   const symbolic::AngleParts& parts = *callable.function->parts;
   std::string text = comment("As core::" + callable.kernel + ", of positions alone.") + comment(counts(program));
+  const bool is_in_lanes = callable.function->in_lanes && !has_own_lanes(*callable.function);
+  if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
   if (const int sums = symbolic::count(parts.angles).add; sums > 0)
     text += comment("Of the additions " + std::to_string(sums) + " make angles.");
   text += signature("void " + callable.kernel, parameters(program), " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);
-  text += "  Scalar sin_q[" + size + "], cos_q[" + size + "];\n";
+  // Stored as vectors and read one by one: a vector across two cache lines would be waited for.
+  text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
   text += sines_and_cosines(library, parts.read, parts.angles);
   std::vector<std::string> arguments;
   for (const Parameter& p : parameters(parts.core)) arguments.push_back(p.name);
@@ -178,33 +229,12 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
       comments + comment(counts(program)) + arrays(library, program), lower(program, callable.kernel));
 }
 
-std::string print_in_lanes(const Callable& callable) {
-  const Function& function = *callable.function;
-  std::string text;
-  for (const std::string& limbs : function.limbs_in_lanes) text += comment("In lanes: the limbs from " + limbs + ".");
-  text += comment("Where limbs are mirrored, some lanes of a value are negated.");
-  return print_whole_or_parts(text + comment(counts(*function.in_lanes)), lower(*function.in_lanes, callable.kernel));
-}
-
-// Chooses between the two ways of computing the same.
-std::string chooser(const Callable& callable) {
-  std::vector<std::string> names;
-  for (const Parameter& p : parameters(callable.function->program)) names.push_back(p.name);
-  const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
-  return signature("void " + callable.kernel, parameters(callable.function->program), " noexcept {") +
-         "  if constexpr (robcogen::kPrefersLanes<Scalar>) {\n" + call_in(kInLanes) + "  } else {\n" +
-         call_in(kOneByOne) + "  }\n}\n";
-}
-
-// The kernel; where equal limbs share lanes, for the scalars that have them, both ways of computing it.
 std::string print_kernel(const Library& library, const Callable& callable) {
-  if (!callable.function->in_lanes) {
-    const bool has_core = callable.function->parts.has_value();
-    return print_one_by_one(library, callable, has_core ? "" : summary(callable));
-  }
-  return paragraphs(
-      {in_namespace(kInLanes, print_in_lanes(callable)), in_namespace(kOneByOne, print_one_by_one(library, callable)),
-       summary(callable) + chooser(callable)});
+  const Function& function = *callable.function;
+  if (!has_own_lanes(function)) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
+  const std::string in_lanes =
+      print_whole_or_parts(comments_in_lanes(callable, *function.in_lanes), lower(*function.in_lanes, callable.kernel));
+  return print_both(callable, in_lanes, print_one_by_one(library, callable), print_chooser(callable, function.program));
 }
 
 // Sines and cosines of all angles that turn: of joints that slide they are those of zero.
