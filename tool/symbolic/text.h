@@ -1,4 +1,13 @@
-// Programs as text, and back: what pass tests read and write.
+// Programs as text, and back: what pass tests read and write. One thing a line:
+//     program inverse_dynamics
+//     input q joint_position SLIDE HFE
+//     output tau joint_force 2 1
+//     section upperleg link upperleg: velocity
+//     in 0
+//     let upperleg_wz = q[0] * 0.35        (let: named by the algorithm; tmp: numbered)
+//     tmp upperleg_t0 = sin q[1]
+//     tmp legs_qd = gather qd[0] qd[3]     (lanes; legs_qd@1 is one of them)
+//     return tau upperleg_wz -upperleg_t0
 #pragma once
 
 #include <optional>
@@ -14,10 +23,5 @@ std::string print(const Program& program);
 
 // nullopt with a message `line N: …` in `error` when the text is no program.
 std::optional<Program> parse(const std::string& text, std::string& error);
-
-// Internal consistency: operands before users, indices in range, names unique, identifiers and no operation, constants
-// finite and not negative, output sizes right.
-// Empty when sound, else what is wrong first.
-std::string verify(const Program& program);
 
 }  // namespace robcogen::symbolic
