@@ -5,6 +5,7 @@
 #include "survives_printing.h"
 #include "symbolic/interpret.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::fuzz {
 

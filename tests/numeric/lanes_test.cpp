@@ -3,21 +3,19 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 #include "../unit/model/descriptions.h"
-#include "algorithm/limb_inputs.h"
 #include "algorithm/robot_programs.h"
-#include "import/kinematics.h"
 #include "interpreted_robot.h"
+#include "packed_programs.h"
 #include "pass/pack_lanes.h"
 #include "pass/passes.h"
+#include "pass/split_angles.h"
 #include "symbolic/blocks.h"
 #include "symbolic/count.h"
-#include "symbolic/interpret.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 #include "volume.h"
 
 namespace robcogen::numeric {
@@ -25,22 +23,6 @@ namespace {
 
 using model::KinematicTree;
 using symbolic::Program;
-
-// Scaled by the largest value of the array: both programs are interpreted in double, and round in different order.
-constexpr double kTolerance = 1e-11;
-
-KinematicTree document_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const auto source = std::make_shared<Source>(file, std::string(std::istreambuf_iterator<char>(stream), {}));
-  Diagnostics diagnostics;
-  const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
-  EXPECT_TRUE(tree.has_value()) << file;
-  return *tree;
-}
-
-KinematicTree document(const std::string& name) {
-  return document_of(std::string(ROBCOGEN_ROBOTS_DIR) + "/" + name + "/" + name + ".kindsl");
-}
 
 // k limbs of one topology on a trunk, that may be one joint away from the base. Numbers are any, zero, or multiples of
 // a right angle; limbs have numbers of their own (other zeros, too), those of the first with other signs, or these with
@@ -144,37 +126,6 @@ class RobotsWithLimbs {
   }
 };
 
-std::vector<pass::InputTuples> classes_of(const KinematicTree& tree, const Program& program) {
-  std::vector<pass::InputTuples> classes;
-  for (const algorithm::LimbsInLanes& limbs : algorithm::limbs_in_lanes(tree))
-    classes.push_back(algorithm::limb_inputs(tree, limbs, program));
-  return classes;
-}
-
-bool has_lanes(const Program& p) {
-  return std::any_of(p.statements.begin(), p.statements.end(), [](const auto& s) { return s.width > 1; });
-}
-
-// A description of the first difference.
-std::string difference(const Program& expected, const Program& program, std::uint64_t seed) {
-  std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
-  symbolic::Arrays<double> inputs;
-  for (const symbolic::InputArray& array : expected.inputs)
-    for (std::size_t k = 0; k < array.elements.size(); ++k)
-      inputs[array.name].push_back(std::uniform_real_distribution<double>(-2, 2)(random));
-  const auto wanted = symbolic::interpret<double>(expected, inputs);
-  const auto found = symbolic::interpret<double>(program, inputs);
-  for (const auto& [name, values] : wanted) {
-    double scale = 1;
-    for (const double value : values) scale = std::max(scale, std::abs(value));
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (!(std::abs(values[k] - found.at(name)[k]) <= kTolerance * scale))
-        return name + "[" + std::to_string(k) + "]: " + std::to_string(found.at(name)[k]) + " instead of " +
-               std::to_string(values[k]);
-  }
-  return "";
-}
-
 // Whether blocks and fills are what the program returns, each element at most once.
 std::string fault_of_stores(const Program& p) {
   const symbolic::Stores stores = symbolic::stores(p);
@@ -206,6 +157,26 @@ struct Tally {
   int alike = 0;  // programs of limbs that fold alike, where these are others
 };
 
+// What is left of a program in lanes when sines and cosines are given: it computes the same, to the last bit, for it
+// does the same.
+void expect_same_of_given_sines(const KinematicTree& tree, const Program& program, const Program& packed) {
+  std::vector<std::string> joints;
+  for (const model::Joint& joint : tree.joints) joints.push_back(joint.name);
+  const pass::SplitAngles split = pass::split_angles({{program, packed}}, joints);
+  if (!split.parts[0]) return;
+  const Program& core = *split.parts[0]->core_in_lanes;
+  ASSERT_EQ(symbolic::verify(core), "") << program.name;
+  EXPECT_EQ(symbolic::count(core).sincos, 0) << program.name;
+  symbolic::Arrays<double> inputs = random_inputs(program, 2);
+  const auto expected = symbolic::interpret<double>(packed, inputs);
+  const auto angles = symbolic::interpret<double>(split.angles, {{"q", inputs.at("q")}});
+  for (const double angle : angles.at("angles")) {
+    inputs["sin_q"].push_back(std::sin(angle));
+    inputs["cos_q"].push_back(std::cos(angle));
+  }
+  ASSERT_EQ(symbolic::interpret<double>(core, inputs), expected) << program.name << "\n" << symbolic::print(core);
+}
+
 void expect_same_program(const Program& expected, const Program& program) {
   ASSERT_EQ(symbolic::verify(program), "") << program.name;
   ASSERT_EQ(fault_of_stores(program), "") << program.name << "\n" << symbolic::print(program);
@@ -235,8 +206,9 @@ void expect_same_results(
       const std::vector<pass::InputTuples> classes = classes_of(tree, program);
       Program packed = pass::packed(program, classes);
       ++tally.programs;
-      if (has_lanes(packed)) ++tally.with_lanes;
+      if (packed.has_lanes()) ++tally.with_lanes;
       expect_same_program(program, packed);
+      expect_same_of_given_sines(tree, program, packed);
       if (alike[i]) {
         ++tally.alike;
         const Program plain = pass::with_plain_numbers(pass::run(std::move(*alike[i]), passes));
@@ -244,6 +216,7 @@ void expect_same_results(
         expect_same_program(program, plain);
         packed = pass::packed(plain, classes);
         expect_same_program(program, packed);
+        expect_same_of_given_sines(tree, program, packed);
       }
       if (testing::Test::HasFatalFailure()) return;
       if (checked) checked->replace(std::move(packed));
@@ -341,6 +314,20 @@ TEST(Lanes, OfLegsWithOtherZerosAgreeWithTheReference) {
     EXPECT_GT(tally.alike, 0);
     constexpr std::uint64_t kSeed = 5;
     EXPECT_EQ(check_all(checked, kSeed, 5).failure_report(), "");
+  }
+}
+
+TEST(Lanes, WhatHasLanesIsNotPackedAgain) {
+  for (const char* name : {"quadruped_fixed", "quadruped", "centaur"}) {
+    const KinematicTree tree = document(name);
+    for (const std::string group : {"inverse_dynamics", "forward_dynamics"}) {
+      for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
+        const Program program = pass::run(f.program, pass::names());
+        const pass::Packed once = pass::pack_lanes(program, classes_of(tree, program));
+        const pass::Packed twice = pass::pack_lanes(once.program, classes_of(tree, once.program));
+        EXPECT_EQ(symbolic::print(twice.program), symbolic::print(once.program)) << name << " " << program.name;
+      }
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "random_robot.h"
 #include "symbolic/count.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 #include "volume.h"
 
 namespace robcogen::numeric {

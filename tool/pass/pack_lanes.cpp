@@ -15,8 +15,9 @@ using symbolic::predicted_time;
 using symbolic::Program;
 using symbolic::Statement;
 
-// None where values would have to wait for each other.
+// None where values would have to wait for each other, or some have lanes already.
 std::optional<Program> with_lanes(const Program& program, const std::vector<InputTuples>& classes) {
+  if (program.has_lanes()) return std::nullopt;
   LaneBuilder builder(program);
   const std::optional<LanePlan> plan = lane_plan(program, classes, builder.number(Number()));
   if (!plan) return std::nullopt;

@@ -18,7 +18,8 @@ struct Packed {
 symbolic::Program with_plain_numbers(const symbolic::Program& program);
 
 // The program with lanes for those classes of limbs of which that makes it clearly faster by prediction
-// (symbolic::predicted_time); the program itself, where none does. Each class has 2, 4 or 8 limbs.
+// (symbolic::predicted_time); the program itself, where none does or it has lanes already. Each class has 2, 4 or 8
+// limbs.
 //
 // `alike` computes the same with limbs that fold alike, at the price of products with zeros and ones: it comes into
 // lanes in the place of the program where it gets faster that way.
@@ -27,7 +28,7 @@ Packed pack_lanes(
     const std::vector<InputTuples>& classes,
     const std::optional<symbolic::Program>& alike = std::nullopt);
 
-// All classes that can be packed, whatever that costs.
+// All classes that can be packed, whatever that costs; a program that has lanes stays as it is.
 symbolic::Program packed(const symbolic::Program& program, const std::vector<InputTuples>& classes);
 
 }  // namespace robcogen::pass

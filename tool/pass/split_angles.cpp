@@ -313,6 +313,7 @@ class Core {
       s.lanes.push_back(input(i, lane, false));
       labels.push_back((old.op == Op::cosine ? cosines_ : sines_).elements[at(readings_[i][lane].angle)]);
     }
+    names_.erase(old.name);
     const std::string wanted = common_name(labels);
     s.name = wanted;
     for (int k = 2; !names_.insert(s.name).second; ++k) s.name = wanted + "_" + std::to_string(k);

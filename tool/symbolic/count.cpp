@@ -243,10 +243,8 @@ OperationCount count(const Program& p) {
 }
 
 int predicted_time(const Program& program) {
-  const auto is_wide = [](const Statement& s) { return s.width > 1; };
-  const bool has_lanes = std::any_of(program.statements.begin(), program.statements.end(), is_wide);
   // What follows from parameters alone was split off before equal limbs came into lanes.
-  const OperationCount c = count(has_parameters(program) && !has_lanes ? given_parameters(program) : program);
+  const OperationCount c = count(has_parameters(program) && !program.has_lanes() ? given_parameters(program) : program);
   return std::max(c.critical_path, (c.instructions + c.moves) / 2);
 }
 

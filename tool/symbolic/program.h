@@ -4,6 +4,7 @@
 // counted (count.h), rewritten by passes (tool/pass) and spelled in a target language (tool/backend).
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -141,6 +142,9 @@ struct Program {
     int n = 0;
     for (const InputArray& array : inputs) n += static_cast<int>(array.elements.size());
     return n;
+  }
+  bool has_lanes() const {
+    return std::any_of(statements.begin(), statements.end(), [](const Statement& s) { return s.width > 1; });
   }
 };
 

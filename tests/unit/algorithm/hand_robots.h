@@ -10,6 +10,7 @@
 #include "model/descriptions.h"
 #include "symbolic/interpret.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::algorithm::test {
 

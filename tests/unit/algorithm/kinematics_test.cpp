@@ -8,6 +8,7 @@
 #include "model/descriptions.h"
 #include "symbolic/interpret.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 #include "values.h"
 
 namespace robcogen::algorithm {

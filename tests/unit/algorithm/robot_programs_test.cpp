@@ -10,6 +10,7 @@
 #include "pass/passes.h"
 #include "symbolic/interpret.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::algorithm {
 namespace {

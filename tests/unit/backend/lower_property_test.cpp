@@ -7,6 +7,7 @@
 #include "random_program.h"
 #include "symbolic/count.h"
 #include "symbolic/interpret.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::backend::cpp {
 namespace {

@@ -150,6 +150,58 @@ TEST(SplitAngles, LeavesTheRest) {
   expect_same(twice, split);
 }
 
+// In lanes: what is a vector of sines in the program is gathered from given ones, and a lane of it is one of them.
+TEST(SplitAngles, LanesAreGathered) {
+  const Program program =
+      with("tmp s1 = sin q[1]\ntmp s2 = sin q[2]\ntmp x = s1 * v[1]\ntmp y = s2 * v[2]\ntmp z = x + s2\n", "z y");
+  const Program in_lanes = with(
+      "tmp angle = gather q[1] q[2]\ntmp s = sin angle\ntmp speed = gather v[1] v[2]\ntmp x = s * speed\n"
+      "tmp z = x@0 + s@1\n",
+      "z x@1");
+  const SplitAngles split = split_angles({{program, in_lanes}}, kJoints);
+  ASSERT_TRUE(split.parts[0]->core_in_lanes);
+  const Program& core = *split.parts[0]->core_in_lanes;
+  EXPECT_EQ(symbolic::verify(core), "");
+  EXPECT_EQ(
+      symbolic::print(core),
+      symbolic::print(
+          test::program("program test\ninput p parameters angle length\ninput q joint_position slide hip knee\n"
+                        "input sin_q joint_sine s_slide s_hip s_knee\ninput cos_q joint_cosine c_slide c_hip c_knee\n"
+                        "input v joint_velocity slide hip knee\noutput out value 2 1\nsection leg link leg\nin 0\n"
+                        "tmp s = gather sin_q[1] sin_q[2]\ntmp speed = gather v[1] v[2]\ntmp x = s * speed\n"
+                        "tmp z = x@0 + sin_q[2]\nreturn out z x@1\n")));
+  expect_same(program, split);
+}
+
+// Sums are made lane by lane: each lane is the angle that it is elsewhere, with a sign where it is turned.
+TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
+  const Program program = with(
+      "tmp a = q[1] + 0.25\ntmp b = q[2] - 0.25\ntmp s = sin a\ntmp t = sin b\ntmp c = cos b\ntmp x = t + c\n", "s x");
+  const Program in_lanes = with(
+      "tmp ones = gather 1 -1\ntmp q12 = gather q[1] q[2]\ntmp turned = q12 * ones\ntmp a = turned + 0.25\n"
+      "tmp s = sin a\ntmp c = cos a\ntmp x = c@1 - s@1\n",
+      "s@0 x");
+  const SplitAngles split = split_angles({{program, in_lanes}}, kJoints);
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4}));
+  EXPECT_EQ(split.angle_count, 5);
+  const Program& core = *split.parts[0]->core_in_lanes;
+  EXPECT_EQ(symbolic::count(core).sincos, 0);
+  const Trigonometry all = computed(split);
+  const std::vector<double> found = run(
+      core, {{"p", kParameters}, {"q", kPositions}, {"v", kSpeeds}, {"sin_q", all.sine}, {"cos_q", all.cosine}}, "out");
+  EXPECT_EQ(found, run_whole(in_lanes));
+  EXPECT_EQ(found, run_core(split, all));
+}
+
+// A lane that no theorem reaches keeps them all.
+TEST(SplitAngles, LanesStayTogether) {
+  const Program program = with("tmp s = sin v[1]\ntmp t = sin q[1]\n", "s t");
+  const Program in_lanes = with("tmp a = gather v[1] q[1]\ntmp s = sin a\n", "s@0 s@1");
+  const SplitAngles split = split_angles({{program, in_lanes}}, kJoints);
+  EXPECT_EQ(symbolic::count(*split.parts[0]->core_in_lanes).sincos, 1);
+  EXPECT_EQ(split.parts[0]->read, std::vector<int>{1});
+}
+
 TEST(SplitAngles, NoProgramsNoSums) {
   const SplitAngles split = split_angles({}, kJoints);
   EXPECT_EQ(split.angle_count, 3);

@@ -137,5 +137,66 @@ TEST(PredictedTime, IsThatBetweenTwoChangesOfTheParameters) {
   EXPECT_EQ(predicted_time(program("parameters")), 4);
 }
 
+// Of two lanes: parameters, and variables.
+Program of_lanes(const std::string& role, const std::string& statements, const std::string& returns) {
+  return test::program(
+      "program test\n"
+      "input k " +
+      role +
+      " 0 1\n"
+      "input x value 0 1\n"
+      "output out value 2 1\n"
+      "section hip link hip\n"
+      "in 0\n" +
+      statements + "return out " + returns + "\n");
+}
+
+// What is done in all lanes counts once, and what brings numbers together or apart is a move.
+TEST(Count, LanesCountOnce) {
+  const OperationCount c = count(of_lanes(
+      "value", "tmp a = gather k[0] k[1]\ntmp b = gather x[0] x[1]\ntmp m = a * b\ntmp s = m + a\n", "s@0 s@1"));
+  EXPECT_EQ(c.mul, 1);
+  EXPECT_EQ(c.add, 1);
+  EXPECT_EQ(c.instructions, 1);
+  EXPECT_EQ(c.moves, 1 + 1 + 2);  // gathers, and outputs that are lanes
+  EXPECT_EQ(c.critical_path, 4);
+}
+
+TEST(Count, ASumOfLanesWaitsForHalves) {
+  const OperationCount c =
+      count(of_lanes("value", "tmp a = gather k[0] k[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
+  EXPECT_EQ(c.instructions, 1);
+  EXPECT_EQ(c.moves, 1 + 2);
+  EXPECT_EQ(c.critical_path, 4 + 3 + 4);
+}
+
+// Numbers are made ahead; a gather of what is computed has to be waited for.
+TEST(Count, AGatherOfNumbersIsFree) {
+  const OperationCount numbers =
+      count(of_lanes("value", "tmp a = gather 0.5 -0.25\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
+  EXPECT_EQ(numbers.moves, 2);
+  const OperationCount computed = count(
+      of_lanes("value", "tmp y = x[0] + x[1]\ntmp a = gather y x[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
+  EXPECT_EQ(computed.critical_path, 4 + 3 + 4 + 3 + 4);
+}
+
+// A gather of parameters follows from them alone, as what is computed of it does.
+TEST(Work, AGatherOfParametersIsGiven) {
+  const auto program = [](const std::string& role) {
+    return of_lanes(
+        role, "tmp f = gather k[0] k[1]\ntmp g = gather x[0] x[1]\ntmp r = f * f\ntmp m = r * g\ntmp s = m + x[1]\n",
+        "s@0 s@1");
+  };
+  EXPECT_EQ(work(program("value")), 2 * 3 - 1);
+  EXPECT_EQ(work(program("parameters")), 2 * 2 - 1);
+}
+
+// A gather of which a lane is no parameter is none.
+TEST(Work, AGatherOfParametersAndOthersIsNotGiven) {
+  const Program program = of_lanes("parameters", "tmp f = gather k[0] x[0]\ntmp r = f * f\n", "r@0 r@1");
+  EXPECT_EQ(work(program), 2);
+  EXPECT_EQ(work(of_lanes("parameters", "tmp f = gather k[0] k[1]\ntmp r = f * f\ntmp m = r@0 * x[0]\n", "m r@1")), 2);
+}
+
 }  // namespace
 }  // namespace robcogen::symbolic

@@ -5,6 +5,7 @@
 
 #include "symbolic/expression.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::symbolic {
 namespace {

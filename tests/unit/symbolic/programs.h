@@ -12,6 +12,7 @@
 
 #include "symbolic/interpret.h"
 #include "symbolic/text.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::test {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "programs.h"
+#include "symbolic/verify.h"
 
 namespace robcogen::symbolic {
 namespace {
