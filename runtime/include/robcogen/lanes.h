@@ -295,6 +295,22 @@ ROBCOGEN_INLINE Lanes<Scalar, sizeof...(kLane)> shuffled(
     return Result::of((kLane < kSize ? a[kLane] : b[kLane - kSize])...);
 }
 
+template <class Scalar, int kSize, int... kLane>
+ROBCOGEN_INLINE Lanes<Scalar, 2 * kSize> joined(
+    const Lanes<Scalar, kSize>& low,
+    const Lanes<Scalar, kSize>& high,
+    std::integer_sequence<int, kLane...>) noexcept {
+  return shuffled<kLane...>(low, high);
+}
+
+// The lanes of both, that fit into a register together.
+template <class Scalar, int kSize>
+ROBCOGEN_INLINE Lanes<Scalar, 2 * kSize> joined(
+    const Lanes<Scalar, kSize>& low,
+    const Lanes<Scalar, kSize>& high) noexcept {
+  return joined(low, high, std::make_integer_sequence<int, 2 * kSize>());
+}
+
 // The first half of the lanes (0), or the second (1).
 template <int kHalf, class Scalar, int kSize>
 ROBCOGEN_INLINE Lanes<Scalar, kSize / 2> half(const Lanes<Scalar, kSize>& x) noexcept {

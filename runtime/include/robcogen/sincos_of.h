@@ -293,14 +293,36 @@ ROBCOGEN_INLINE void sincos(
   cosine = Lanes<float, kSize>::load(numbers);
 }
 
+// Of lanes that fill no more than half of a register, two values at a time; the last one may be alone.
+template <int kCount, class Scalar, int kSize, class Beyond>
+ROBCOGEN_INLINE void sincos_in_pairs(
+    const Lanes<Scalar, kSize>* x,
+    Lanes<Scalar, kSize>* sine,
+    Lanes<Scalar, kSize>* cosine,
+    Beyond& beyond) noexcept {
+  Lanes<Scalar, 2 * kSize> s, c;
+  sincos(joined(x[0], x[kCount > 1 ? 1 : 0]), s, c, beyond);
+  sine[0] = half<0>(s);
+  cosine[0] = half<0>(c);
+  if constexpr (kCount > 1) {
+    sine[1] = half<1>(s);
+    cosine[1] = half<1>(c);
+  }
+  if constexpr (kCount > 2) sincos_in_pairs<kCount - 2>(x + 2, sine + 2, cosine + 2, beyond);
+}
+
 // Scalar: double or float.
 template <int kCount, class Scalar, int kSize>
 ROBCOGEN_INLINE void sincos_of(
     const Lanes<Scalar, kSize>* x,
     Lanes<Scalar, kSize>* sine,
     Lanes<Scalar, kSize>* cosine) noexcept {
-  Bits<LeafOf<kSize>> beyond = {};
-  for (int i = 0; i < kCount; ++i) sincos(x[i], sine[i], cosine[i], beyond);
+  constexpr bool kInPairs = kCount > 1 && 2 * kSize <= kTogether;
+  Bits<LeafOf<kInPairs ? 2 * kSize : kSize>> beyond = {};
+  if constexpr (kInPairs)
+    sincos_in_pairs<kCount>(x, sine, cosine, beyond);
+  else
+    for (int i = 0; i < kCount; ++i) sincos(x[i], sine[i], cosine[i], beyond);
   if (!any_beyond(beyond)) return;
   for (int i = 0; i < kCount; ++i) {
     const auto both = replaced_large(x[i], sine[i], cosine[i]);

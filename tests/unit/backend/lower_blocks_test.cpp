@@ -53,6 +53,26 @@ TEST(LowerBlocks, ConstantsAreFilledInFirstAndOnlyOnce) {
       "out[13] = Scalar(1.0);\n");
 }
 
+TEST(LowerBlocks, SinesOfABlockOfTwoLanesAreComputedTogether) {
+  EXPECT_EQ(
+      lowered(
+          "tmp s = gather q[0] q[2]\n"
+          "tmp t = gather q[1] q[3]\n"
+          "tmp c_s = cos s\n"
+          "tmp s_t = sin t\n"
+          "let x = c_s * s_t\n"
+          "return out x@0 x@1\n",
+          2),
+      "// limbs\n"
+      "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);\n"
+      "const robcogen::SinCosOf<Lanes2, 2> trig(&q_lanes[0]);\n"
+      "const auto [s_s, c_s] = trig[0];\n"
+      "const auto [s_t, c_t] = trig[1];\n"
+      "const Lanes2 x = c_s * s_t;\n"
+      "out[0] = x[0];\n"
+      "out[1] = x[1];\n");
+}
+
 TEST(LowerBlocks, LongListsGoOnInTheNextLine) {
   std::string statements = "tmp s = gather q[0] q[3]\n", first, second;
   for (int k = 0; k < 8; ++k) {

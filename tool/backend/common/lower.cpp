@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "backend/common/block_plan.h"
@@ -99,6 +100,7 @@ class Lowering {
   std::string section_;       // title of the section that the last line belongs to
   BlockPlan blocks_;
   std::vector<std::string> load_names_;
+  std::set<int> angles_done_;  // statements whose sine and cosine are computed with their block
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
@@ -426,6 +428,27 @@ class Lowering {
     const symbolic::Block& block = blocks_.loads[k];
     const std::string first = element(kernel_.parameters[at(block.array)], at(block.first));
     add({Line::Kind::load_block, {load_names_[k]}, first, block.columns.size(), block.width, block.stride});
+    emit_angles_of_load(k);
+  }
+
+  // Sines and cosines of a block are computed together, where most of its columns are angles: two lanes leave room for
+  // others in a register. Four are as well computed where they are used.
+  void emit_angles_of_load(std::size_t k) {
+    const symbolic::Block& block = blocks_.loads[k];
+    if (block.width != 2) return;
+    std::vector<std::pair<std::size_t, const Angle*>> angles;
+    for (std::size_t c = 0; c < block.columns.size(); ++c) {
+      const auto angle = angles_.find({Operand::Kind::statement, block.columns[c].index});
+      if (angle != angles_.end()) angles.emplace_back(c, &angle->second);
+    }
+    if (angles.size() < 2 || block.columns.size() > 2 * angles.size()) return;
+    const std::string all = scope_.claim("trig");
+    const std::string first = dialect_.element(load_names_[k], 0);
+    add({Line::Kind::sincos_of, {all}, first, block.columns.size(), block.width});
+    for (const auto& [column, angle] : angles) {
+      add({Line::Kind::pick, {angle->sine_name, angle->cosine_name}, dialect_.element(all, column)});
+      angles_done_.insert(block.columns[column].index);
+    }
   }
 
   void emit_block(const symbolic::Block& block) {
@@ -453,7 +476,8 @@ class Lowering {
     if (places_[i] == Place::angle) {
       const AngleKey key{s.a.kind, s.a.index};
       const Angle& angle = angles_.at(key);
-      const bool computed = key.first != Operand::Kind::input && angle.first == static_cast<int>(i);
+      const bool computed =
+          key.first != Operand::Kind::input && angle.first == static_cast<int>(i) && angles_done_.count(s.a.index) == 0;
       if (computed || (dialect_.stores && !stores_[i].empty())) enter_section(i);
       if (computed) emit_angle(key, angle);
     } else {

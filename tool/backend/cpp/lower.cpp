@@ -106,8 +106,8 @@ std::string text(const Line& line) {
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = robcogen::sincos(" + line.expression +
              ");";
     case Line::Kind::sincos_of:
-      return "const robcogen::SinCosOf<Scalar, " + std::to_string(line.count) + "> " + line.targets[0] + "(&" +
-             line.expression + ");";
+      return "const robcogen::SinCosOf<" + type_of(line) + ", " + std::to_string(line.count) + "> " +
+             line.targets[0] + "(&" + line.expression + ");";
     case Line::Kind::pick:
       return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = " + line.expression + ";";
     case Line::Kind::definition:
