@@ -446,7 +446,8 @@ class Lowering {
     const std::string first = dialect_.element(load_names_[k], 0);
     add({Line::Kind::sincos_of, {all}, first, block.columns.size(), block.width});
     for (const auto& [column, angle] : angles) {
-      add({Line::Kind::pick, {angle->sine_name, angle->cosine_name}, dialect_.element(all, column)});
+      const std::string element = dialect_.element(all, column);
+      add({Line::Kind::pick, {angle->sine_name, angle->cosine_name}, element, 0, block.width});
       angles_done_.insert(block.columns[column].index);
     }
   }

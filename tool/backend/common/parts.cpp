@@ -211,7 +211,9 @@ class Cutting {
     std::copy_if(kernel_.functions.begin(), kernel_.functions.end(), std::back_inserter(part.functions), is_used);
     for (const int width : kernel_.widths) {
       const auto says_width = [&](const Line& line) {
-        return line.width == width && (line.kind == Line::Kind::definition || line.kind == Line::Kind::binding);
+        using Kind = Line::Kind;
+        return line.width == width &&
+               (line.kind == Kind::definition || line.kind == Kind::binding || line.kind == Kind::sincos_of);
       };
       if (is_used(dialect_.type(width)) || std::any_of(part.lines.begin(), part.lines.end(), says_width))
         part.widths.push_back(width);
