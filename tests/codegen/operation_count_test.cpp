@@ -36,7 +36,7 @@ void add_operators(const std::string& line, Counts& counts) {
 // `// 26 mul, 19 add, 1 div, 2 sincos: …`
 bool read_banner(const std::string& line, Counts& counts) {
   static const std::regex pattern(
-      R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?[:.].*)");
+      R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?(?:, \d+ to and from lanes)?[:.].*)");
   std::smatch match;
   if (!std::regex_match(line, match, pattern)) return false;
   for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = match[k + 1].matched ? std::stoi(match[k + 1]) : 0;
@@ -59,11 +59,11 @@ std::string name_behind(const std::string& word, const std::string& line) {
 }
 
 // Returns the number of kernels in the file. A kernel that calls its core does what that does, with a sine and cosine
-// of each angle that it reads.
+// of each angle that it reads; one in parts does what stands in these, before it.
 int check_file(const fs::path& path) {
   std::ifstream file(path);
   int kernels = 0;
-  bool inside = false, in_cores = false;
+  bool inside = false, in_cores = false, in_parts = false;
   Counts expected{}, found{};
   std::set<int> angles;
   std::string name;
@@ -71,26 +71,30 @@ int check_file(const fs::path& path) {
   for (std::string line; std::getline(file, line);) {
     if (line == "namespace core {") in_cores = true;
     if (line == "}  // namespace core") in_cores = false;
+    if (line == "namespace parts {") in_parts = true;
+    if (line == "}  // namespace parts") in_parts = false;
     if (read_banner(line, expected)) {
       ++kernels;
       inside = true;
-      found = {};
-      angles.clear();
     } else if (inside && !name_behind("void ", line).empty()) {
       name = name_behind("void ", line);
     } else if (inside && !name_behind("  core::", line).empty()) {
       const Counts core = cores.at(name_behind("  core::", line));
       for (std::size_t k = 0; k < found.size(); ++k) found[k] += core[k];
     } else if (
-        inside && line.starts_with("  ") && !line.starts_with("  //") && !line.starts_with("  robcogen::sincos_")) {
+        (inside || in_parts) && line.starts_with("  ") && !line.starts_with("  //") &&
+        !line.starts_with("  robcogen::sincos_")) {
       add_operators(line, found);
       if (in_cores) add_angle(line, angles);
     } else if (inside && line.starts_with("}")) {
       EXPECT_EQ(found, expected) << path << ", kernel " << kernels;
       inside = false;
-      if (!in_cores) continue;
-      cores[name] = found;
-      cores[name][4] += static_cast<int>(angles.size());
+      if (in_cores) {
+        cores[name] = found;
+        cores[name][4] += static_cast<int>(angles.size());
+      }
+      found = {};
+      angles.clear();
     }
   }
   return kernels;
