@@ -44,22 +44,29 @@ bool can_be_lanes(const InputTuples& limbs) {
   return width == 2 || width == 4 || width == kMostLanes;
 }
 
+// All classes at once; where that does not pay, class after class, as long as one gains beside those before.
 Packed pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
   Packed best = {program, std::vector<bool>(classes.size(), false)};
-  std::vector<InputTuples> chosen;
   int time = predicted_time(program);
-  for (std::size_t c = 0; c < classes.size(); ++c) {
-    if (!can_be_lanes(classes[c])) continue;
-    chosen.push_back(classes[c]);
+  const auto attempt = [&](const std::vector<bool>& in_lanes) {
+    std::vector<InputTuples> chosen;
+    for (std::size_t c = 0; c < classes.size(); ++c)
+      if (in_lanes[c]) chosen.push_back(classes[c]);
     std::optional<Program> candidate = with_lanes(program, chosen);
-    const int candidate_time = candidate ? predicted_time(*candidate) : time;
-    if (is_clearly_faster(candidate_time, time)) {
-      time = candidate_time;
-      best.program = std::move(*candidate);
-      best.in_lanes[c] = true;
-    } else {
-      chosen.pop_back();
-    }
+    if (!candidate || !is_clearly_faster(predicted_time(*candidate), time)) return false;
+    time = predicted_time(*candidate);
+    best = {std::move(*candidate), in_lanes};
+    return true;
+  };
+  std::vector<bool> all;
+  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs));
+  if (std::count(all.begin(), all.end(), true) == 0 || attempt(all)) return best;
+  std::size_t in_vain = 0;  // classes since the last gain
+  for (std::size_t c = 0; in_vain < classes.size(); c = (c + 1) % classes.size()) {
+    ++in_vain;
+    std::vector<bool> more = best.in_lanes;
+    more[c] = all[c];
+    if (more != best.in_lanes && more != all && attempt(more)) in_vain = 0;
   }
   return best;
 }
