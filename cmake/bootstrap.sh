@@ -57,8 +57,8 @@ use_compiler_cache() {
 demo() {
   install_missing "${build_packages[@]}"
   use_compiler_cache
-  run cmake --preset release
-  run cmake --build --preset release --target robcogen_demo
+  run cmake --preset demo
+  run cmake --build --preset demo --target robcogen_demo
 }
 
 run_tests() {
