@@ -42,7 +42,7 @@ endif()
 
 # Flags of generated sources, ours and those of COMPILE_OPTIONS, are of these alone.
 file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\":")
-set(flags "-fno-tree-slp-vectorize|-fno-(tree-)?dse|-fno-schedule-insns2|-fstack-usage|-DNDEBUG|-mavx")
+set(flags "-fno-tree-slp-vectorize|-fno-(tree-)?dse|-fno-schedule-insns2|-fno-exceptions|-fstack-usage|-DNDEBUG|-mavx")
 foreach(source "left_leg/transforms.cpp" "user/main.cpp")
   set(command "${commands}")
   list(FILTER command INCLUDE REGEX "${source}\"")
