@@ -194,9 +194,9 @@ std::string sines_and_cosines(const Library& library, const std::vector<int>& re
   return call(name, {from("q"), from("sin_q"), from("cos_q")}, 2);
 }
 
-// Instructions of a kernel in lanes that computes its own sines: in fewer, it is measurable that a core has to wait for
-// them on their way from an array to lanes. All others call a core in lanes: that is written and compiled once.
-constexpr int kSmallInLanes = 128;
+// Instructions of a kernel in lanes that computes its own sines: on their way to a core, from an array to lanes, they
+// take about fifty more. All others call a core in lanes: that is written and compiled once.
+constexpr int kSmallInLanes = 512;
 
 bool has_own_lanes(const Function& function) {
   return function.in_lanes && (!function.parts || symbolic::count(*function.in_lanes).instructions <= kSmallInLanes);
