@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "robcogen/batch.h"
+#include "robcogen/lane_blocks.h"
 #include "robcogen/lanes.h"
 
 namespace robcogen::batch {
@@ -29,6 +30,8 @@ class Block {
       load_some(from, kElements, to);
     } else if (from.state == 1) {
       in_fours<kElements>([&](int k, const Scalar* at) noexcept { to[k] = Value::load(at); }, data, from.element);
+    } else if (kHasRows && from.element == 1) {
+      load_rows<kElements>(data, from.state, to);
     } else {
       in_fours<kElements>(
           [&](int k, const Scalar* at) noexcept { to[k] = Value::gather(at, from.state); }, data, from.element);
@@ -42,12 +45,32 @@ class Block {
       store_some(from, kElements, to);
     } else if (to.state == 1) {
       in_fours<kElements>([&](int k, Scalar* at) noexcept { from[k].store(at); }, data, to.element);
+    } else if (kHasRows && to.element == 1) {
+      store_rows<kElements>(from, data, to.state);
     } else {
       in_fours<kElements>([&](int k, Scalar* at) noexcept { from[k].scatter(at, to.state); }, data, to.element);
     }
   }
 
  private:
+  // With two lanes, single elements move as fast.
+  static constexpr bool kHasRows = kSize > 2;
+
+  // States one after another, and the elements of each side by side: four elements at a time are a block.
+  template <int kElements>
+  static void load_rows(const Scalar* data, std::ptrdiff_t state, Value* to) noexcept {
+    int k = 0;
+    for (; k + 4 <= kElements; k += 4) lanes::load_block<4, false>(data + k, state, to + k);
+    for (; k < kElements; ++k) to[k] = Value::gather(data + k, state);
+  }
+  template <int kElements>
+  static void store_rows(const Value* from, Scalar* data, std::ptrdiff_t state) noexcept {
+    int k = 0;
+    for (; k + 4 <= kElements; k += 4)
+      lanes::store_block<false>(data + k, state, from[k], from[k + 1], from[k + 2], from[k + 3]);
+    for (; k < kElements; ++k) from[k].scatter(data + k, state);
+  }
+
   // move(k, where element k stands) for each. Four at a time are two thirds of the instructions of one at a time.
   template <int kElements, class Move, class Number>
   static void in_fours(Move move, Number* data, std::ptrdiff_t stride) noexcept {

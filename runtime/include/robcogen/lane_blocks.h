@@ -85,36 +85,39 @@ ROBCOGEN_INLINE Three<Scalar, 4> taken_apart(
 template <class Scalar, int kSize>
 constexpr bool kHasHalves = kSize > 1 && (kSize > kInRegister<Scalar> || kSize > 4);
 
-template <std::ptrdiff_t kStride, class Scalar>
-ROBCOGEN_INLINE void store_pair(Scalar* to, const Two<Scalar, 4>& zipped) noexcept {
+template <class Scalar>
+ROBCOGEN_INLINE void store_pair(Scalar* to, std::ptrdiff_t stride, const Two<Scalar, 4>& zipped) noexcept {
   constexpr int kSecond = sizeof(Scalar) == 8 ? 2 : 1;  // which lane the second half of the first is
   half<0>(zipped[0]).store(to);
-  half<1>(zipped[0]).store(to + kSecond * kStride);
-  half<0>(zipped[1]).store(to + (3 - kSecond) * kStride);
-  half<1>(zipped[1]).store(to + 3 * kStride);
+  half<1>(zipped[0]).store(to + kSecond * stride);
+  half<0>(zipped[1]).store(to + (3 - kSecond) * stride);
+  half<1>(zipped[1]).store(to + 3 * stride);
 }
 
-template <std::ptrdiff_t kStride, class Scalar>
-ROBCOGEN_INLINE void store_pair(Scalar* to, const Two<Scalar, 2>& zipped) noexcept {
+template <class Scalar>
+ROBCOGEN_INLINE void store_pair(Scalar* to, std::ptrdiff_t stride, const Two<Scalar, 2>& zipped) noexcept {
   zipped[0].store(to);
-  zipped[1].store(to + kStride);
+  zipped[1].store(to + stride);
 }
 
-template <std::ptrdiff_t kStride, class Scalar, class Column>
-ROBCOGEN_INLINE void store_block(Scalar* to, const Column& a) noexcept {
-  a.scatter(to, kStride);
+// Dense: the stride is the number of values.
+template <bool kIsDense, class Scalar, class Column>
+ROBCOGEN_INLINE void store_block(Scalar* to, std::ptrdiff_t stride, const Column& a) noexcept {
+  a.scatter(to, stride);
 }
 
-template <std::ptrdiff_t kStride, class Scalar, int kSize, class... More>
+template <bool kIsDense, class Scalar, int kSize, class... More>
 ROBCOGEN_INLINE void store_block(
     Scalar* to,
+    std::ptrdiff_t stride,
     const Lanes<Scalar, kSize>& a,
     const Lanes<Scalar, kSize>& b,
     const More&... more) noexcept;
 
-template <std::ptrdiff_t kStride, class Scalar, class... More>
+template <class Scalar, class... More>
 ROBCOGEN_INLINE void store_fours(
     Scalar* to,
+    std::ptrdiff_t stride,
     const Lanes<Scalar, 4>& a,
     const Lanes<Scalar, 4>& b,
     const Lanes<Scalar, 4>& c,
@@ -122,34 +125,35 @@ ROBCOGEN_INLINE void store_fours(
     const More&... more) noexcept {
   const Four<Scalar, 4> rows = transposed(a, b, c, d);
   rows[0].store(to);
-  rows[1].store(to + kStride);
-  rows[2].store(to + 2 * kStride);
-  rows[3].store(to + 3 * kStride);
-  if constexpr (sizeof...(More) > 0) store_block<kStride>(to + 4, more...);
+  rows[1].store(to + stride);
+  rows[2].store(to + 2 * stride);
+  rows[3].store(to + 3 * stride);
+  if constexpr (sizeof...(More) > 0) store_block<false>(to + 4, stride, more...);
 }
 
-template <std::ptrdiff_t kStride, class Scalar, int kSize, class... More>
+template <bool kIsDense, class Scalar, int kSize, class... More>
 ROBCOGEN_INLINE void store_block(
     Scalar* to,
+    std::ptrdiff_t stride,
     const Lanes<Scalar, kSize>& a,
     const Lanes<Scalar, kSize>& b,
     const More&... more) noexcept {
   if constexpr (kSize == 1) {
     to[0] = a[0];
-    store_block<kStride>(to + 1, b, more...);
+    store_block<false>(to + 1, stride, b, more...);
   } else if constexpr (kHasHalves<Scalar, kSize>) {
-    store_block<kStride>(to, half<0>(a), half<0>(b), half<0>(more)...);
-    store_block<kStride>(to + kSize / 2 * kStride, half<1>(a), half<1>(b), half<1>(more)...);
+    store_block<kIsDense>(to, stride, half<0>(a), half<0>(b), half<0>(more)...);
+    store_block<kIsDense>(to + kSize / 2 * stride, stride, half<1>(a), half<1>(b), half<1>(more)...);
   } else if constexpr (kSize == 4 && sizeof...(More) >= 2) {
-    store_fours<kStride>(to, a, b, more...);
-  } else if constexpr (kSize == 4 && sizeof...(More) == 1 && kStride == 3) {
+    store_fours(to, stride, a, b, more...);
+  } else if constexpr (kSize == 4 && sizeof...(More) == 1 && kIsDense) {
     const Three<Scalar, 4> rows = interleaved(a, b, more...);
     rows[0].store(to);
     rows[1].store(to + 4);
     rows[2].store(to + 8);
   } else {
-    store_pair<kStride>(to, zipped(a, b));
-    if constexpr (sizeof...(More) > 0) store_block<kStride>(to + 2, more...);
+    store_pair(to, stride, zipped(a, b));
+    if constexpr (sizeof...(More) > 0) store_block<false>(to + 2, stride, more...);
   }
 }
 
@@ -158,43 +162,46 @@ ROBCOGEN_INLINE void join(
     const Lanes<Scalar, kSize / 2>* low,
     const Lanes<Scalar, kSize / 2>* high,
     Lanes<Scalar, kSize>* columns) noexcept {
-  *columns = {*low, *high};
+  if constexpr (kSize <= kInRegister<Scalar>)
+    *columns = joined(*low, *high);
+  else
+    *columns = {*low, *high};
   if constexpr (kCount > 1) join<kCount - 1>(low + 1, high + 1, columns + 1);
 }
 
 // The other way round, to columns[0], …, columns[kCount - 1].
-template <std::size_t kCount, std::ptrdiff_t kStride, class Scalar, int kSize>
-ROBCOGEN_INLINE void load_block(const Scalar* from, Lanes<Scalar, kSize>* columns) noexcept {
+template <std::size_t kCount, bool kIsDense, class Scalar, int kSize>
+ROBCOGEN_INLINE void load_block(const Scalar* from, std::ptrdiff_t stride, Lanes<Scalar, kSize>* columns) noexcept {
   using Column = Lanes<Scalar, kSize>;
   if constexpr (kCount == 1) {
-    *columns = Column::gather(from, kStride);
-  } else if constexpr (kSize > kInRegister<Scalar> && kSize > 1) {
+    *columns = Column::gather(from, stride);
+  } else if constexpr (kHasHalves<Scalar, kSize>) {
     std::array<Lanes<Scalar, kSize / 2>, kCount> low, high;
-    load_block<kCount, kStride>(from, low.data());
-    load_block<kCount, kStride>(from + kSize / 2 * kStride, high.data());
+    load_block<kCount, kIsDense>(from, stride, low.data());
+    load_block<kCount, kIsDense>(from + kSize / 2 * stride, stride, high.data());
     join<kCount>(low.data(), high.data(), columns);
-  } else if constexpr (kCount == 3 && kStride == 3 && kSize == 4) {
+  } else if constexpr (kCount == 3 && kIsDense && kSize == 4) {
     const Three<Scalar, 4> loaded = taken_apart(Column::load(from), Column::load(from + 4), Column::load(from + 8));
     columns[0] = loaded[0];
     columns[1] = loaded[1];
     columns[2] = loaded[2];
   } else if constexpr (kCount >= 4 && kSize == 4) {
     const Four<Scalar, 4> loaded = transposed(
-        Column::load(from), Column::load(from + kStride), Column::load(from + 2 * kStride),
-        Column::load(from + 3 * kStride));
+        Column::load(from), Column::load(from + stride), Column::load(from + 2 * stride),
+        Column::load(from + 3 * stride));
     columns[0] = loaded[0];
     columns[1] = loaded[1];
     columns[2] = loaded[2];
     columns[3] = loaded[3];
-    if constexpr (kCount > 4) load_block<kCount - 4, kStride>(from + 4, columns + 4);
+    if constexpr (kCount > 4) load_block<kCount - 4, false>(from + 4, stride, columns + 4);
   } else if constexpr (kSize == 2) {
-    const Two<Scalar, 2> loaded = zipped(Column::load(from), Column::load(from + kStride));
+    const Two<Scalar, 2> loaded = zipped(Column::load(from), Column::load(from + stride));
     columns[0] = loaded[0];
     columns[1] = loaded[1];
-    if constexpr (kCount > 2) load_block<kCount - 2, kStride>(from + 2, columns + 2);
+    if constexpr (kCount > 2) load_block<kCount - 2, false>(from + 2, stride, columns + 2);
   } else {
-    *columns = Column::gather(from, kStride);
-    load_block<kCount - 1, kStride>(from + 1, columns + 1);
+    *columns = Column::gather(from, stride);
+    load_block<kCount - 1, false>(from + 1, stride, columns + 1);
   }
 }
 
@@ -211,14 +218,14 @@ ROBCOGEN_INLINE void store_each(
 // Writes the block of these values. A stride of their number leaves nothing between the lanes.
 template <std::ptrdiff_t kStride, class Scalar, int kSize, class... More>
 ROBCOGEN_INLINE void store_lanes(Scalar* to, const Lanes<Scalar, kSize>& first, const More&... more) noexcept {
-  lanes::store_block<kStride>(to, first, more...);
+  lanes::store_block<kStride == 1 + sizeof...(More)>(to, kStride, first, more...);
 }
 
 // The kCount values of a block.
 template <int kSize, std::size_t kCount, std::ptrdiff_t kStride, class Scalar>
 ROBCOGEN_INLINE std::array<Lanes<Scalar, kSize>, kCount> load_lanes(const Scalar* from) noexcept {
   std::array<Lanes<Scalar, kSize>, kCount> columns;
-  lanes::load_block<kCount, kStride>(from, columns.data());
+  lanes::load_block<kCount, kStride == static_cast<std::ptrdiff_t>(kCount)>(from, kStride, columns.data());
   return columns;
 }
 
