@@ -1,12 +1,10 @@
 #include "algorithm/robot_programs.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "algorithm/kinematics.h"
-#include "algorithm/limb_inputs.h"
-#include "algorithm/setup.h"
 #include "algorithm/transform_kinds.h"
-#include "symbolic/count.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -416,65 +414,6 @@ const std::vector<std::string>& default_groups() {
       "transforms",
       "jacobians"};
   return names;
-}
-
-const Formulation& Formulations::searched(
-    std::optional<Formulation>& place,
-    const Formulation& start,
-    const TraceOf& trace) {
-  if (!place) {
-    place = start;
-    place->frames = cheap_frames(tree_, start, trace);
-  }
-  return *place;
-}
-
-const Formulation& Formulations::newton_euler() {
-  return searched(newton_euler_, common_, [&](const KinematicTree& part, const Formulation& f) {
-    return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree_), f);
-  });
-}
-
-const Formulation& Formulations::unactuated_base() {
-  return searched(unactuated_base_, newton_euler(), [](const KinematicTree& part, const Formulation& f) {
-    return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
-  });
-}
-
-const Formulation& Formulations::inertia() {
-  return searched(inertia_, common_, [](const KinematicTree& part, const Formulation& f) {
-    return joint_space_inertia(part, "joint_space_inertia", f);
-  });
-}
-
-std::optional<Formulations> Formulations::with_typical_limbs() const {
-  if (!tree_.parameters.empty() || limbs_in_lanes(tree_).empty()) return std::nullopt;
-  Formulations result = *this;
-  result.typical_of_model_ = typical_links(tree_);
-  bool some_differ = !result.typical_of_model_.empty();
-  const auto mark = [&](Formulation& formulation) {
-    formulation.typical = typical_links(tree_, formulation);
-    some_differ = some_differ || !formulation.typical.empty();
-  };
-  mark(result.common_);
-  for (std::optional<Formulation>* found : {&result.newton_euler_, &result.unactuated_base_, &result.inertia_})
-    if (*found) mark(**found);
-  if (result.forward_dynamics_) mark(result.forward_dynamics_->formulation);
-  return some_differ ? std::optional(std::move(result)) : std::nullopt;
-}
-
-Formulation Formulations::cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace) {
-  const auto work = [&](Formulation formulation) {
-    formulation.is_draft = true;
-    formulation.typical.clear();
-    return symbolic::work(trace(formulation));
-  };
-  return work(newton_euler()) < work(common_) ? newton_euler() : common_;
-}
-
-const ForwardDynamicsChoice& Formulations::forward_dynamics() {
-  if (!forward_dynamics_) forward_dynamics_ = forward_dynamics_choice(tree_, common_);
-  return *forward_dynamics_;
 }
 
 std::vector<RobotFunction> functions(

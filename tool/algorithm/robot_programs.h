@@ -1,13 +1,11 @@
 // Every program of a robot, by name: what the back ends print, `eval` runs and `ops` counts.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "algorithm/dynamics.h"
-#include "algorithm/frame_search.h"
+#include "algorithm/formulations.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -30,35 +28,6 @@ const std::vector<std::string>& groups();
 
 // The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
 const std::vector<std::string>& default_groups();
-
-// How the programs of a robot are traced: the frames that suit an algorithm are looked for when it is first asked for.
-class Formulations {
- public:
-  Formulations(const model::KinematicTree& tree, const Formulation& common) : tree_(tree), common_(common) {}
-
-  const Formulation& common() const { return common_; }
-  const Formulation& newton_euler();
-  const Formulation& unactuated_base();
-  const Formulation& inertia();
-  const ForwardDynamicsChoice& forward_dynamics();
-  // For programs of the model as it is.
-  const TypicalLinks& typical_of_model() const { return typical_of_model_; }
-  // The same for programs whose equal limbs are to fold alike (typical_limbs.h); nullopt where they do so anyway, and
-  // of robots with parameters.
-  std::optional<Formulations> with_typical_limbs() const;
-  // For a program that no frames were looked for: those of Newton-Euler, or the model's.
-  Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);
-
- private:
-  const model::KinematicTree& tree_;
-  Formulation common_;
-  TypicalLinks typical_of_model_;
-  std::optional<Formulation> newton_euler_, unactuated_base_, inertia_;
-
-  // Looks for frames, from those of `start` on, unless that was done.
-  const Formulation& searched(std::optional<Formulation>& place, const Formulation& start, const TraceOf& trace);
-  std::optional<ForwardDynamicsChoice> forward_dynamics_;
-};
 
 // The functions of one group. Gravity, where it enters, is folded to (0, 0, -9.81) in a fixed-base robot's first
 // overload and an input in the others; external wrenches are inputs of the last.
