@@ -1,0 +1,82 @@
+// The lines of a lowered function before they are written: which statements are lines of their own, where their values
+// go, and how each is spelled.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backend/common/block_plan.h"
+#include "backend/common/lower.h"
+
+namespace robcogen::backend {
+
+// An element of an output that a statement supplies.
+struct Store {
+  std::string target;
+  bool negative = false;
+  int lane = -1;  // -1: of a scalar
+};
+
+// What becomes of a statement.
+enum class Place {
+  nowhere,  // no output needs it
+  angle,    // a sine or cosine, defined with its pair
+  inside,   // part of its only user's expression
+  own,      // a definition
+  output,   // stored without a name
+  loaded,   // part of a block
+};
+
+// Sine and cosine of one argument.
+struct Angle {
+  int first = -1;  // statement that asks for it first
+  bool sine = false, cosine = false;
+  std::string sine_name, cosine_name;
+};
+
+struct Layout {
+  // Kind and index of an argument.
+  using AngleKey = std::pair<symbolic::Operand::Kind, int>;
+
+  const symbolic::Program& program;
+  const Dialect& dialect;
+  NameScope scope;
+  std::vector<Parameter> parameters = {};
+  std::vector<int> widths = {};               // of values with lanes, ascending
+  std::vector<Line> bindings = {};            // by Dialect::binds_parameters
+  std::vector<std::string> input_names = {};  // by flat index: `q[1]`
+  // By statement.
+  std::vector<Place> places = {};
+  std::vector<Spelling> spellings = {};  // how a user reads the statement, unless it stands inside
+  std::vector<std::vector<Store>> stores = {};
+  std::map<AngleKey, Angle> angles = {};
+  int first_together = 0;    // input element
+  std::size_t together = 0;  // how many from it on have their sines and cosines computed together; 0: none
+  BlockPlan blocks = {};
+  std::vector<std::string> load_names = {};
+};
+
+Layout layout(const symbolic::Program& program, const Dialect& dialect);
+
+// Lanes of a statement's value; 1 of any other operand.
+int width(const Layout& layout, const symbolic::Operand& o);
+
+// As the function reads it, and as an operand of a statement of so many lanes.
+Spelling spell(const Layout& layout, const symbolic::Operand& o);
+Spelling spell(const Layout& layout, const symbolic::Operand& o, int lanes);
+
+// The line of a statement that is not inside another; of one that is, the line that it would have by itself.
+Line line(const Layout& layout, std::size_t statement);
+
+// The array of an output.
+const Parameter& output_parameter(const Layout& layout, std::size_t output);
+
+// Whether a block or a fill stores it.
+bool is_in_block(const Layout& layout, std::size_t output, std::size_t element);
+
+bool is_angle_function(symbolic::Op op);
+
+}  // namespace robcogen::backend
