@@ -29,7 +29,9 @@ void add_operators(const std::string& line, Counts& counts) {
   counts[1] += occurrences(line, " + ") + occurrences(line, " - ");
   counts[2] += occurrences(line, " / ");
   counts[3] += occurrences(line, "sqrt(");
-  counts[4] += occurrences(line, "sincos(") + occurrences(line, "] = trig[") + occurrences(line, " = sin(") +
+  // `const auto [s_q, c_q] = trig_2[1];`: of those that are computed together.
+  static const std::regex picked(R"(.*\] = trig(_\d+)?\[.*)");
+  counts[4] += occurrences(line, "sincos(") + std::regex_match(line, picked) + occurrences(line, " = sin(") +
                occurrences(line, " = cos(");
 }
 
