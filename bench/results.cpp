@@ -142,7 +142,10 @@ std::optional<double> cycles(const Results& results, const Function& function) {
   return function.given_trig->median * results.gigahertz;
 }
 
-std::map<std::string, long> kernel_sizes(const std::string& listing) {
+namespace {
+
+// By what stands behind `kernel::`, such as `core::in_lanes::forward_dynamics`.
+std::map<std::string, long> kernel_symbols(const std::string& listing) {
   std::map<std::string, long> sizes;
   std::istringstream stream(listing);
   for (std::string line; std::getline(stream, line);) {
@@ -160,11 +163,34 @@ std::map<std::string, long> kernel_sizes(const std::string& listing) {
     // Each object file that uses a kernel may hold a copy; the linker keeps one.
     sizes[line.substr(begin, end - begin)] = std::strtol(size.c_str(), nullptr, 16);
   }
-  // What a kernel does once sines and cosines are known is a function of its own. One that is smaller calls it; one
-  // that is larger has a copy.
-  for (auto& [kernel, size] : sizes) {
-    const auto core = sizes.find("core::" + kernel);
-    if (core != sizes.end() && size < core->second) size += core->second;
+  return sizes;
+}
+
+// Of the function and of what it chooses from or is made of: `in_lanes::`, `one_by_one::`, and their `parts::`.
+long whole_size(const std::map<std::string, long>& symbols, const std::string& scope, const std::string& name) {
+  long size = 0;
+  for (const std::string way : {"", "in_lanes::", "one_by_one::"}) {
+    const auto whole = symbols.find(scope + way + name);
+    if (whole != symbols.end()) size += whole->second;
+    const std::string part = scope + way + "parts::" + name + "_";
+    for (auto it = symbols.lower_bound(part); it != symbols.end() && it->first.compare(0, part.size(), part) == 0; ++it)
+      if (it->first.find_first_not_of("0123456789", part.size()) == std::string::npos) size += it->second;
+  }
+  return size;
+}
+
+}  // namespace
+
+std::map<std::string, long> kernel_sizes(const std::string& listing) {
+  const std::map<std::string, long> symbols = kernel_symbols(listing);
+  std::map<std::string, long> sizes;
+  for (const auto& [name, size] : symbols) {
+    if (name.find(':') != std::string::npos) continue;
+    sizes[name] = whole_size(symbols, "", name);
+    // What a kernel does once sines and cosines are known is a function of its own. One that is smaller calls it; one
+    // that is larger, or computes its limbs in lanes itself, has a copy.
+    const long core = whole_size(symbols, "core::", name);
+    if (sizes[name] < core) sizes[name] += core;
   }
   return sizes;
 }

@@ -69,8 +69,8 @@ extern const std::vector<std::string> kQuantities;
 // Of Google Benchmark's JSON, each repetition on its own. Throws nlohmann::json::exception when it is no such thing.
 Results read_results(const std::string& json);
 
-// Bytes of each kernel compiled for double, by its name, what it calls once sines and cosines are known included.
-// `listing` is the output of `nm -S -C`: address, size, type and demangled name, such as `void
+// Bytes of each kernel compiled for double, by its name, what it calls once sines and cosines are known and the parts
+// of long ones included. `listing` is the output of `nm -S -C`: address, size, type and demangled name, such as `void
 // hyl::kernel::inverse_dynamics<double>(double const*, …)`.
 std::map<std::string, long> kernel_sizes(const std::string& listing);
 
