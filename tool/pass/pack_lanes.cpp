@@ -44,6 +44,30 @@ bool can_be_lanes(const InputTuples& limbs) {
   return width == 2 || width == 4 || width == kMostLanes;
 }
 
+// By flat index.
+std::vector<bool> inputs_read(const Program& program) {
+  std::size_t count = 0;
+  for (const symbolic::InputArray& input : program.inputs) count += input.elements.size();
+  std::vector<bool> read(count, false);
+  const auto note = [&](const Operand& o) {
+    if (o.kind == Operand::Kind::input) read[static_cast<std::size_t>(o.index)] = true;
+  };
+  for (const Statement& s : program.statements) for_each_operand(s, note);
+  for (const symbolic::OutputArray& array : program.outputs)
+    std::for_each(array.values.begin(), array.values.end(), note);
+  return read;
+}
+
+// Of a program that reads one limb alone, such as a transform, nothing is done twice.
+bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
+  std::size_t lanes = 0;
+  for (std::size_t lane = 0; lane < limbs.front().size(); ++lane)
+    lanes += std::any_of(limbs.begin(), limbs.end(), [&](const std::vector<int>& tuple) {
+      return read[static_cast<std::size_t>(tuple[lane])];
+    });
+  return lanes >= 2;
+}
+
 // All classes at once; where that does not pay, class after class, as long as one gains beside those before.
 Packed pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
   Packed best = {program, std::vector<bool>(classes.size(), false)};
@@ -59,7 +83,8 @@ Packed pack_classes(const Program& program, const std::vector<InputTuples>& clas
     return true;
   };
   std::vector<bool> all;
-  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs));
+  const std::vector<bool> read = inputs_read(program);
+  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs) && reads_two(read, limbs));
   if (std::count(all.begin(), all.end(), true) == 0 || attempt(all)) return best;
   std::size_t in_vain = 0;  // classes since the last gain
   for (std::size_t c = 0; in_vain < classes.size(); c = (c + 1) % classes.size()) {
