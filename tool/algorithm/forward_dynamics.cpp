@@ -4,6 +4,7 @@
 #include "algorithm/frame_search.h"
 #include "algorithm/inverse_dynamics.h"
 #include "algorithm/joint_space_inertia.h"
+#include "support/index.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
@@ -11,10 +12,6 @@ namespace {
 
 using symbolic::Program;
 using symbolic::Role;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // H qdd = tau - bias, eliminated from the leaves (Featherstone 2008, sec. 6.5, without square roots).
 ForwardMotion by_inertia_matrix(const Setup& setup, const ForwardInputs& in, const LoadInputs& load) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "algorithm/setup.h"
+#include "support/index.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -14,10 +15,6 @@ using model::Quantity;
 constexpr double kSame = 1e-9;     // rad, m: candidates closer than this are one
 constexpr double kNothing = 1e-9;  // shares of a vector or matrix smaller than this have no direction
 constexpr double kQuarter = std::numbers::pi / 2;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Exact where it is a multiple of 90 degrees.
 Quantity angle(double value) {

@@ -7,16 +7,13 @@
 #include "algorithm/frame_candidates.h"
 #include "algorithm/limb_view.h"
 #include "model/limbs.h"
+#include "support/index.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
 namespace {
 
 using model::KinematicTree;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Statements that may be traced at effort 1.
 constexpr long kStatements = 2'000'000;

@@ -6,6 +6,7 @@
 
 #include "algorithm/dynamics.h"
 #include "algorithm/joint_space_inertia.h"
+#include "support/index.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
@@ -15,10 +16,6 @@ using model::KinematicTree;
 using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Role;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Square; zero until set.
 class Matrix {
@@ -81,7 +78,7 @@ struct GivenFactor {
     const std::vector<Expression> given = trace.input("L", Role::inertia_factor, elements);
     for (std::size_t k = 0; k < given.size(); ++k) {
       const Operand& value = factor.outputs[0].values[k];
-      const bool zero = value.kind == Operand::Kind::constant && factor.constants[at(value.index)].value() == 0;
+      const bool zero = is_constant(value) && factor.constants[at(value.index)].value() == 0;
       if (!zero) L(static_cast<int>(k) % size(), static_cast<int>(k) / size()) = given[k];
     }
     inverse_diagonal = trace.input("inverse_diagonal", Role::inverse_diagonal, diagonal);

@@ -2,14 +2,9 @@
 
 #include <functional>
 
+#include "support/index.h"
+
 namespace robcogen::algorithm {
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
 
 LimbView limb_view(const model::KinematicTree& tree, int joint) {
   std::vector<bool> kept(tree.joints.size(), false);

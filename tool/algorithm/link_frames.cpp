@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "support/index.h"
+
 namespace robcogen::algorithm {
 namespace {
 
@@ -14,10 +16,6 @@ using model::Axis;
 using model::Placement;
 using model::PrimitiveTransform;
 using model::Quantity;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // What rounding leaves of a zero, as a share of the terms of the sum.
 constexpr double kRounding = 1e-14;

@@ -6,15 +6,12 @@
 #include <optional>
 
 #include "algorithm/limb_inputs.h"
+#include "support/index.h"
 
 namespace robcogen::algorithm {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // is typical: a number stays what it is
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 template <class AnyPose>
 auto elements_of_pose(AnyPose& pose) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/index.h"
+
 namespace robcogen::exporting {
 
 namespace {
@@ -12,10 +14,6 @@ namespace {
 constexpr Real kPi = std::numbers::pi_v<Real>;
 // Differences of angles, and cosines, below this are rounding.
 constexpr Real kNegligible = 5e-16L;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // With the angle as exact as it is known.
 struct SineCosine {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "export/pose.h"
+#include "support/index.h"
 
 namespace robcogen::exporting {
 
@@ -23,10 +24,6 @@ using model::UserFrame;
 constexpr double kUnbounded = 1e9;
 // Components of a unit vector that are this close to 0, 1 or -1 are that.
 constexpr Real kNegligible = 1e-15L;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // ---- Which frame of the model each URDF link is, and what it is called.
 

@@ -7,14 +7,11 @@
 #include "model/description.h"
 #include "model/name_index.h"
 #include "model/plausibility.h"
+#include "support/index.h"
 
 namespace robcogen::model {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // The mention of a child that made one link the parent of another.
 struct Parenthood {

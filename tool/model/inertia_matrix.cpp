@@ -17,6 +17,7 @@
 #include <random>
 
 #include "model/plausibility.h"
+#include "support/index.h"
 
 namespace robcogen::model {
 
@@ -24,10 +25,6 @@ namespace {
 
 // Large against the rounding of one recursion step, small against any inertia that a robot has on purpose.
 constexpr double kAddition = 1e-12;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 using Matrix6 = std::array<std::array<double, 6>, 6>;  // spatial, angular rows first
 

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "support/index.h"
+
 namespace robcogen::model {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 Frame link_frame(const KinematicTree& tree, int link) {
   return {Frame::Kind::link, link, implicit_frame_name(tree.links[at(link)].name)};

@@ -4,14 +4,9 @@
 #include <map>
 #include <utility>
 
+#include "support/index.h"
+
 namespace robcogen::model {
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
 
 std::vector<int> limb_shapes(const KinematicTree& tree) {
   std::map<std::pair<JointType, std::vector<int>>, int> known;

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "support/index.h"
+
 namespace robcogen::model {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // trx try trz rotx roty rotz, without those by zero.
 std::vector<ElementaryMotion> steps_of(const Placement& placement) {

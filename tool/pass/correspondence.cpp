@@ -5,6 +5,7 @@
 #include <map>
 
 #include "pass/statements.h"
+#include "support/index.h"
 
 namespace robcogen::pass {
 namespace {
@@ -14,10 +15,6 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 std::uint64_t mix(std::uint64_t a, std::uint64_t b = 0) {
   std::uint64_t h = (a + 0x9e3779b97f4a7c15ULL) ^ (b + 0x632be59bd9b4e019ULL) * 0xbf58476d1ce4e5b9ULL;
   h ^= h >> 30;
@@ -25,7 +22,7 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b = 0) {
   return h ^ h >> 31;
 }
 
-constexpr std::size_t kMostLanes = 8, kMostClasses = 8;  // a bit for each limb; further classes have no lanes
+constexpr std::size_t kMostClasses = 8;  // a bit for each limb; further classes have no lanes
 
 // Seeds of hashes, by what is hashed.
 enum Kind : std::uint64_t { number = 1, input_of_limb, other_input, shared, any_shared, sum, operation };
@@ -42,7 +39,7 @@ std::vector<bool> inner_sums(const Program& p) {
   for (const Statement& s : p.statements) for_each_read(s, [&](int read) { ++uses[at(read)]; });
   for (const symbolic::OutputArray& array : p.outputs)
     for (const Operand& o : array.values)
-      if (o.kind == Operand::Kind::statement) ++uses[at(o.index)];
+      if (is_statement(o)) ++uses[at(o.index)];
   for (const Statement& s : p.statements) {
     if (!is_sum(s.op)) continue;
     for_each_read(s, [&](int read) { inner[at(read)] = uses[at(read)] == 1 && is_sum(p.statements[at(read)].op); });
@@ -55,7 +52,7 @@ std::vector<Operand> terms_of(const Program& p, const std::vector<bool>& inner, 
   for (bool root = true; !pending.empty(); root = false) {
     const Operand o = pending.back();
     pending.pop_back();
-    if (!root && (o.kind != Operand::Kind::statement || !inner[at(o.index)])) {
+    if (!root && (!is_statement(o) || !inner[at(o.index)])) {
       terms.push_back(o);
       continue;
     }
@@ -87,7 +84,7 @@ Correspondence::Correspondence(
     all_limbs_.push_back(0);
     for (const std::vector<int>& tuple : classes[c]) {
       for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
-        const std::uint64_t bit = std::uint64_t{1} << (kMostLanes * c + lane);
+        const std::uint64_t bit = std::uint64_t{1} << (at(kMostLanes) * c + lane);
         input_limbs_[at(tuple[lane])] = bit;
         all_limbs_.back() |= bit;
         input_group_[at(tuple[lane])] = group;
@@ -101,7 +98,7 @@ Correspondence::Correspondence(
 }
 
 std::uint64_t Correspondence::limbs(const Operand& o) const {
-  if (o.kind == Operand::Kind::constant) return 0;
+  if (is_constant(o)) return 0;
   return o.kind == Operand::Kind::input ? input_limbs_[at(o.index)] : limbs_[at(o.index)];
 }
 
@@ -109,7 +106,7 @@ Correspondence::Owner Correspondence::owner(const Operand& o) const {
   const std::uint64_t bits = limbs(o);
   if (!std::has_single_bit(bits)) return {};
   const int bit = std::countr_zero(bits);
-  return {bit / static_cast<int>(kMostLanes), bit % static_cast<int>(kMostLanes)};
+  return {bit / kMostLanes, bit % kMostLanes};
 }
 
 void Correspondence::hash_statement(std::size_t i) {
@@ -122,7 +119,7 @@ void Correspondence::hash_statement(std::size_t i) {
   const auto of = [&](Likeness likeness, std::vector<std::uint64_t>& all, std::vector<std::uint64_t>& terms) {
     if (is_sum(s.op)) {
       for (const Operand& o : {s.a, s.b}) {
-        const bool is_inner = o.kind == Operand::Kind::statement && inner_[at(o.index)];
+        const bool is_inner = is_statement(o) && inner_[at(o.index)];
         terms[i] += is_inner ? terms[at(o.index)] : mix(hash(o, likeness));
       }
       all[i] = mix(Kind::sum, terms[i]);
@@ -139,7 +136,7 @@ void Correspondence::hash_statement(std::size_t i) {
 
 std::uint64_t Correspondence::hash(const Operand& o, Likeness likeness) const {
   const std::size_t i = at(o.index);
-  if (o.kind == Operand::Kind::constant) return mix(Kind::number);
+  if (is_constant(o)) return mix(Kind::number);
   if (o.kind == Operand::Kind::input) {
     if (input_group_[i] >= 0) return mix(Kind::input_of_limb, static_cast<std::uint64_t>(input_group_[i]));
     if (input_is_number_[i]) return mix(Kind::number);

@@ -8,6 +8,8 @@
 
 namespace robcogen::pass {
 
+inline constexpr int kMostLanes = 8;
+
 // Input elements that correspond, one of each limb: {qd[0], qd[3], qd[6], qd[9]}. Flat indices.
 using InputTuples = std::vector<std::vector<int>>;
 

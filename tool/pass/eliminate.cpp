@@ -17,7 +17,7 @@ Program eliminate_common_subexpressions(const Program& p) {
   std::map<Key, int> first;
   std::vector<int> replacement(p.statements.size()), kept;
   const auto resolve = [&](Operand o) {
-    if (o.kind == Operand::Kind::statement) o.index = replacement[static_cast<std::size_t>(o.index)];
+    if (is_statement(o)) o.index = replacement[static_cast<std::size_t>(o.index)];
     return std::tuple(static_cast<int>(o.kind), o.index, o.negative);
   };
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
@@ -35,7 +35,7 @@ Program eliminate_dead_code(const Program& p) {
   std::vector<bool> needed(p.statements.size(), false);
   for (const symbolic::OutputArray& array : p.outputs)
     for (const Operand& o : array.values)
-      if (o.kind == Operand::Kind::statement) needed[static_cast<std::size_t>(o.index)] = true;
+      if (is_statement(o)) needed[static_cast<std::size_t>(o.index)] = true;
   for (std::size_t i = p.statements.size(); i-- > 0;)
     if (needed[i]) for_each_read(p.statements[i], [&](int read) { needed[static_cast<std::size_t>(read)] = true; });
   std::vector<int> kept, same(p.statements.size());

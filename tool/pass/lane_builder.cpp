@@ -7,6 +7,8 @@
 
 #include "pass/lane_names.h"
 #include "pass/statements.h"
+#include "support/index.h"
+#include "support/unique_name.h"
 #include "symbolic/count.h"
 
 namespace robcogen::pass {
@@ -15,14 +17,6 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
-
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
 
 LaneBuilder::LaneBuilder(const Program& old) : old_(old), new_(old) {
   new_.statements.clear();
@@ -153,7 +147,7 @@ Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
 
 // Constants of the limbs, that meet where their sums are taken apart, are one term.
 void LaneBuilder::fold_constants(std::vector<Operand>& terms) {
-  const auto is_constant = [](const Operand& o) { return o.kind == Operand::Kind::constant; };
+  using symbolic::is_constant;
   const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
   if (std::count_if(terms.begin(), terms.end(), is_constant) < 2) return;
   Number sum;
@@ -268,19 +262,14 @@ std::vector<int> LaneBuilder::order() const {
 
 void LaneBuilder::name_all(Program& program) const {
   std::set<std::string> used;
-  const auto unique = [&](const std::string& wanted) {
-    std::string result = wanted;
-    for (int k = 2; !used.insert(result).second; ++k) result = wanted + "_" + std::to_string(k);
-    return result;
-  };
   for (const bool scalars : {true, false})
     for (Statement& s : program.statements)
-      if (!s.name.empty() && (s.width == 1) == scalars) s.name = unique(s.name);
+      if (!s.name.empty() && (s.width == 1) == scalars) s.name = unique_name(s.name, used);
   std::map<std::string, int> next;
   for (Statement& s : program.statements) {
     if (!s.name.empty()) continue;
     const std::string& prefix = program.sections[at(s.section)].prefix;
-    s.name = unique(prefix + "_t" + std::to_string(next[prefix]++));
+    s.name = unique_name(prefix + "_t" + std::to_string(next[prefix]++), used);
   }
 }
 

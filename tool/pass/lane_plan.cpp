@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pass/statements.h"
+#include "support/index.h"
 
 namespace robcogen::pass {
 namespace {
@@ -12,10 +13,6 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 class Planning {
  public:
@@ -98,7 +95,7 @@ class Planning {
   Wide::Kind kind_of(const Tuple& tuple) const {
     const auto all = [&](auto condition) { return std::all_of(tuple.begin(), tuple.end(), condition); };
     const Operand& first = tuple.front();
-    if (all([](const Operand& o) { return o.kind == Operand::Kind::constant; })) return Wide::Kind::numbers;
+    if (all(symbolic::is_constant)) return Wide::Kind::numbers;
     if (all([&](const Operand& o) { return o == first; })) return Wide::Kind::broadcast;
     if (!all(symbolic::is_statement)) return Wide::Kind::gather;
     const Op op = statement(first).op;
@@ -139,13 +136,11 @@ class Planning {
     if (kind == Wide::Kind::sum) {
       std::vector<std::vector<Operand>> lists;
       for (const Operand& o : lanes) lists.push_back(terms_of(p_, inner_, o.index));
-      for (const Tuple& tuple : alike_.match(lists)) parts.push_back(part(tuple));
-      for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
+      parts = parts_of(std::move(lists));
     } else if (op == Op::multiply) {
       std::vector<std::vector<Operand>> lists;
       for (const Operand& o : lanes) lists.push_back({statement(o).a, statement(o).b});
-      for (const Tuple& tuple : alike_.match(lists)) parts.push_back(part(tuple));
-      for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
+      parts = parts_of(std::move(lists));
     } else {
       Tuple a, b;
       for (const Operand& o : lanes) {
@@ -157,6 +152,14 @@ class Planning {
     }
     plan_.wides[w].op = op;
     plan_.wides[w].parts = std::move(parts);
+  }
+
+  // Of the terms or factors of each limb: those that correspond first.
+  std::vector<Part> parts_of(std::vector<std::vector<Operand>> lists) {
+    std::vector<Part> parts;
+    for (const Tuple& tuple : alike_.match(lists)) parts.push_back(part(tuple));
+    for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
+    return parts;
   }
 
   // What is left, in its order; limbs that have fewer terms get zeros.
@@ -176,8 +179,7 @@ class Planning {
       for (const Operand& o : sum->rest) need(o);
       return;
     }
-    need(old.a);
-    if (symbolic::is_binary(old.op)) need(old.b);
+    for_each_operand(old, [&](const Operand& o) { need(o); });
   }
 
   void find_sum_of_limbs(int s) {

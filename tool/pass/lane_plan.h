@@ -13,8 +13,6 @@
 
 namespace robcogen::pass {
 
-inline constexpr int kMostLanes = 8;
-
 // A value of lanes, flipped in some of them.
 struct Part {
   int wide = -1;  // into LanePlan::wides

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "pass/lane_builder.h"
+#include "support/index.h"
 
 namespace robcogen::pass {
 namespace {
@@ -11,10 +12,6 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 class Making {
  public:

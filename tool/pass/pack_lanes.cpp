@@ -5,6 +5,7 @@
 
 #include "pass/lane_program.h"
 #include "pass/plan_signs.h"
+#include "support/index.h"
 #include "symbolic/count.h"
 
 namespace robcogen::pass {
@@ -35,22 +36,16 @@ int instructions(const Program& program) {
   return c.instructions + c.moves;
 }
 
-bool has_lanes(const Packed& packed) {
-  return std::find(packed.in_lanes.begin(), packed.in_lanes.end(), true) != packed.in_lanes.end();
-}
-
 bool can_be_lanes(const InputTuples& limbs) {
   const std::size_t width = limbs.empty() ? 0 : limbs.front().size();
-  return width == 2 || width == 4 || width == kMostLanes;
+  return width == 2 || width == 4 || width == at(kMostLanes);
 }
 
 // By flat index.
 std::vector<bool> inputs_read(const Program& program) {
-  std::size_t count = 0;
-  for (const symbolic::InputArray& input : program.inputs) count += input.elements.size();
-  std::vector<bool> read(count, false);
+  std::vector<bool> read(at(program.input_count()), false);
   const auto note = [&](const Operand& o) {
-    if (o.kind == Operand::Kind::input) read[static_cast<std::size_t>(o.index)] = true;
+    if (o.kind == Operand::Kind::input) read[at(o.index)] = true;
   };
   for (const Statement& s : program.statements) for_each_operand(s, note);
   for (const symbolic::OutputArray& array : program.outputs)
@@ -62,30 +57,32 @@ std::vector<bool> inputs_read(const Program& program) {
 bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
   std::size_t lanes = 0;
   for (std::size_t lane = 0; lane < limbs.front().size(); ++lane)
-    lanes += std::any_of(limbs.begin(), limbs.end(), [&](const std::vector<int>& tuple) {
-      return read[static_cast<std::size_t>(tuple[lane])];
-    });
+    lanes +=
+        std::any_of(limbs.begin(), limbs.end(), [&](const std::vector<int>& tuple) { return read[at(tuple[lane])]; });
   return lanes >= 2;
 }
 
 // All classes at once; where that does not pay, class after class, as long as one gains beside those before.
 Packed pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
   Packed best = {program, std::vector<bool>(classes.size(), false)};
+  std::vector<bool> all;
+  const std::vector<bool> read = inputs_read(program);
+  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs) && reads_two(read, limbs));
+  if (all == best.in_lanes) return best;
   int time = predicted_time(program);
   const auto attempt = [&](const std::vector<bool>& in_lanes) {
     std::vector<InputTuples> chosen;
     for (std::size_t c = 0; c < classes.size(); ++c)
       if (in_lanes[c]) chosen.push_back(classes[c]);
     std::optional<Program> candidate = with_lanes(program, chosen);
-    if (!candidate || !is_clearly_faster(predicted_time(*candidate), time)) return false;
-    time = predicted_time(*candidate);
+    if (!candidate) return false;
+    const int candidate_time = predicted_time(*candidate);
+    if (!is_clearly_faster(candidate_time, time)) return false;
+    time = candidate_time;
     best = {std::move(*candidate), in_lanes};
     return true;
   };
-  std::vector<bool> all;
-  const std::vector<bool> read = inputs_read(program);
-  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs) && reads_two(read, limbs));
-  if (std::count(all.begin(), all.end(), true) == 0 || attempt(all)) return best;
+  if (attempt(all)) return best;
   std::size_t in_vain = 0;  // classes since the last gain
   for (std::size_t c = 0; in_vain < classes.size(); c = (c + 1) % classes.size()) {
     ++in_vain;
@@ -115,7 +112,7 @@ Program with_plain_numbers(const Program& program) {
     if (known == result.constants.end()) result.constants.push_back(number);
   }
   const auto renumber = [&](Operand& o) {
-    if (o.kind == Operand::Kind::constant) o.index = place[static_cast<std::size_t>(o.index)];
+    if (is_constant(o)) o.index = place[at(o.index)];
   };
   for (Statement& s : result.statements) for_each_operand(s, renumber);
   for (symbolic::OutputArray& array : result.outputs) std::for_each(array.values.begin(), array.values.end(), renumber);
@@ -129,8 +126,9 @@ Packed pack_lanes(
   Packed best = pack_classes(program, classes);
   if (!alike) return best;
   Packed other = pack_classes(with_plain_numbers(*alike), classes);
-  if (!has_lanes(other) || !is_clearly_faster(predicted_time(other.program), predicted_time(program))) return best;
-  return !has_lanes(best) || instructions(other.program) < instructions(best.program) ? other : best;
+  if (!other.program.has_lanes() || !is_clearly_faster(predicted_time(other.program), predicted_time(program)))
+    return best;
+  return !best.program.has_lanes() || instructions(other.program) < instructions(best.program) ? other : best;
 }
 
 }  // namespace robcogen::pass

@@ -1,15 +1,12 @@
 #include "pass/plan_signs.h"
 
 #include "pass/lane_signs.h"
+#include "support/index.h"
 
 namespace robcogen::pass {
 namespace {
 
 using symbolic::Op;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 class SignChoice {
  public:

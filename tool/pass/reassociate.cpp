@@ -22,7 +22,7 @@ std::vector<int> uses_of(const Program& p) {
   for (const Statement& s : p.statements) for_each_read(s, [&](int read) { ++uses[static_cast<std::size_t>(read)]; });
   for (const symbolic::OutputArray& array : p.outputs)
     for (const Operand& o : array.values)
-      if (o.kind == Operand::Kind::statement) ++uses[static_cast<std::size_t>(o.index)];
+      if (is_statement(o)) ++uses[static_cast<std::size_t>(o.index)];
   return uses;
 }
 
@@ -45,7 +45,7 @@ class SumTree {
 
   void term(Operand o, bool negative) {
     o.negative = o.negative != negative;
-    if (o.kind == Operand::Kind::statement && inner_[static_cast<std::size_t>(o.index)])
+    if (is_statement(o) && inner_[static_cast<std::size_t>(o.index)])
       collect(static_cast<std::size_t>(o.index), o.negative);
     else
       terms.push_back(o);
@@ -112,14 +112,14 @@ class Reassociation {
   Rebuild rebuild_;
 
   bool is_product(const Operand& o) const {
-    if (o.kind != Operand::Kind::statement) return false;
+    if (!is_statement(o)) return false;
     const auto i = static_cast<std::size_t>(o.index);
     return p_.statements[i].op == Op::multiply && uses_[i] == 1;
   }
 
   // When a term can enter a sum: a product does so with its factors.
   int ready(const Operand& o) const {
-    if (o.kind != Operand::Kind::statement) return 0;
+    if (!is_statement(o)) return 0;
     const int finish = finish_[static_cast<std::size_t>(o.index)];
     return is_product(o) ? finish - kLatency : finish;
   }
@@ -147,7 +147,7 @@ class Reassociation {
     const Statement& s = p_.statements[i];
     int start = 0;
     for (const Operand& o : {s.a, s.b}) {
-      if (o.kind != Operand::Kind::statement) continue;
+      if (!is_statement(o)) continue;
       if (inner_[static_cast<std::size_t>(o.index)] && is_sum(s.op)) keep(static_cast<std::size_t>(o.index));
       start = std::max(start, is_sum(s.op) ? ready(o) : finish_[static_cast<std::size_t>(o.index)]);
     }

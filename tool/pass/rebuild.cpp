@@ -12,9 +12,9 @@ Rebuild::Rebuild(const symbolic::Program& program) : program_(program), values_(
 
 Expression Rebuild::read(const Operand& o) {
   const auto i = static_cast<std::size_t>(o.index);
-  const Expression e = o.kind == Operand::Kind::constant ? graph_.constant(program_.constants[i])
-                       : o.kind == Operand::Kind::input  ? graph_.input(o.index)
-                                                         : values_[i];
+  const Expression e = is_constant(o)                   ? graph_.constant(program_.constants[i])
+                       : o.kind == Operand::Kind::input ? graph_.input(o.index)
+                                                        : values_[i];
   return o.negative ? -e : e;
 }
 

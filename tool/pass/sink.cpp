@@ -26,7 +26,7 @@ Program sink(const Program& p) {
   std::vector<bool> output(n, false);
   for (const symbolic::OutputArray& array : p.outputs)
     for (const Operand& o : array.values)
-      if (o.kind == Operand::Kind::statement) output[static_cast<std::size_t>(o.index)] = true;
+      if (is_statement(o)) output[static_cast<std::size_t>(o.index)] = true;
   for (std::size_t i = n; i-- > 0;) {
     const Statement& s = p.statements[i];
     target[i] = s.named || output[i] || first_use[i] == kNever ? own[i] : first_use[i];

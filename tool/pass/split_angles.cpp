@@ -8,6 +8,8 @@
 
 #include "pass/lane_names.h"
 #include "pass/passes.h"
+#include "support/index.h"
+#include "support/unique_name.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
 
@@ -24,10 +26,6 @@ using symbolic::OutputArray;
 using symbolic::Program;
 using symbolic::Role;
 using symbolic::Statement;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // The first array of a role, and where its elements stand among all.
 struct Place {
@@ -150,8 +148,8 @@ class Angles {
   // An operand of a value with lanes, in one of these.
   std::optional<Expression> read(const Program& program, const Values& values, const Operand& o, int lane) {
     std::optional<Expression> value;
-    if (o.kind == Operand::Kind::constant) value = graph_.constant(program.constants[at(o.index)]);
-    if (o.kind == Operand::Kind::statement) {
+    if (is_constant(o)) value = graph_.constant(program.constants[at(o.index)]);
+    if (is_statement(o)) {
       const auto& lanes = values[at(o.index)];
       value = lanes[lanes.size() == 1 ? 0 : at(o.lane >= 0 ? o.lane : lane)];
     }
@@ -222,13 +220,10 @@ class Angles {
 
   // `HFE_KFE` of a sum of joints, `HFE_turned` with a constant or a parameter; numbered where another has it.
   std::string label(const Expression& angle) {
-    std::string joints, name;
+    std::string joints;
     bool turned = false;
     describe(angle, joints, turned);
-    name = turned ? joints + "_turned" : joints;
-    const std::string wanted = name;
-    for (int k = 2; !taken_.insert(name).second; ++k) name = wanted + "_" + std::to_string(k);
-    return name;
+    return unique_name(turned ? joints + "_turned" : joints, taken_);
   }
 
   void describe(const Expression& e, std::string& joints, bool& turned) const {
@@ -266,7 +261,8 @@ class Core {
     const Place q = place_of(program, Role::joint_position);
     behind_ = static_cast<std::size_t>(q.array - program.inputs.data()) + 1;
     end_ = q.begin + q.size();
-    for (const Statement& s : program.statements) names_.insert(s.name);
+    if (program.has_lanes())
+      for (const Statement& s : program.statements) names_.insert(s.name);
   }
 
   Program run() {
@@ -289,7 +285,7 @@ class Core {
 
   void move(Operand& o) const {
     if (o.kind == Operand::Kind::input && o.index >= end_) o.index += 2 * count();
-    if (o.kind != Operand::Kind::statement || readings_[at(o.index)].empty()) return;
+    if (!is_statement(o) || readings_[at(o.index)].empty()) return;
     const bool is_whole = program_.statements[at(o.index)].width > 1 && o.lane < 0;
     if (!is_whole) o = input(at(o.index), at(std::max(o.lane, 0)), o.negative);
   }
@@ -314,18 +310,16 @@ class Core {
       labels.push_back((old.op == Op::cosine ? cosines_ : sines_).elements[at(readings_[i][lane].angle)]);
     }
     names_.erase(old.name);
-    const std::string wanted = common_name(labels);
-    s.name = wanted;
-    for (int k = 2; !names_.insert(s.name).second; ++k) s.name = wanted + "_" + std::to_string(k);
+    s.name = unique_name(common_name(labels), names_);
     return s;
   }
 
   const Program& program_;
   const Angles::Readings& readings_;
   const InputArray &sines_, &cosines_;
-  std::size_t behind_ = 0;  // the array behind the joint positions
-  int end_ = 0;             // the element behind them
-  std::set<std::string> names_;
+  std::size_t behind_ = 0;       // the array behind the joint positions
+  int end_ = 0;                  // the element behind them
+  std::set<std::string> names_;  // of a program with lanes
 };
 
 std::set<int> angles_read(const Angles::Readings& readings) {

@@ -7,6 +7,7 @@
 
 #include "pass/gather_parameters.h"
 #include "pass/statements.h"
+#include "support/unique_name.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
 
@@ -72,8 +73,8 @@ class Derived {
       const Operand& o) {
     const auto i = static_cast<std::size_t>(o.index);
     std::optional<Expression> value;
-    if (o.kind == Operand::Kind::constant) value = graph_.constant(program.constants[i]);
-    if (o.kind == Operand::Kind::statement) value = values[i];
+    if (is_constant(o)) value = graph_.constant(program.constants[i]);
+    if (is_statement(o)) value = values[i];
     if (o.kind == Operand::Kind::input && parameters.contains(o.index)) {
       value = graph_.input(o.index - parameters.begin);
       const InputArray& array = *std::find_if(
@@ -123,12 +124,7 @@ class Derived {
 
  private:
   // The name that a statement gave it, or its parameter's own; numbered where another value has it.
-  std::string label(const Expression& value) {
-    const std::string& wanted = names_.at(value.node());
-    std::string name = wanted;
-    for (int k = 2; !taken_.insert(name).second; ++k) name = wanted + "_" + std::to_string(k);
-    return name;
-  }
+  std::string label(const Expression& value) { return unique_name(names_.at(value.node()), taken_); }
 
   Graph graph_;
   std::map<int, std::string> names_;  // by node
@@ -202,9 +198,8 @@ class Rest {
       return value->negative() ? -cached : cached;
     }
     const int grown = static_cast<int>(derived_.labels().size()) - (half_.parameters->end - half_.parameters->begin);
-    const Expression e = o.kind == Operand::Kind::statement
-                             ? left_[static_cast<std::size_t>(o.index)]
-                             : graph_.input(o.index < half_.parameters->begin ? o.index : o.index + grown);
+    const Expression e = is_statement(o) ? left_[static_cast<std::size_t>(o.index)]
+                                         : graph_.input(o.index < half_.parameters->begin ? o.index : o.index + grown);
     return o.negative ? -e : e;
   }
 

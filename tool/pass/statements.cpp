@@ -12,7 +12,7 @@ Program rearrange(const Program& p, const std::vector<int>& kept, const std::vec
   std::vector<int> place(p.statements.size(), -1);
   for (std::size_t k = 0; k < kept.size(); ++k) place[static_cast<std::size_t>(kept[k])] = static_cast<int>(k);
   const auto renumber = [&](Operand& o) {
-    if (o.kind != Operand::Kind::statement) return;
+    if (!is_statement(o)) return;
     o.index = place[static_cast<std::size_t>(replacement[static_cast<std::size_t>(o.index)])];
   };
   Program result = p;

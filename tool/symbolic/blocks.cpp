@@ -5,16 +5,10 @@
 #include <optional>
 #include <tuple>
 
+#include "support/index.h"
+
 namespace robcogen::symbolic {
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-bool is_constant(const Operand& o) {
-  return o.kind == Operand::Kind::constant;
-}
 
 // One value whose lanes stand at equal distances.
 struct Column {
@@ -116,8 +110,7 @@ std::vector<Fill> fills_of(int index, const OutputArray& array, const std::vecto
 
 Stores stores(const Program& p) {
   Stores result;
-  if (std::all_of(p.statements.begin(), p.statements.end(), [](const Statement& s) { return s.width == 1; }))
-    return result;
+  if (!p.has_lanes()) return result;
   for (std::size_t i = 0; i < p.outputs.size(); ++i) {
     const OutputArray& array = p.outputs[i];
     const auto constant = [&](const Block& block, int first) -> std::optional<Operand> {

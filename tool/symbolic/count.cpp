@@ -37,13 +37,13 @@ Uses uses_of(const Program& p) {
   };
   Uses uses{std::vector<int>(p.statements.size() + 1, 0), {}};
   for_each([&](const Operand& o, int) {
-    if (o.kind == Operand::Kind::statement) ++uses.first[static_cast<std::size_t>(o.index) + 1];
+    if (is_statement(o)) ++uses.first[static_cast<std::size_t>(o.index) + 1];
   });
   std::partial_sum(uses.first.begin(), uses.first.end(), uses.first.begin());
   uses.users.resize(static_cast<std::size_t>(uses.first.back()));
   std::vector<int> next = uses.first;
   for_each([&](const Operand& o, int user) {
-    if (o.kind == Operand::Kind::statement)
+    if (is_statement(o))
       uses.users[static_cast<std::size_t>(next[static_cast<std::size_t>(o.index)]++)] =
           user >= 0 && is_fusable(p, user, o) ? user : -1;
   });
@@ -78,9 +78,7 @@ int fused_products(const Program& p) {
 
 int critical_path(const Program& p) {
   std::vector<int> ready(p.statements.size(), 0);
-  const auto at = [&](const Operand& o) {
-    return o.kind == Operand::Kind::statement ? ready[static_cast<std::size_t>(o.index)] : 0;
-  };
+  const auto at = [&](const Operand& o) { return is_statement(o) ? ready[static_cast<std::size_t>(o.index)] : 0; };
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
     switch (s.op) {
@@ -109,7 +107,7 @@ int critical_path(const Program& p) {
       case Op::subtract: {
         ready[i] = std::max(at(s.a), at(s.b)) + kLatency;
         for (const auto& [product, other] : {std::pair(s.a, s.b), std::pair(s.b, s.a)}) {
-          if (product.kind != Operand::Kind::statement || !is_fusable(p, static_cast<int>(i), product)) continue;
+          if (!is_statement(product) || !is_fusable(p, static_cast<int>(i), product)) continue;
           const Statement& inner = p.statements[static_cast<std::size_t>(product.index)];
           if (inner.op == Op::multiply)
             ready[i] = std::min(ready[i], std::max({at(inner.a), at(inner.b), at(other)}) + kLatency);
@@ -138,8 +136,7 @@ Program given_parameters(const Program& p) {
   std::vector<int> place(p.statements.size(), -1);  // -1: given
   const auto is_given = [&](const Operand& o) {
     const auto i = static_cast<std::size_t>(o.index);
-    return o.kind == Operand::Kind::constant || (o.kind == Operand::Kind::input && is_parameter[i]) ||
-           (o.kind == Operand::Kind::statement && place[i] < 0);
+    return is_constant(o) || (o.kind == Operand::Kind::input && is_parameter[i]) || (is_statement(o) && place[i] < 0);
   };
   const auto move = [&](Operand& o) {
     if (!is_statement(o)) return;
@@ -188,20 +185,15 @@ int moves(const Program& p) {
   }
   std::set<std::pair<int, int>> picked;
   const auto note = [&](const Operand& o) {
-    if (o.kind == Operand::Kind::statement && o.lane > 0) picked.emplace(o.index, o.lane);
+    if (is_statement(o) && o.lane > 0) picked.emplace(o.index, o.lane);
   };
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
-    const auto is_constant = [](const Operand& o) { return o.kind == Operand::Kind::constant; };
     if (s.op == Op::gather && !is_loaded[i] && !std::all_of(s.lanes.begin(), s.lanes.end(), is_constant))
       count += s.width - 1;
-    for (const Operand& o : s.lanes) note(o);
-    if (s.op == Op::sum_lanes) {
-      for (int width = p.statements[static_cast<std::size_t>(s.a.index)].width; width > 1; width /= 2) count += 2;
-    } else if (s.op != Op::gather) {
-      note(s.a);
-      if (is_binary(s.op)) note(s.b);
-    }
+    for_each_operand(s, note);
+    if (s.op == Op::sum_lanes)
+      for (int width = width_of(p, s.a); width > 1; width /= 2) count += 2;
   }
   return count + static_cast<int>(picked.size()) + moves_to_outputs(p);
 }

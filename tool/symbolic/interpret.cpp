@@ -59,9 +59,7 @@ Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs) {
       const int own = o.lane >= 0 ? o.lane : program.statements[i].width > 1 ? lane : 0;
       return computed[start[i] + static_cast<std::size_t>(own)];
     };
-    const Real x = o.kind == Operand::Kind::constant ? constant[i]
-                   : o.kind == Operand::Kind::input  ? input[i]
-                                                     : of_statement();
+    const Real x = is_constant(o) ? constant[i] : o.kind == Operand::Kind::input ? input[i] : of_statement();
     return o.negative ? -x : x;
   };
   const auto read = [&](const Operand& o) { return read_lane(o, 0); };

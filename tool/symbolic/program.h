@@ -49,6 +49,10 @@ inline bool is_statement(const Operand& o) {
   return o.kind == Operand::Kind::statement;
 }
 
+inline bool is_constant(const Operand& o) {
+  return o.kind == Operand::Kind::constant;
+}
+
 // Calls f on every operand of a statement, in their order; with those of a statement that is no constant, f may change
 // them.
 template <class AnyStatement, class F>
@@ -147,5 +151,10 @@ struct Program {
     return std::any_of(statements.begin(), statements.end(), [](const Statement& s) { return s.width > 1; });
   }
 };
+
+// How many lanes an operand has; a sound one picks a lane of none but statements that have several.
+inline int width_of(const Program& p, const Operand& o) {
+  return is_statement(o) && o.lane < 0 ? p.statements[static_cast<std::size_t>(o.index)].width : 1;
+}
 
 }  // namespace robcogen::symbolic

@@ -31,9 +31,9 @@ std::string print(const Program& p) {
       inputs.push_back(array.name + "[" + std::to_string(i) + "]");
   const auto text = [&](const Operand& o) {
     const auto i = static_cast<std::size_t>(o.index);
-    const std::string value = o.kind == Operand::Kind::constant ? print_constant(p.constants[i])
-                              : o.kind == Operand::Kind::input  ? inputs[i]
-                                                                : p.statements[i].name;
+    const std::string value = is_constant(o)                   ? print_constant(p.constants[i])
+                              : o.kind == Operand::Kind::input ? inputs[i]
+                                                               : p.statements[i].name;
     return (o.negative ? "-" : "") + value + (o.lane >= 0 ? "@" + std::to_string(o.lane) : "");
   };
 

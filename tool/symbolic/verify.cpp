@@ -8,11 +8,6 @@
 
 namespace robcogen::symbolic {
 
-// How many lanes an operand has; a sound one picks a lane of none but statements that have several.
-int width_of(const Program& p, const Operand& o) {
-  return o.kind == Operand::Kind::statement && o.lane < 0 ? p.statements[static_cast<std::size_t>(o.index)].width : 1;
-}
-
 int width_of_result(const Program& p, const Statement& s) {
   if (s.op == Op::gather) return static_cast<int>(s.lanes.size());
   if (s.op == Op::sum_lanes) return 1;

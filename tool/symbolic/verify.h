@@ -12,9 +12,6 @@ namespace robcogen::symbolic {
 // Empty when sound, else what is wrong first.
 std::string verify(const Program& program);
 
-// How many lanes an operand has; a sound one picks a lane of none but statements that have several.
-int width_of(const Program& program, const Operand& o);
-
 // How many lanes follow from a statement's operands.
 int width_of_result(const Program& program, const Statement& s);
 

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "support/index.h"
+
 namespace robcogen::backend {
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 void plan_load(std::size_t load, BlockPlan& plan) {
   const std::vector<symbolic::Operand>& columns = plan.loads[load].columns;

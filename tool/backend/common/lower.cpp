@@ -5,7 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "backend/common/layout.h"
+#include "backend/common/arrangement.h"
+#include "support/index.h"
 
 namespace robcogen::backend {
 namespace {
@@ -15,22 +16,18 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 // Writes the lines.
 class Emission {
  public:
   Emission(const Program& program, const std::string& name, const Dialect& dialect)
-      : program_(program), dialect_(dialect), layout_(layout(program, dialect)) {
+      : program_(program), dialect_(dialect), arranged_(arrange(program, dialect)) {
     kernel_.name = name;
   }
 
   Kernel run() {
-    kernel_.parameters = layout_.parameters;
-    kernel_.widths = layout_.widths;
-    kernel_.lines = layout_.bindings;
+    kernel_.parameters = arranged_.parameters;
+    kernel_.widths = arranged_.widths;
+    kernel_.lines = arranged_.bindings;
     emit_fills();
     emit_input_angles();
     for (std::size_t i = 0; i < program_.statements.size(); ++i) emit(i);
@@ -45,7 +42,7 @@ class Emission {
  private:
   const Program& program_;
   const Dialect& dialect_;
-  Layout layout_;
+  Arrangement arranged_;
   Kernel kernel_;
   std::string section_;        // title of the section that the last line belongs to
   std::set<int> angles_done_;  // statements whose sine and cosine are computed with their block
@@ -70,11 +67,11 @@ class Emission {
     if (place == list.end() || *place != function) list.insert(place, function);
   }
 
-  void emit_angle(const Layout::AngleKey& key, const Angle& angle) {
+  void emit_angle(const Arrangement::AngleKey& key, const Angle& angle) {
     const Operand operand{key.first, key.second, false};
-    const std::string argument = text(spell(layout_, operand));
+    const std::string argument = text(spell(arranged_, operand));
     if (angle.sine && angle.cosine && dialect_.pairs_angles) {
-      add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument, 0, width(layout_, operand)});
+      add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument, 0, width_of(program_, operand)});
       return;
     }
     if (angle.sine) define("sin", argument, angle.sine_name);
@@ -87,49 +84,49 @@ class Emission {
   }
 
   void emit_input_angles() {
-    if (layout_.together > 0) {
-      const std::string all = layout_.scope.claim("trig");
-      add({Line::Kind::sincos_of, {all}, layout_.input_names[at(layout_.first_together)], layout_.together});
-      for (const auto& [key, angle] : layout_.angles) {
+    if (arranged_.together > 0) {
+      const std::string all = arranged_.scope.claim("trig");
+      add({Line::Kind::sincos_of, {all}, arranged_.input_names[at(arranged_.first_together)], arranged_.together});
+      for (const auto& [key, angle] : arranged_.angles) {
         if (key.first != Operand::Kind::input) continue;
-        const std::string element = dialect_.element(all, at(key.second - layout_.first_together));
+        const std::string element = dialect_.element(all, at(key.second - arranged_.first_together));
         add({Line::Kind::pick, {angle.sine_name, angle.cosine_name}, element});
       }
       return;
     }
-    for (const auto& [key, angle] : layout_.angles)
+    for (const auto& [key, angle] : arranged_.angles)
       if (key.first == Operand::Kind::input) emit_angle(key, angle);
   }
 
   // Before all that stands between their elements.
   void emit_fills() {
-    for (const symbolic::Fill& fill : layout_.blocks.stores.fills) {
-      Line line{Line::Kind::fill, {}, text(spell(layout_, fill.value)), at(fill.count)};
-      line.targets = {element(output_parameter(layout_, at(fill.array)), at(fill.first))};
+    for (const symbolic::Fill& fill : arranged_.blocks.stores.fills) {
+      Line line{Line::Kind::fill, {}, text(spell(arranged_, fill.value)), at(fill.count)};
+      line.targets = {element(output_parameter(arranged_, at(fill.array)), at(fill.first))};
       add(std::move(line));
     }
   }
 
   void emit_load(std::size_t k) {
-    const symbolic::Block& block = layout_.blocks.loads[k];
-    const std::string first = element(layout_.parameters[at(block.array)], at(block.first));
-    add({Line::Kind::load_block, {layout_.load_names[k]}, first, block.columns.size(), block.width, block.stride});
+    const symbolic::Block& block = arranged_.blocks.loads[k];
+    const std::string first = element(arranged_.parameters[at(block.array)], at(block.first));
+    add({Line::Kind::load_block, {arranged_.load_names[k]}, first, block.columns.size(), block.width, block.stride});
     emit_angles_of_load(k);
   }
 
   // Sines and cosines of a block are computed together, where most of its columns are angles: two lanes leave room for
   // others in a register. Four are as well computed where they are used.
   void emit_angles_of_load(std::size_t k) {
-    const symbolic::Block& block = layout_.blocks.loads[k];
+    const symbolic::Block& block = arranged_.blocks.loads[k];
     if (block.width != 2) return;
     std::vector<std::pair<std::size_t, const Angle*>> angles;
     for (std::size_t c = 0; c < block.columns.size(); ++c) {
-      const auto angle = layout_.angles.find({Operand::Kind::statement, block.columns[c].index});
-      if (angle != layout_.angles.end()) angles.emplace_back(c, &angle->second);
+      const auto angle = arranged_.angles.find({Operand::Kind::statement, block.columns[c].index});
+      if (angle != arranged_.angles.end()) angles.emplace_back(c, &angle->second);
     }
     if (angles.size() < 2 || block.columns.size() > 2 * angles.size()) return;
-    const std::string all = layout_.scope.claim("trig");
-    const std::string first = dialect_.element(layout_.load_names[k], 0);
+    const std::string all = arranged_.scope.claim("trig");
+    const std::string first = dialect_.element(arranged_.load_names[k], 0);
     add({Line::Kind::sincos_of, {all}, first, block.columns.size(), block.width});
     for (const auto& [column, angle] : angles) {
       const std::string element = dialect_.element(all, column);
@@ -140,45 +137,45 @@ class Emission {
 
   void emit_block(const symbolic::Block& block) {
     Line line{Line::Kind::store_block, {}, "", block.columns.size(), block.width, block.stride};
-    line.targets = {element(output_parameter(layout_, at(block.array)), at(block.first))};
-    for (const Operand& o : block.columns) line.values.push_back(text(spell(layout_, o, block.width)));
+    line.targets = {element(output_parameter(arranged_, at(block.array)), at(block.first))};
+    for (const Operand& o : block.columns) line.values.push_back(text(spell(arranged_, o, block.width)));
     add(std::move(line));
   }
 
   void emit(std::size_t i) {
     emit_value(i);
-    const auto [first, last] = layout_.blocks.store_after.equal_range(i);
-    for (auto block = first; block != last; ++block) emit_block(layout_.blocks.stores.blocks[block->second]);
+    const auto [first, last] = arranged_.blocks.store_after.equal_range(i);
+    for (auto block = first; block != last; ++block) emit_block(arranged_.blocks.stores.blocks[block->second]);
   }
 
   void emit_value(std::size_t i) {
     const Statement& s = statement(i);
-    if (const auto load = layout_.blocks.load_at.find(i); load != layout_.blocks.load_at.end()) {
+    if (const auto load = arranged_.blocks.load_at.find(i); load != arranged_.blocks.load_at.end()) {
       enter_section(i);
       emit_load(load->second);
     }
-    if (layout_.places[i] == Place::nowhere || layout_.places[i] == Place::loaded) return;
+    if (arranged_.places[i] == Place::nowhere || arranged_.places[i] == Place::loaded) return;
     if (s.op == Op::square_root) need("sqrt");
-    if (layout_.places[i] == Place::inside) return;
-    if (layout_.places[i] == Place::angle) {
-      const Layout::AngleKey key{s.a.kind, s.a.index};
-      const Angle& angle = layout_.angles.at(key);
+    if (arranged_.places[i] == Place::inside) return;
+    if (arranged_.places[i] == Place::angle) {
+      const Arrangement::AngleKey key{s.a.kind, s.a.index};
+      const Angle& angle = arranged_.angles.at(key);
       const bool computed =
           key.first != Operand::Kind::input && angle.first == static_cast<int>(i) && angles_done_.count(s.a.index) == 0;
-      if (computed || (dialect_.stores && !layout_.stores[i].empty())) enter_section(i);
+      if (computed || (dialect_.stores && !arranged_.stores[i].empty())) enter_section(i);
       if (computed) emit_angle(key, angle);
     } else {
       enter_section(i);
-      add(line(layout_, i));
-      if (layout_.places[i] == Place::output) return;
+      add(line(arranged_, i));
+      if (arranged_.places[i] == Place::output) return;
     }
     if (!dialect_.stores) return;
     for (int lane = s.width > 1 ? 0 : -1; lane < (s.width > 1 ? s.width : 0); ++lane) {
       for (bool negative : {false, true}) {
         std::vector<std::string> targets;
-        for (const Store& store : layout_.stores[i])
+        for (const Store& store : arranged_.stores[i])
           if (store.negative == negative && store.lane == lane) targets.push_back(store.target);
-        Spelling value = layout_.spellings[i];
+        Spelling value = arranged_.spellings[i];
         if (lane >= 0) value.text = dialect_.element(value.text, at(lane));
         value.negative = value.negative != negative;
         store(targets, text(value));
@@ -202,7 +199,7 @@ class Emission {
   void list_results() {
     for (const symbolic::OutputArray& output : program_.outputs) {
       std::vector<std::string>& elements = kernel_.results.emplace_back();
-      for (const Operand& o : output.values) elements.push_back(text(spell(layout_, o)));
+      for (const Operand& o : output.values) elements.push_back(text(spell(arranged_, o)));
     }
   }
 
@@ -214,10 +211,10 @@ class Emission {
       for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
         for (std::size_t k = 0; k < program_.outputs[p].values.size(); ++k) {
           const Operand& o = program_.outputs[p].values[k];
-          if (o.kind != kind || is_in_block(layout_, p, k)) continue;
-          const std::string value = text(spell(layout_, o));
+          if (o.kind != kind || is_in_block(arranged_, p, k)) continue;
+          const std::string value = text(spell(arranged_, o));
           if (targets[value].empty()) values.push_back(value);
-          targets[value].push_back(element(output_parameter(layout_, p), k));
+          targets[value].push_back(element(output_parameter(arranged_, p), k));
         }
       }
       if (values.empty()) continue;

@@ -3,14 +3,11 @@
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
+#include "support/index.h"
 #include "support/number.h"
 
 namespace robcogen::backend::cpp {
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 std::string enumeration(const std::string& name, const std::vector<std::string>& enumerators) {
   if (enumerators.empty()) return "enum class " + name + " : int {};\n";

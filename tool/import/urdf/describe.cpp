@@ -3,14 +3,11 @@
 #include <utility>
 
 #include "import/urdf/mass.h"
+#include "support/index.h"
 
 namespace robcogen::import::from_urdf {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Where a link's URDF frame is: in the model's frame of the link that carries it.
 struct Carried {

@@ -4,14 +4,11 @@
 #include <algorithm>
 
 #include "import/urdf/describe.h"
+#include "support/index.h"
 
 namespace robcogen::import::from_urdf {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 void check_floating(const Document& document, const Topology& topology, std::size_t j, Diagnostics& diagnostics) {
   const Joint& joint = document.joints[j];

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "support/index.h"
+
 namespace robcogen::import::from_urdf {
 
 namespace {
@@ -18,10 +20,6 @@ using Matrix = std::array<std::array<Real, 3>, 3>;
 
 // A rotation of more turns is reduced to three: what is exact in so long a chain is only so by accident.
 constexpr std::size_t kMostTurns = 12;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // --- quarter turns ----------------------------------------------------------------------------------------------
 

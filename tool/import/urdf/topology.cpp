@@ -5,14 +5,11 @@
 #include <algorithm>
 
 #include "model/name_index.h"
+#include "support/index.h"
 
 namespace robcogen::import::from_urdf {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Of links or joints; reports names that are given twice.
 template <class Element>

@@ -37,7 +37,7 @@ struct Angle {
   std::string sine_name, cosine_name;
 };
 
-struct Layout {
+struct Arrangement {
   // Kind and index of an argument.
   using AngleKey = std::pair<symbolic::Operand::Kind, int>;
 
@@ -59,23 +59,20 @@ struct Layout {
   std::vector<std::string> load_names = {};
 };
 
-Layout layout(const symbolic::Program& program, const Dialect& dialect);
-
-// Lanes of a statement's value; 1 of any other operand.
-int width(const Layout& layout, const symbolic::Operand& o);
+Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 
 // As the function reads it, and as an operand of a statement of so many lanes.
-Spelling spell(const Layout& layout, const symbolic::Operand& o);
-Spelling spell(const Layout& layout, const symbolic::Operand& o, int lanes);
+Spelling spell(const Arrangement& arranged, const symbolic::Operand& o);
+Spelling spell(const Arrangement& arranged, const symbolic::Operand& o, int lanes);
 
 // The line of a statement that is not inside another; of one that is, the line that it would have by itself.
-Line line(const Layout& layout, std::size_t statement);
+Line line(const Arrangement& arranged, std::size_t statement);
 
 // The array of an output.
-const Parameter& output_parameter(const Layout& layout, std::size_t output);
+const Parameter& output_parameter(const Arrangement& arranged, std::size_t output);
 
 // Whether a block or a fill stores it.
-bool is_in_block(const Layout& layout, std::size_t output, std::size_t element);
+bool is_in_block(const Arrangement& arranged, std::size_t output, std::size_t element);
 
 bool is_angle_function(symbolic::Op op);
 

@@ -1,6 +1,8 @@
-#include "backend/common/layout.h"
+#include "backend/common/arrangement.h"
 
 #include <algorithm>
+
+#include "support/index.h"
 
 namespace robcogen::backend {
 namespace {
@@ -10,28 +12,24 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 // By Dialect::binds_parameters.
 bool is_bound(symbolic::Role role) {
   using symbolic::Role;
   return role == Role::parameters || role == Role::joint_sine || role == Role::joint_cosine;
 }
 
-Spelling expression(const Layout& layout, std::size_t i) {
-  const Statement& s = layout.program.statements[i];
-  if (s.op == Op::square_root) return call("sqrt", spell(layout, s.a));
-  if (s.op == Op::sum_lanes) return call("sum_lanes", spell(layout, s.a));
+Spelling expression(const Arrangement& arranged, std::size_t i) {
+  const Statement& s = arranged.program.statements[i];
+  if (s.op == Op::square_root) return call("sqrt", spell(arranged, s.a));
+  if (s.op == Op::sum_lanes) return call("sum_lanes", spell(arranged, s.a));
   if (s.op == Op::gather) {
     std::string list;
-    for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell(layout, o));
+    for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell(arranged, o));
     Spelling gathered;
-    gathered.text = layout.dialect.type(s.width) + "::of(" + list + ")";
+    gathered.text = arranged.dialect.type(s.width) + "::of(" + list + ")";
     return gathered;
   }
-  return binary(s.op, spell(layout, s.a, s.width), spell(layout, s.b, s.width));
+  return binary(s.op, spell(arranged, s.a, s.width), spell(arranged, s.b, s.width));
 }
 
 class Arranging {
@@ -39,48 +37,48 @@ class Arranging {
   Arranging(const Program& program, const Dialect& dialect)
       : program_(program),
         dialect_(dialect),
-        layout_{program, dialect, NameScope(dialect.is_reserved, dialect.used_names)} {
-    layout_.places.resize(program.statements.size(), Place::nowhere);
-    layout_.spellings.resize(program.statements.size());
-    layout_.stores.resize(program.statements.size());
+        arranged_{program, dialect, NameScope(dialect.is_reserved, dialect.used_names)} {
+    arranged_.places.resize(program.statements.size(), Place::nowhere);
+    arranged_.spellings.resize(program.statements.size());
+    arranged_.stores.resize(program.statements.size());
   }
 
-  Layout run() {
+  Arrangement run() {
     declare_parameters();
-    if (dialect_.stores) layout_.blocks = block_plan(program_);
+    if (dialect_.stores) arranged_.blocks = block_plan(program_);
     find_uses();
     if (dialect_.binds_parameters) bind_parameters();
     find_angles_together();
     name_values();
-    for (std::size_t i = 0; i < layout_.places.size(); ++i)
-      if (layout_.places[i] != Place::nowhere && layout_.places[i] != Place::angle) fit(i);
-    return std::move(layout_);
+    for (std::size_t i = 0; i < arranged_.places.size(); ++i)
+      if (arranged_.places[i] != Place::nowhere && arranged_.places[i] != Place::angle) fit(i);
+    return std::move(arranged_);
   }
 
  private:
   const Program& program_;
   const Dialect& dialect_;
-  Layout layout_;
+  Arrangement arranged_;
   std::vector<std::string> input_labels_;  // by flat index
   std::vector<bool> inputs_used_;          // by flat index
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
   void declare_parameters() {
-    layout_.parameters = parameters(program_, dialect_);
-    for (const Parameter& p : layout_.parameters) {
-      layout_.scope.take(p.name);
-      for (const std::string& e : p.elements) layout_.scope.take(e);
+    arranged_.parameters = parameters(program_, dialect_);
+    for (const Parameter& p : arranged_.parameters) {
+      arranged_.scope.take(p.name);
+      for (const std::string& e : p.elements) arranged_.scope.take(e);
     }
     for (std::size_t p = 0; p < program_.inputs.size(); ++p) {
-      layout_.parameters[p].used = false;
+      arranged_.parameters[p].used = false;
       const std::vector<std::string>& labels = program_.inputs[p].elements;
-      const std::vector<std::string> names = element_names(program_.inputs[p], layout_.parameters[p]);
-      layout_.input_names.insert(layout_.input_names.end(), names.begin(), names.end());
+      const std::vector<std::string> names = element_names(program_.inputs[p], arranged_.parameters[p]);
+      arranged_.input_names.insert(arranged_.input_names.end(), names.begin(), names.end());
       input_labels_.insert(input_labels_.end(), labels.begin(), labels.end());
     }
     for (std::size_t p = 0; p < program_.outputs.size(); ++p)
-      layout_.parameters[program_.inputs.size() + p].used = !program_.outputs[p].values.empty();
+      arranged_.parameters[program_.inputs.size() + p].used = !program_.outputs[p].values.empty();
   }
 
   std::vector<std::string> element_names(const symbolic::InputArray& input, const Parameter& parameter) const {
@@ -101,17 +99,18 @@ class Arranging {
   std::string text(const Line& line) const { return dialect_.text(line); }
 
   void find_uses() {
-    std::vector<int> uses(layout_.places.size(), 0);  // by statements that are needed
-    std::vector<int> last_user(layout_.places.size(), -1);
-    std::vector<bool> inputs_used(layout_.input_names.size(), false);
-    std::vector<bool> apart(layout_.places.size(), false);  // a lane of it is read, or it is spread to lanes
+    std::vector<int> uses(arranged_.places.size(), 0);  // by statements that are needed
+    std::vector<int> last_user(arranged_.places.size(), -1);
+    std::vector<bool> inputs_used(arranged_.input_names.size(), false);
+    std::vector<bool> apart(arranged_.places.size(), false);  // a lane of it is read, or it is spread to lanes
     const auto use = [&](const Operand& o, int user) {
       if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
       if (!is_statement(o)) return;
       ++uses[at(o.index)];
       last_user[at(o.index)] = user;
       const Statement& reader = statement(at(user));
-      if (o.lane >= 0 || (reader.op != Op::gather && reader.op != Op::sum_lanes && reader.width != width(layout_, o)))
+      if (o.lane >= 0 ||
+          (reader.op != Op::gather && reader.op != Op::sum_lanes && reader.width != width_of(program_, o)))
         apart[at(o.index)] = true;
     };
     for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
@@ -119,34 +118,34 @@ class Arranging {
       for (std::size_t k = 0; k < values.size(); ++k) {
         const Operand& o = values[k];
         if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
-        if (is_statement(o) && !is_in_block(layout_, p, k))
-          layout_.stores[at(o.index)].push_back({element(output_parameter(layout_, p), k), o.negative, o.lane});
+        if (is_statement(o) && !is_in_block(arranged_, p, k))
+          arranged_.stores[at(o.index)].push_back({element(output_parameter(arranged_, p), k), o.negative, o.lane});
       }
     }
-    for (std::size_t i = layout_.places.size(); i-- > 0;) {
-      const bool is_column = dialect_.stores && layout_.blocks.is_column[i];
-      if (uses[i] == 0 && layout_.stores[i].empty() && !is_column) continue;
+    for (std::size_t i = arranged_.places.size(); i-- > 0;) {
+      const bool is_column = dialect_.stores && arranged_.blocks.is_column[i];
+      if (uses[i] == 0 && arranged_.stores[i].empty() && !is_column) continue;
       const Statement& s = statement(i);
       note_width(s.width);
-      if (const auto column = layout_.blocks.loaded.find(i); column != layout_.blocks.loaded.end()) {
-        layout_.places[i] = Place::loaded;
-        layout_.parameters[at(layout_.blocks.loads[column->second.first].array)].used = true;
+      if (const auto column = arranged_.blocks.loaded.find(i); column != arranged_.blocks.loaded.end()) {
+        arranged_.places[i] = Place::loaded;
+        arranged_.parameters[at(arranged_.blocks.loads[column->second.first].array)].used = true;
         continue;
       }
       for_each_operand(s, [&](const Operand& o) { use(o, static_cast<int>(i)); });
-      layout_.places[i] =
+      arranged_.places[i] =
           (apart[i] || is_column) && !is_angle_function(s.op) ? Place::own : place(i, uses[i], last_user[i]);
-      if (layout_.places[i] == Place::angle) note_angle(i);
+      if (arranged_.places[i] == Place::angle) note_angle(i);
     }
     std::size_t element = 0;
     for (std::size_t p = 0; p < program_.inputs.size(); ++p)
       for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k)
-        if (inputs_used[element++]) layout_.parameters[p].used = true;
+        if (inputs_used[element++]) arranged_.parameters[p].used = true;
     inputs_used_ = std::move(inputs_used);
   }
 
   void note_width(int width) {
-    std::vector<int>& widths = layout_.widths;
+    std::vector<int>& widths = arranged_.widths;
     const auto place = std::lower_bound(widths.begin(), widths.end(), width);
     if (width > 1 && (place == widths.end() || *place != width)) widths.insert(place, width);
   }
@@ -156,9 +155,9 @@ class Arranging {
     for (const symbolic::InputArray& input : program_.inputs) {
       for (std::size_t k = 0; k < input.elements.size(); ++k, ++index) {
         if (!is_bound(input.role) || !inputs_used_[index]) continue;
-        std::string name = layout_.scope.claim(shortened(input_labels_[index]));
-        layout_.bindings.push_back({Line::Kind::binding, {name}, layout_.input_names[index]});
-        layout_.input_names[index] = std::move(name);
+        std::string name = arranged_.scope.claim(shortened(input_labels_[index]));
+        arranged_.bindings.push_back({Line::Kind::binding, {name}, arranged_.input_names[index]});
+        arranged_.input_names[index] = std::move(name);
       }
     }
   }
@@ -166,7 +165,7 @@ class Arranging {
   Place place(std::size_t i, int uses, int user) const {
     const Statement& s = statement(i);
     if (is_angle_function(s.op)) return Place::angle;
-    const std::vector<Store>& stores = layout_.stores[i];
+    const std::vector<Store>& stores = arranged_.stores[i];
     const bool one_sign = std::all_of(
         stores.begin(), stores.end(), [&](const Store& store) { return store.negative == stores.front().negative; });
     if (dialect_.stores && uses == 0 && one_sign && stores.size() <= 2 && s.width == 1) return Place::output;
@@ -182,7 +181,7 @@ class Arranging {
 
   void note_angle(std::size_t i) {
     const Statement& s = statement(i);
-    Angle& angle = layout_.angles[{s.a.kind, s.a.index}];
+    Angle& angle = arranged_.angles[{s.a.kind, s.a.index}];
     angle.first = static_cast<int>(i);  // statements come last to first
     (s.op == Op::sine ? angle.sine : angle.cosine) = true;
     if (s.width > 1) angle.sine = angle.cosine = true;  // of lanes, both come together only
@@ -192,7 +191,7 @@ class Arranging {
   // the first and the last.
   void find_angles_together() {
     std::vector<int> angles;
-    for (const auto& [key, angle] : layout_.angles)
+    for (const auto& [key, angle] : arranged_.angles)
       if (key.first == Operand::Kind::input) angles.push_back(key.second);
     if (dialect_.angles_together == 0 || angles.size() < dialect_.angles_together) return;
     const std::size_t count = at(angles.back() - angles.front()) + 1;
@@ -202,40 +201,40 @@ class Arranging {
       if (at(angles.front()) < end) break;
     }
     if (at(angles.back()) >= end || count > 2 * angles.size()) return;
-    layout_.first_together = angles.front();
-    layout_.together = count;
-    for (auto& [key, angle] : layout_.angles)
+    arranged_.first_together = angles.front();
+    arranged_.together = count;
+    for (auto& [key, angle] : arranged_.angles)
       if (key.first == Operand::Kind::input) angle.sine = angle.cosine = true;
   }
 
   void name_values() {
-    for (auto& [key, angle] : layout_.angles) {
+    for (auto& [key, angle] : arranged_.angles) {
       const auto& [kind, index] = key;
       const std::string subject = kind == Operand::Kind::input       ? input_labels_[at(index)]
                                   : kind == Operand::Kind::statement ? statement(at(index)).name
                                                                      : statement(at(angle.first)).name;
-      if (angle.sine) angle.sine_name = layout_.scope.claim(shortened("s_" + subject));
-      if (angle.cosine) angle.cosine_name = layout_.scope.claim(shortened("c_" + subject));
+      if (angle.sine) angle.sine_name = arranged_.scope.claim(shortened("s_" + subject));
+      if (angle.cosine) angle.cosine_name = arranged_.scope.claim(shortened("c_" + subject));
     }
     std::vector<std::string> wanted;
     for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
-    const std::vector<std::string> names = claim_all(layout_.scope, wanted);
-    for (const symbolic::Block& load : layout_.blocks.loads)
-      layout_.load_names.push_back(layout_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
+    const std::vector<std::string> names = claim_all(arranged_.scope, wanted);
+    for (const symbolic::Block& load : arranged_.blocks.loads)
+      arranged_.load_names.push_back(arranged_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
     for (std::size_t i = 0; i < names.size(); ++i) {
       const Statement& s = statement(i);
-      if (layout_.places[i] == Place::loaded) {
-        const auto& [load, column] = layout_.blocks.loaded.at(i);
-        layout_.spellings[i].text = dialect_.element(layout_.load_names[load], column);
+      if (arranged_.places[i] == Place::loaded) {
+        const auto& [load, column] = arranged_.blocks.loaded.at(i);
+        arranged_.spellings[i].text = dialect_.element(arranged_.load_names[load], column);
         continue;
       }
-      if (layout_.places[i] != Place::angle) {
-        layout_.spellings[i].text = names[i];
+      if (arranged_.places[i] != Place::angle) {
+        arranged_.spellings[i].text = names[i];
         continue;
       }
-      const Angle& angle = layout_.angles.at({s.a.kind, s.a.index});
-      layout_.spellings[i].text = s.op == Op::sine ? angle.sine_name : angle.cosine_name;
-      layout_.spellings[i].negative = s.op == Op::sine && s.a.negative;
+      const Angle& angle = arranged_.angles.at({s.a.kind, s.a.index});
+      arranged_.spellings[i].text = s.op == Op::sine ? angle.sine_name : angle.cosine_name;
+      arranged_.spellings[i].negative = s.op == Op::sine && s.a.negative;
     }
   }
 
@@ -249,21 +248,21 @@ class Arranging {
   void consider_parts(std::size_t i, Part& best) const {
     const Statement& s = statement(i);
     for_each_operand(s, [&](const Operand& o) {
-      if (!is_statement(o) || layout_.places[at(o.index)] != Place::inside) return;
+      if (!is_statement(o) || arranged_.places[at(o.index)] != Place::inside) return;
       const Part part{
           o.index, statement(at(o.index)).op == Op::multiply && is_sum(s.op),
-          expression(layout_, at(o.index)).text.size()};
+          expression(arranged_, at(o.index)).text.size()};
       if (best.statement < 0 || std::pair(!part.fused, part.width) > std::pair(!best.fused, best.width)) best = part;
       consider_parts(at(o.index), best);
     });
   }
 
   void fit(std::size_t i) {
-    while (text(line(layout_, i)).size() > dialect_.line_limit) {
+    while (text(line(arranged_, i)).size() > dialect_.line_limit) {
       Part part;
       consider_parts(i, part);
       if (part.statement < 0) return;
-      layout_.places[at(part.statement)] = Place::own;
+      arranged_.places[at(part.statement)] = Place::own;
     }
   }
 };
@@ -288,62 +287,58 @@ std::vector<Parameter> parameters(const Program& program, const Dialect& dialect
   return result;
 }
 
-Layout layout(const Program& program, const Dialect& dialect) {
+Arrangement arrange(const Program& program, const Dialect& dialect) {
   return Arranging(program, dialect).run();
 }
 
-int width(const Layout& layout, const Operand& o) {
-  return is_statement(o) && o.lane < 0 ? layout.program.statements[at(o.index)].width : 1;
-}
-
-Spelling spell(const Layout& layout, const Operand& o, int lanes) {
-  if (lanes == 1 || width(layout, o) == lanes) return spell(layout, o);
+Spelling spell(const Arrangement& arranged, const Operand& o, int lanes) {
+  if (lanes == 1 || width_of(arranged.program, o) == lanes) return spell(arranged, o);
   Spelling result;
-  if (o.kind == Operand::Kind::constant) {
-    const Spelling number = layout.dialect.literal(layout.program.constants[at(o.index)]);
-    const std::string type = layout.dialect.type(lanes);
+  if (is_constant(o)) {
+    const Spelling number = arranged.dialect.literal(arranged.program.constants[at(o.index)]);
+    const std::string type = arranged.dialect.type(lanes);
     result = literal(type + "(" + number.text + ")", type + "(" + number.opposite + ")");
     result.negative = o.negative;
     return result;
   }
   const Operand positive = {o.kind, o.index, false, o.lane};
-  result = call(layout.dialect.type(lanes), spell(layout, positive));
+  result = call(arranged.dialect.type(lanes), spell(arranged, positive));
   result.negative = o.negative;
   return result;
 }
 
-Spelling spell(const Layout& layout, const Operand& o) {
+Spelling spell(const Arrangement& arranged, const Operand& o) {
   Spelling result;
-  if (o.kind == Operand::Kind::constant) {
-    result = layout.dialect.literal(layout.program.constants[at(o.index)]);
-    if (layout.program.constants[at(o.index)].is_zero()) return result;
+  if (is_constant(o)) {
+    result = arranged.dialect.literal(arranged.program.constants[at(o.index)]);
+    if (arranged.program.constants[at(o.index)].is_zero()) return result;
   } else if (o.kind == Operand::Kind::input) {
-    result.text = layout.input_names[at(o.index)];
+    result.text = arranged.input_names[at(o.index)];
   } else {
-    result =
-        layout.places[at(o.index)] == Place::inside ? expression(layout, at(o.index)) : layout.spellings[at(o.index)];
-    if (o.lane >= 0) result.text = layout.dialect.element(result.text, at(o.lane));
+    result = arranged.places[at(o.index)] == Place::inside ? expression(arranged, at(o.index))
+                                                           : arranged.spellings[at(o.index)];
+    if (o.lane >= 0) result.text = arranged.dialect.element(result.text, at(o.lane));
   }
   result.negative = result.negative != o.negative;
   return result;
 }
 
-Line line(const Layout& layout, std::size_t i) {
-  Spelling value = expression(layout, i);
-  if (layout.places[i] != Place::output)
-    return {Line::Kind::definition, {layout.spellings[i].text}, text(value), 0, layout.program.statements[i].width};
-  value.negative = value.negative != layout.stores[i].front().negative;
+Line line(const Arrangement& arranged, std::size_t i) {
+  Spelling value = expression(arranged, i);
+  if (arranged.places[i] != Place::output)
+    return {Line::Kind::definition, {arranged.spellings[i].text}, text(value), 0, arranged.program.statements[i].width};
+  value.negative = value.negative != arranged.stores[i].front().negative;
   Line result{Line::Kind::store, {}, text(value)};
-  for (const Store& store : layout.stores[i]) result.targets.push_back(store.target);
+  for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
   return result;
 }
 
-const Parameter& output_parameter(const Layout& layout, std::size_t output) {
-  return layout.parameters[layout.program.inputs.size() + output];
+const Parameter& output_parameter(const Arrangement& arranged, std::size_t output) {
+  return arranged.parameters[arranged.program.inputs.size() + output];
 }
 
-bool is_in_block(const Layout& layout, std::size_t output, std::size_t element) {
-  return layout.dialect.stores && layout.blocks.is_stored[output][element];
+bool is_in_block(const Arrangement& arranged, std::size_t output, std::size_t element) {
+  return arranged.dialect.stores && arranged.blocks.is_stored[output][element];
 }
 
 bool is_angle_function(Op op) {

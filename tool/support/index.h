@@ -1,0 +1,12 @@
+// Numbers of joints, links and statements are ints; containers want their own type.
+#pragma once
+
+#include <cstddef>
+
+namespace robcogen {
+
+constexpr std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+}  // namespace robcogen
