@@ -12,12 +12,17 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
+bool has_expression(Place place) {
+  return place == Place::inside || place == Place::own || place == Place::output;
+}
+
 // By Dialect::binds_parameters.
 bool is_bound(symbolic::Role role) {
   using symbolic::Role;
   return role == Role::parameters || role == Role::joint_sine || role == Role::joint_cosine;
 }
 
+// Of a statement whose operands have their spellings.
 Spelling expression(const Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
   if (s.op == Op::square_root) return call("sqrt", spell(arranged, s.a));
@@ -40,7 +45,9 @@ class Arranging {
         arranged_{program, dialect, NameScope(dialect.is_reserved, dialect.used_names)} {
     arranged_.places.resize(program.statements.size(), Place::nowhere);
     arranged_.spellings.resize(program.statements.size());
+    arranged_.expressions.resize(program.statements.size());
     arranged_.stores.resize(program.statements.size());
+    for (const Number& constant : program.constants) arranged_.constants.push_back(dialect.literal(constant));
   }
 
   Arrangement run() {
@@ -51,7 +58,7 @@ class Arranging {
     find_angles_together();
     name_values();
     for (std::size_t i = 0; i < arranged_.places.size(); ++i)
-      if (arranged_.places[i] != Place::nowhere && arranged_.places[i] != Place::angle) fit(i);
+      if (has_expression(arranged_.places[i])) fit(i);
     return std::move(arranged_);
   }
 
@@ -61,6 +68,7 @@ class Arranging {
   Arrangement arranged_;
   std::vector<std::string> input_labels_;  // by flat index
   std::vector<bool> inputs_used_;          // by flat index
+  std::vector<int> users_;                 // by statement: of several, the first
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
@@ -100,14 +108,14 @@ class Arranging {
 
   void find_uses() {
     std::vector<int> uses(arranged_.places.size(), 0);  // by statements that are needed
-    std::vector<int> last_user(arranged_.places.size(), -1);
+    users_.resize(arranged_.places.size(), -1);
     std::vector<bool> inputs_used(arranged_.input_names.size(), false);
     std::vector<bool> apart(arranged_.places.size(), false);  // a lane of it is read, or it is spread to lanes
     const auto use = [&](const Operand& o, int user) {
       if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
       if (!is_statement(o)) return;
       ++uses[at(o.index)];
-      last_user[at(o.index)] = user;
+      users_[at(o.index)] = user;
       const Statement& reader = statement(at(user));
       if (o.lane >= 0 ||
           (reader.op != Op::gather && reader.op != Op::sum_lanes && reader.width != width_of(program_, o)))
@@ -134,7 +142,7 @@ class Arranging {
       }
       for_each_operand(s, [&](const Operand& o) { use(o, static_cast<int>(i)); });
       arranged_.places[i] =
-          (apart[i] || is_column) && !is_angle_function(s.op) ? Place::own : place(i, uses[i], last_user[i]);
+          (apart[i] || is_column) && !is_angle_function(s.op) ? Place::own : place(i, uses[i], users_[i]);
       if (arranged_.places[i] == Place::angle) note_angle(i);
     }
     std::size_t element = 0;
@@ -251,18 +259,29 @@ class Arranging {
       if (!is_statement(o) || arranged_.places[at(o.index)] != Place::inside) return;
       const Part part{
           o.index, statement(at(o.index)).op == Op::multiply && is_sum(s.op),
-          expression(arranged_, at(o.index)).text.size()};
+          arranged_.expressions[at(o.index)].text.size()};
       if (best.statement < 0 || std::pair(!part.fused, part.width) > std::pair(!best.fused, best.width)) best = part;
       consider_parts(at(o.index), best);
     });
   }
 
+  // Statements come in their order: what stands inside one is spelled, and fits, before it.
   void fit(std::size_t i) {
+    arranged_.expressions[i] = expression(arranged_, i);
     while (text(line(arranged_, i)).size() > dialect_.line_limit) {
       Part part;
       consider_parts(i, part);
       if (part.statement < 0) return;
       arranged_.places[at(part.statement)] = Place::own;
+      spell_users(at(part.statement), i);
+    }
+  }
+
+  // Again, all that the part stands inside of, up to i.
+  void spell_users(std::size_t part, std::size_t i) {
+    while (part != i) {
+      part = at(users_[part]);
+      arranged_.expressions[part] = expression(arranged_, part);
     }
   }
 };
@@ -295,7 +314,7 @@ Spelling spell(const Arrangement& arranged, const Operand& o, int lanes) {
   if (lanes == 1 || width_of(arranged.program, o) == lanes) return spell(arranged, o);
   Spelling result;
   if (is_constant(o)) {
-    const Spelling number = arranged.dialect.literal(arranged.program.constants[at(o.index)]);
+    const Spelling& number = arranged.constants[at(o.index)];
     const std::string type = arranged.dialect.type(lanes);
     result = literal(type + "(" + number.text + ")", type + "(" + number.opposite + ")");
     result.negative = o.negative;
@@ -310,13 +329,13 @@ Spelling spell(const Arrangement& arranged, const Operand& o, int lanes) {
 Spelling spell(const Arrangement& arranged, const Operand& o) {
   Spelling result;
   if (is_constant(o)) {
-    result = arranged.dialect.literal(arranged.program.constants[at(o.index)]);
+    result = arranged.constants[at(o.index)];
     if (arranged.program.constants[at(o.index)].is_zero()) return result;
   } else if (o.kind == Operand::Kind::input) {
     result.text = arranged.input_names[at(o.index)];
   } else {
-    result = arranged.places[at(o.index)] == Place::inside ? expression(arranged, at(o.index))
-                                                           : arranged.spellings[at(o.index)];
+    const bool inside = arranged.places[at(o.index)] == Place::inside;
+    result = (inside ? arranged.expressions : arranged.spellings)[at(o.index)];
     if (o.lane >= 0) result.text = arranged.dialect.element(result.text, at(o.lane));
   }
   result.negative = result.negative != o.negative;
@@ -324,9 +343,12 @@ Spelling spell(const Arrangement& arranged, const Operand& o) {
 }
 
 Line line(const Arrangement& arranged, std::size_t i) {
-  Spelling value = expression(arranged, i);
-  if (arranged.places[i] != Place::output)
-    return {Line::Kind::definition, {arranged.spellings[i].text}, text(value), 0, arranged.program.statements[i].width};
+  const Spelling& expression = arranged.expressions[i];
+  if (arranged.places[i] != Place::output) {
+    const int width = arranged.program.statements[i].width;
+    return {Line::Kind::definition, {arranged.spellings[i].text}, text(expression), 0, width};
+  }
+  Spelling value = expression;
   value.negative = value.negative != arranged.stores[i].front().negative;
   Line result{Line::Kind::store, {}, text(value)};
   for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);

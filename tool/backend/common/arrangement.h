@@ -48,9 +48,11 @@ struct Arrangement {
   std::vector<int> widths = {};               // of values with lanes, ascending
   std::vector<Line> bindings = {};            // by Dialect::binds_parameters
   std::vector<std::string> input_names = {};  // by flat index: `q[1]`
+  std::vector<Spelling> constants = {};
   // By statement.
   std::vector<Place> places = {};
-  std::vector<Spelling> spellings = {};  // how a user reads the statement, unless it stands inside
+  std::vector<Spelling> spellings = {};    // how a user reads the statement, unless it stands inside
+  std::vector<Spelling> expressions = {};  // what lines of its own, or stores of it, take; and what its user has inside
   std::vector<std::vector<Store>> stores = {};
   std::map<AngleKey, Angle> angles = {};
   int first_together = 0;    // input element

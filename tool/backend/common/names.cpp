@@ -10,6 +10,16 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// Whether identifier() would leave it as it is.
+bool is_identifier(const std::string& name, IsReserved is_reserved) {
+  char last = '_';
+  for (const char c : name) {
+    if (c == '_' ? last == '_' : !is_letter(c) && !is_digit(c)) return false;
+    last = c;
+  }
+  return !name.empty() && !is_digit(name.front()) && !is_reserved(name);
+}
+
 }  // namespace
 
 std::string identifier(const std::string& wanted, IsReserved is_reserved) {
@@ -35,7 +45,7 @@ NameScope::NameScope(IsReserved reserved, const std::vector<std::string>& taken)
 }
 
 bool NameScope::take(const std::string& name) {
-  return uses_.emplace(name, 1).second;
+  return uses_.try_emplace(name, 1).second;
 }
 
 std::string NameScope::claim(const std::string& wanted) {
@@ -51,7 +61,7 @@ std::string NameScope::claim(const std::string& wanted) {
 std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted) {
   std::vector<std::string> names(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (identifier(wanted[i], scope.is_reserved()) == wanted[i] && scope.take(wanted[i])) names[i] = wanted[i];
+    if (is_identifier(wanted[i], scope.is_reserved()) && scope.take(wanted[i])) names[i] = wanted[i];
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (names[i].empty()) names[i] = scope.claim(wanted[i]);
   return names;

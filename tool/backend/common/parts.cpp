@@ -6,12 +6,11 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace robcogen::backend {
 namespace {
-
-using Names = std::set<std::string>;
 
 // What a part costs beside its lines, in values handed on: the call.
 constexpr std::size_t kCall = 8;
@@ -19,8 +18,6 @@ constexpr std::size_t kCall = 8;
 // The lines of one section, or of several.
 struct Stretch {
   std::size_t begin = 0, end = 0;
-
-  std::size_t size() const { return end - begin; }
 };
 
 bool is_definition(const Line& line) {
@@ -29,35 +26,68 @@ bool is_definition(const Line& line) {
          line.kind == Kind::pick;
 }
 
-void add_words(std::string_view text, Names& words) {
+// Numbers of words. Never iterated: the map decides no order.
+class Vocabulary {
+ public:
+  static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+
+  std::size_t add(std::string_view word) { return numbers_.try_emplace(word, numbers_.size()).first->second; }
+  std::size_t find(std::string_view word) const {
+    const auto found = numbers_.find(word);
+    return found == numbers_.end() ? kUnknown : found->second;
+  }
+  std::size_t size() const { return numbers_.size(); }
+
+ private:
+  std::unordered_map<std::string_view, std::size_t> numbers_;
+};
+
+// A line of the kernel, and the numbers of its words: what it reads, calls and stores to.
+struct Sentence {
+  const Line* line = nullptr;
+  std::vector<std::size_t> words = {};
+};
+
+void add_words(std::string_view text, Vocabulary& vocabulary, std::vector<std::size_t>& words) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
   for (std::size_t begin = 0; begin < text.size();) {
     std::size_t end = begin;
     while (end < text.size() && is_letter(text[end])) ++end;
-    if (end > begin) words.emplace(text.substr(begin, end - begin));
+    if (end > begin) words.push_back(vocabulary.add(text.substr(begin, end - begin)));
     begin = end + 1;
   }
 }
 
-// The words of a line: what it reads, calls and stores to.
-void add_words(const Line& line, Names& words) {
-  if (line.kind == Line::Kind::section) return;
-  add_words(line.expression, words);
-  for (const std::string& value : line.values) add_words(value, words);
-  if (is_definition(line) || line.kind == Line::Kind::binding || line.kind == Line::Kind::load_block) return;
-  for (const std::string& target : line.targets) add_words(target, words);
+Sentence sentence(const Line& line, Vocabulary& vocabulary) {
+  Sentence result{&line};
+  if (line.kind == Line::Kind::section) return result;
+  add_words(line.expression, vocabulary, result.words);
+  for (const std::string& value : line.values) add_words(value, vocabulary, result.words);
+  if (is_definition(line) || line.kind == Line::Kind::binding || line.kind == Line::Kind::load_block) return result;
+  for (const std::string& target : line.targets) add_words(target, vocabulary, result.words);
+  return result;
 }
 
-std::vector<Stretch> sections(const std::vector<Line>& lines) {
+std::vector<Stretch> sections(const std::vector<Sentence>& lines) {
   std::vector<Stretch> result;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (result.empty() || lines[i].kind == Line::Kind::section) result.push_back({i, i});
+    if (result.empty() || lines[i].line->kind == Line::Kind::section) result.push_back({i, i});
     result.back().end = i + 1;
   }
   return result;
 }
+
+// What a line defines.
+struct Value {
+  std::string name;
+  int width = 1;
+  std::string element = {};  // where it stands, if it is handed on
+};
+
+// Ascending indices of values.
+using Values = std::vector<std::size_t>;
 
 class Cutting {
  public:
@@ -65,16 +95,26 @@ class Cutting {
       : kernel_(kernel), longest_(longest), dialect_(dialect) {
     for (const Line& line : kernel.lines) {
       using Kind = Line::Kind;
-      (line.kind == Kind::binding ? bindings_ : line.kind == Kind::load_block ? blocks_ : lines_).push_back(line);
+      (line.kind == Kind::binding      ? bindings_
+       : line.kind == Kind::load_block ? blocks_
+                                       : lines_)
+          .push_back(sentence(line, vocabulary_));
     }
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (is_definition(lines_[i]))
-        for (const std::string& name : lines_[i].targets) defined_.emplace(name, i);
+    for (const Sentence& s : lines_) {
+      first_value_.push_back(values_.size());
+      if (!is_definition(*s.line)) continue;
+      for (const std::string& name : s.line->targets) values_.push_back({name, s.line->width});
+    }
+    first_value_.push_back(values_.size());
+    value_of_word_.resize(vocabulary_.size(), values_.size());
+    for (std::size_t v = 0; v < values_.size(); ++v)
+      if (const std::size_t word = vocabulary_.find(values_[v].name); word != Vocabulary::kUnknown)
+        value_of_word_[word] = v;
   }
 
   Parts run() {
     const std::vector<Stretch> stretches = cut();
-    std::vector<Names> read;  // by part: values of other parts
+    std::vector<Values> read;  // by part: values of other parts
     for (const Stretch& s : stretches) read.push_back(read_from_before(s));
     choose_elements(stretches, read);
     Parts result;
@@ -90,11 +130,13 @@ class Cutting {
   const Kernel& kernel_;
   std::size_t longest_;
   const Dialect& dialect_;
-  std::vector<Line> bindings_, blocks_;         // of inputs: in each part that reads them
-  std::vector<Line> lines_;                     // all others
-  std::map<std::string, std::size_t> defined_;  // where in lines_ a name is
-  std::map<std::string, std::string> element_;  // where a value that is handed on stands
-  std::map<int, std::size_t> sizes_;            // of the arrays, by width
+  Vocabulary vocabulary_;
+  std::vector<Sentence> bindings_, blocks_;  // of inputs: in each part that reads them
+  std::vector<Sentence> lines_;              // all others
+  std::vector<Value> values_;                // in the order of the lines
+  std::vector<std::size_t> first_value_;     // by line, and behind the last: how many values are defined before
+  std::vector<std::size_t> value_of_word_;   // values_.size(): none
+  std::map<int, std::size_t> sizes_;         // of the arrays, by width
 
   static Parameter array(int width) {
     Parameter p{width == 1 ? "kept" : "kept_" + std::to_string(width), true};
@@ -102,30 +144,36 @@ class Cutting {
     return p;
   }
 
-  Names read_from_before(const Stretch& s) const {
-    Names result;
-    for (std::size_t i = s.begin; i < s.end; ++i) add_words(lines_[i], result);
-    std::erase_if(result, [&](const std::string& word) {
-      const auto place = defined_.find(word);
-      return place == defined_.end() || place->second >= s.begin;
-    });
+  Values read_from_before(const Stretch& s) const {
+    Values result;
+    for (std::size_t i = s.begin; i < s.end; ++i)
+      for (const std::size_t word : lines_[i].words)
+        if (value_of_word_[word] < first_value_[s.begin]) result.push_back(value_of_word_[word]);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
   // The stretches that hand on least in sum, by dynamic programming over their ends.
   std::vector<Stretch> cut() const {
     const std::vector<Stretch> all = sections(lines_);
-    std::vector<Names> read;
+    std::vector<Values> read;
     for (const Stretch& s : all) read.push_back(read_from_before(s));
     std::vector<std::size_t> cost(all.size() + 1, std::numeric_limits<std::size_t>::max()), from(all.size() + 1, 0);
     cost[0] = 0;
     for (std::size_t end = 1; end <= all.size(); ++end) {
-      Names values;
+      std::vector<bool> is_read(values_.size(), false);  // from before the stretch
+      std::size_t count = 0;
+      const auto set = [&](std::size_t value, bool to) {
+        if (is_read[value] == to) return;
+        is_read[value] = to;
+        count = to ? count + 1 : count - 1;
+      };
       for (std::size_t begin = end; begin-- > 0;) {
         if (begin + 1 < end && all[end - 1].end - all[begin].begin > longest_) break;
-        values.insert(read[begin].begin(), read[begin].end());
-        std::erase_if(values, [&](const std::string& name) { return defined_.at(name) >= all[begin].begin; });
-        const std::size_t sum = cost[begin] + values.size() + kCall;
+        for (std::size_t v = first_value_[all[begin].begin]; v < first_value_[all[begin].end]; ++v) set(v, false);
+        for (const std::size_t v : read[begin]) set(v, true);
+        const std::size_t sum = cost[begin] + count + kCall;
         if (sum >= cost[end]) continue;
         cost[end] = sum;
         from[end] = begin;
@@ -139,75 +187,72 @@ class Cutting {
   }
 
   // An element is free for another value after the part that reads it last.
-  void choose_elements(const std::vector<Stretch>& stretches, const std::vector<Names>& read) {
-    std::map<std::string, std::size_t> last;
+  void choose_elements(const std::vector<Stretch>& stretches, const std::vector<Values>& read) {
+    constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> last(values_.size(), kNever);  // part that reads the value
     for (std::size_t k = 0; k < read.size(); ++k)
-      for (const std::string& name : read[k]) last[name] = k;
+      for (const std::size_t v : read[k]) last[v] = k;
     std::map<int, std::vector<std::size_t>> free;                             // by width
     std::vector<std::vector<std::pair<int, std::size_t>>> ends(read.size());  // by part
     for (std::size_t k = 0; k < stretches.size(); ++k) {
-      for (std::size_t i = stretches[k].begin; i < stretches[k].end; ++i) {
-        if (!is_definition(lines_[i])) continue;
-        const int width = lines_[i].width;
-        for (const std::string& name : lines_[i].targets) {
-          const auto end = last.find(name);
-          if (end == last.end()) continue;
-          std::vector<std::size_t>& unused = free[width];
-          if (unused.empty()) unused.push_back(sizes_[width]++);
-          element_[name] = dialect_.element(array(width).name, unused.back());
-          ends[end->second].emplace_back(width, unused.back());
-          unused.pop_back();
-        }
+      for (std::size_t v = first_value_[stretches[k].begin]; v < first_value_[stretches[k].end]; ++v) {
+        if (last[v] == kNever) continue;
+        const int width = values_[v].width;
+        std::vector<std::size_t>& unused = free[width];
+        if (unused.empty()) unused.push_back(sizes_[width]++);
+        values_[v].element = dialect_.element(array(width).name, unused.back());
+        ends[last[v]].emplace_back(width, unused.back());
+        unused.pop_back();
       }
       for (const auto& [width, element] : ends[k]) free[width].push_back(element);
     }
   }
 
-  // The values in the order in which they were defined, by their names.
-  std::vector<Line> bindings(const Names& values) const {
-    std::map<std::size_t, Line> result;
-    for (const std::string& value : values) {
-      const std::size_t place = defined_.at(value);
-      result[place * 2 + (lines_[place].targets.front() == value ? 0 : 1)] = {
-          Line::Kind::binding, {value}, element_.at(value), 0, lines_[place].width};
-    }
-    std::vector<Line> lines;
-    for (auto& [place, line] : result) lines.push_back(std::move(line));
-    return lines;
-  }
-
-  Kernel part(const Stretch& s, const Names& read, const std::vector<Handed>& handed) const {
+  Kernel part(const Stretch& s, const Values& read, const std::vector<Handed>& handed) const {
     Kernel part;
-    part.lines = bindings(read);
-    std::vector<Line> blocks = blocks_;
-    for (std::size_t i = s.begin; i < s.end; ++i) {
-      Names words;
-      add_words(lines_[i], words);
-      std::erase_if(blocks, [&](const Line& block) {
-        const bool is_read = words.count(block.targets.front()) > 0;
-        if (is_read) part.lines.push_back(block);
-        return is_read;
-      });
-      part.lines.push_back(lines_[i]);
-      if (!is_definition(lines_[i])) continue;
-      for (const std::string& value : lines_[i].targets)
-        if (const auto element = element_.find(value); element != element_.end())
-          part.lines.push_back({Line::Kind::store, {element->second}, value});
+    std::vector<bool> is_read(vocabulary_.size(), false);  // by word
+    std::set<int> widths_handed;
+    const auto note = [&](const Sentence& sentence) {
+      for (const std::size_t word : sentence.words) is_read[word] = true;
+    };
+    const auto is_used = [&](const std::string& word) {
+      const std::size_t number = vocabulary_.find(word);
+      return number != Vocabulary::kUnknown && is_read[number];
+    };
+    for (const std::size_t v : read) {
+      const Value& value = values_[v];
+      part.lines.push_back({Line::Kind::binding, {value.name}, value.element, 0, value.width});
+      widths_handed.insert(value.width);
     }
-    Names words;
-    for (const Line& line : part.lines) add_words(line, words);
-    const auto is_used = [&](const std::string& word) { return words.count(word) > 0; };
+    std::vector<const Sentence*> blocks;
+    for (const Sentence& block : blocks_) blocks.push_back(&block);
+    for (std::size_t i = s.begin; i < s.end; ++i) {
+      note(lines_[i]);
+      std::erase_if(blocks, [&](const Sentence* block) {
+        if (!is_used(block->line->targets.front())) return false;
+        note(*block);
+        part.lines.push_back(*block->line);
+        return true;
+      });
+      part.lines.push_back(*lines_[i].line);
+      for (std::size_t v = first_value_[i]; v < first_value_[i + 1]; ++v) {
+        const Value& value = values_[v];
+        if (value.element.empty()) continue;
+        part.lines.push_back({Line::Kind::store, {value.element}, value.name});
+        widths_handed.insert(value.width);
+      }
+    }
     std::vector<Line> elements;
-    for (const Line& binding : bindings_) {
-      if (!is_used(binding.targets.front())) continue;
-      elements.push_back(binding);
-      add_words(binding, words);
+    for (const Sentence& binding : bindings_) {
+      if (!is_used(binding.line->targets.front())) continue;
+      elements.push_back(*binding.line);
+      note(binding);
     }
     part.lines.insert(part.lines.begin(), elements.begin(), elements.end());
     for (const Parameter& p : kernel_.parameters)
       if (is_used(p.name)) part.parameters.push_back(p);
     for (const Handed& h : handed)
-      if (is_used(h.array.name)) part.parameters.push_back(h.array);
+      if (widths_handed.count(h.array.width) > 0) part.parameters.push_back(h.array);
     std::copy_if(kernel_.functions.begin(), kernel_.functions.end(), std::back_inserter(part.functions), is_used);
     for (const int width : kernel_.widths) {
       const auto says_width = [&](const Line& line) {

@@ -11,12 +11,21 @@ std::string enclosed(const std::string& text, bool parentheses) {
   return parentheses ? "(" + text + ")" : text;
 }
 
-// Equal precedence needs parentheses on the right only: operators associate to the left.
-std::string left_of(Precedence operation, const Spelling& v) {
-  return enclosed(v.text, v.precedence < operation);
+void append(std::string& text, const Spelling& v, bool parentheses) {
+  if (parentheses) text += '(';
+  text += v.text;
+  if (parentheses) text += ')';
 }
-std::string right_of(Precedence operation, const Spelling& v) {
-  return enclosed(v.text, v.precedence <= operation);
+
+// Equal precedence needs parentheses on the right only: operators associate to the left.
+std::string joined(const Spelling& a, const char* operation, const Spelling& b, Precedence precedence) {
+  constexpr std::size_t kAround = 8;  // an operator between blanks, parentheses around each
+  std::string text;
+  text.reserve(a.text.size() + b.text.size() + kAround);
+  append(text, a, a.precedence < precedence);
+  text += operation;
+  append(text, b, b.precedence <= precedence);
+  return text;
 }
 
 Spelling sum(Spelling a, Spelling b) {
@@ -25,10 +34,14 @@ Spelling sum(Spelling a, Spelling b) {
   if (minus_first || literal_first) std::swap(a, b);
   Spelling result;
   result.precedence = Precedence::sum;
-  // Two negative terms leave one sign in front.
-  const std::string left = a.negative ? "-" + right_of(Precedence::sum, a) : left_of(Precedence::sum, a);
-  result.text = left + (b.negative ? " - " : " + ") + right_of(Precedence::sum, b);
-  if (b.negative && !a.negative) result.opposite = left_of(Precedence::sum, b) + " - " + right_of(Precedence::sum, a);
+  const char* const operation = b.negative ? " - " : " + ";
+  if (a.negative) {
+    // Two negative terms leave one sign in front.
+    a.text = "-" + enclosed(a.text, a.precedence == Precedence::sum);
+    a.precedence = Precedence::product;
+  }
+  result.text = joined(a, operation, b, Precedence::sum);
+  if (b.negative && !a.negative) result.opposite = joined(b, operation, a, Precedence::sum);
   return result;
 }
 
@@ -37,10 +50,9 @@ Spelling product(Op op, Spelling a, Spelling b) {
   Spelling result;
   result.precedence = Precedence::product;
   result.negative = a.negative != b.negative;
-  const std::string rest = (op == Op::multiply ? " * " : " / ") + right_of(Precedence::product, b);
-  result.text = left_of(Precedence::product, a) + rest;
+  result.text = joined(a, op == Op::multiply ? " * " : " / ", b, Precedence::product);
   result.literal_first = a.literal_first;
-  if (a.literal_first) result.opposite = a.opposite + rest;
+  if (a.literal_first) result.opposite = a.opposite + result.text.substr(a.text.size());
   return result;
 }
 

@@ -51,21 +51,21 @@ constexpr auto kStandardMacros = std::to_array<std::string_view>({
 
 // Windows, macOS, X11, Qt, Arduino.
 constexpr auto kPlatformMacros = std::to_array<std::string_view>({
-    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DELETE", "DEG_TO_RAD", "ERROR",   "FALSE",     "False",
-    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",    "PI",         "STRICT",  "Status",    "Success",
-    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",   "far",        "foreach", "interface", "max",
-    "min",    "near", "nil",      "pascal",  "signals",  "slots",  "small",
+    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DEG_TO_RAD", "DELETE", "ERROR",   "FALSE",     "False",
+    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",        "PI",     "STRICT",  "Status",    "Success",
+    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",       "far",    "foreach", "interface", "max",
+    "min",    "near", "nil",      "pascal",  "signals",  "slots",      "small",
 });
 
-template <std::size_t n>
-bool contains(const std::array<std::string_view, n>& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
+static_assert(
+    std::ranges::is_sorted(kKeywords) && std::ranges::is_sorted(kStandardMacros) &&
+    std::ranges::is_sorted(kPlatformMacros));
 
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  return contains(kKeywords, name) || contains(kStandardMacros, name) || contains(kPlatformMacros, name);
+  const auto is_in = [&](const auto& list) { return std::ranges::binary_search(list, std::string_view(name)); };
+  return is_in(kKeywords) || is_in(kStandardMacros) || is_in(kPlatformMacros);
 }
 
 }  // namespace robcogen::backend::cpp
