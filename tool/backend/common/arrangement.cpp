@@ -37,6 +37,20 @@ Spelling expression(const Arrangement& arranged, std::size_t i) {
   return binary(s.op, spell(arranged, s.a, s.width), spell(arranged, s.b, s.width));
 }
 
+// Of the statement's expression.
+Line line(const Arrangement& arranged, std::size_t i) {
+  const Spelling& expression = arranged.expressions[i];
+  if (arranged.places[i] != Place::output) {
+    const int width = arranged.program.statements[i].width;
+    return {Line::Kind::definition, {arranged.spellings[i].text}, text(expression), 0, width};
+  }
+  Spelling value = expression;
+  value.negative = value.negative != arranged.stores[i].front().negative;
+  Line result{Line::Kind::store, {}, text(value)};
+  for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
+  return result;
+}
+
 class Arranging {
  public:
   Arranging(const Program& program, const Dialect& dialect)
@@ -46,6 +60,7 @@ class Arranging {
     arranged_.places.resize(program.statements.size(), Place::nowhere);
     arranged_.spellings.resize(program.statements.size());
     arranged_.expressions.resize(program.statements.size());
+    arranged_.lines.resize(program.statements.size());
     arranged_.stores.resize(program.statements.size());
     for (const Number& constant : program.constants) arranged_.constants.push_back(dialect.literal(constant));
   }
@@ -104,7 +119,6 @@ class Arranging {
   std::string shortened(const std::string& name) const {
     return backend::shortened(name, dialect_.name_limit, dialect_.is_reserved);
   }
-  std::string text(const Line& line) const { return dialect_.text(line); }
 
   void find_uses() {
     std::vector<int> uses(arranged_.places.size(), 0);  // by statements that are needed
@@ -267,22 +281,21 @@ class Arranging {
 
   // Statements come in their order: what stands inside one is spelled, and fits, before it.
   void fit(std::size_t i) {
-    arranged_.expressions[i] = expression(arranged_, i);
-    while (text(line(arranged_, i)).size() > dialect_.line_limit) {
+    write(i);
+    while (dialect_.text(arranged_.lines[i]).size() > dialect_.line_limit) {
       Part part;
       consider_parts(i, part);
       if (part.statement < 0) return;
       arranged_.places[at(part.statement)] = Place::own;
-      spell_users(at(part.statement), i);
+      // All that it stood inside of is other text now.
+      for (std::size_t user = at(users_[at(part.statement)]); user != i; user = at(users_[user])) write(user);
+      write(i);
     }
   }
 
-  // Again, all that the part stands inside of, up to i.
-  void spell_users(std::size_t part, std::size_t i) {
-    while (part != i) {
-      part = at(users_[part]);
-      arranged_.expressions[part] = expression(arranged_, part);
-    }
+  void write(std::size_t i) {
+    arranged_.expressions[i] = expression(arranged_, i);
+    arranged_.lines[i] = line(arranged_, i);
   }
 };
 
@@ -339,19 +352,6 @@ Spelling spell(const Arrangement& arranged, const Operand& o) {
     if (o.lane >= 0) result.text = arranged.dialect.element(result.text, at(o.lane));
   }
   result.negative = result.negative != o.negative;
-  return result;
-}
-
-Line line(const Arrangement& arranged, std::size_t i) {
-  const Spelling& expression = arranged.expressions[i];
-  if (arranged.places[i] != Place::output) {
-    const int width = arranged.program.statements[i].width;
-    return {Line::Kind::definition, {arranged.spellings[i].text}, text(expression), 0, width};
-  }
-  Spelling value = expression;
-  value.negative = value.negative != arranged.stores[i].front().negative;
-  Line result{Line::Kind::store, {}, text(value)};
-  for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
   return result;
 }
 

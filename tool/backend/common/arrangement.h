@@ -52,7 +52,8 @@ struct Arrangement {
   // By statement.
   std::vector<Place> places = {};
   std::vector<Spelling> spellings = {};    // how a user reads the statement, unless it stands inside
-  std::vector<Spelling> expressions = {};  // what lines of its own, or stores of it, take; and what its user has inside
+  std::vector<Spelling> expressions = {};  // what it is: stands in its line, or inside its user
+  std::vector<Line> lines = {};            // of a statement inside another: the line that it would have by itself
   std::vector<std::vector<Store>> stores = {};
   std::map<AngleKey, Angle> angles = {};
   int first_together = 0;    // input element
@@ -66,9 +67,6 @@ Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 // As the function reads it, and as an operand of a statement of so many lanes.
 Spelling spell(const Arrangement& arranged, const symbolic::Operand& o);
 Spelling spell(const Arrangement& arranged, const symbolic::Operand& o, int lanes);
-
-// The line of a statement that is not inside another; of one that is, the line that it would have by itself.
-Line line(const Arrangement& arranged, std::size_t statement);
 
 // The array of an output.
 const Parameter& output_parameter(const Arrangement& arranged, std::size_t output);

@@ -166,10 +166,10 @@ class Emission {
       if (computed) emit_angle(key, angle);
     } else {
       enter_section(i);
-      add(line(arranged_, i));
+      add(std::move(arranged_.lines[i]));
       if (arranged_.places[i] == Place::output) return;
     }
-    if (!dialect_.stores) return;
+    if (!dialect_.stores || arranged_.stores[i].empty()) return;
     for (int lane = s.width > 1 ? 0 : -1; lane < (s.width > 1 ? s.width : 0); ++lane) {
       for (bool negative : {false, true}) {
         std::vector<std::string> targets;

@@ -2,6 +2,7 @@
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/names.h"
+#include "support/concat.h"
 #include "support/number.h"
 
 namespace robcogen::backend::cpp {
@@ -18,7 +19,7 @@ std::string element(const std::string& array, std::size_t k) {
 constexpr std::size_t kIndentation = 2;
 
 // A call whose arguments do not fit in one line has them in several.
-std::string wrapped(const std::string& line, std::size_t limit) {
+std::string wrapped(std::string line, std::size_t limit) {
   if (line.size() <= limit) return line;
   const std::string margin = "\n      ";
   const std::size_t equals = line.find(" = "), of = line.find("::of(");
@@ -96,39 +97,40 @@ Spelling literal(double value) {
 }
 
 std::string text(const Line& line) {
-  switch (line.kind) {
+  const auto& [kind, targets, expression, count, width, stride, values] = line;
+  const auto number = [](auto n) { return std::to_string(n); };
+  switch (kind) {
     case Line::Kind::section:
-      return "// " + line.expression;
+      return "// " + expression;
     // A reference: read where it is used, and no register is spent on it before.
     case Line::Kind::binding:
-      return "const " + type_of(line) + "& " + line.targets[0] + " = " + line.expression + ";";
+      return concat({"const ", type_of(line), "& ", targets[0], " = ", expression, ";"});
     case Line::Kind::sincos:
-      return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = robcogen::sincos(" + line.expression +
-             ");";
+      return concat({"const auto [", targets[0], ", ", targets[1], "] = robcogen::sincos(", expression, ");"});
     case Line::Kind::sincos_of:
-      return "const robcogen::SinCosOf<" + type_of(line) + ", " + std::to_string(line.count) + "> " +
-             line.targets[0] + "(&" + line.expression + ");";
+      return concat(
+          {"const robcogen::SinCosOf<", type_of(line), ", ", number(count), "> ", targets[0], "(&", expression, ");"});
     case Line::Kind::pick:
-      return "const auto [" + line.targets[0] + ", " + line.targets[1] + "] = " + line.expression + ";";
+      return concat({"const auto [", targets[0], ", ", targets[1], "] = ", expression, ";"});
     case Line::Kind::definition:
-      return wrapped(
-          "const " + type_of(line) + " " + line.targets[0] + " = " + line.expression + ";", dialect().line_limit);
+      return wrapped(concat({"const ", type_of(line), " ", targets[0], " = ", expression, ";"}), dialect().line_limit);
     case Line::Kind::load_block:
-      return "const auto " + line.targets[0] + " = robcogen::load_lanes<" + std::to_string(line.width) + ", " +
-             std::to_string(line.count) + ", " + std::to_string(line.stride) + ">(&" + line.expression + ");";
+      return concat(
+          {"const auto ", targets[0], " = robcogen::load_lanes<", number(width), ", ", number(count), ", ",
+           number(stride), ">(&", expression, ");"});
     case Line::Kind::store_block: {
-      std::string result = "robcogen::store_lanes<" + std::to_string(line.stride) + ">(&" + line.targets[0];
-      for (const std::string& value : line.values) result += ", " + value;
+      std::string result = concat({"robcogen::store_lanes<", number(stride), ">(&", targets[0]});
+      for (const std::string& value : values) result += ", " + value;
       return wrapped(result + ");", dialect().line_limit);
     }
     case Line::Kind::fill:
-      return "robcogen::fill<" + std::to_string(line.count) + ">(&" + line.targets[0] + ", " + line.expression + ");";
+      return concat({"robcogen::fill<", number(count), ">(&", targets[0], ", ", expression, ");"});
     case Line::Kind::store:
       break;
   }
   std::string result;
-  for (const std::string& target : line.targets) result += target + " = ";
-  return result + line.expression + ";";
+  for (const std::string& target : targets) result += target + " = ";
+  return result + expression + ";";
 }
 
 }  // namespace robcogen::backend::cpp

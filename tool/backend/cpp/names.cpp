@@ -1,8 +1,8 @@
 #include "backend/cpp/names.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
+#include <unordered_set>
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -51,21 +51,27 @@ constexpr auto kStandardMacros = std::to_array<std::string_view>({
 
 // Windows, macOS, X11, Qt, Arduino.
 constexpr auto kPlatformMacros = std::to_array<std::string_view>({
-    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DEG_TO_RAD", "DELETE", "ERROR",   "FALSE",     "False",
-    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",        "PI",     "STRICT",  "Status",    "Success",
-    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",       "far",    "foreach", "interface", "max",
-    "min",    "near", "nil",      "pascal",  "signals",  "slots",      "small",
+    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DELETE", "DEG_TO_RAD", "ERROR",   "FALSE",     "False",
+    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",    "PI",         "STRICT",  "Status",    "Success",
+    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",   "far",        "foreach", "interface", "max",
+    "min",    "near", "nil",      "pascal",  "signals",  "slots",  "small",
 });
 
-static_assert(
-    std::ranges::is_sorted(kKeywords) && std::ranges::is_sorted(kStandardMacros) &&
-    std::ranges::is_sorted(kPlatformMacros));
+// Never iterated: it decides no order.
+const std::unordered_set<std::string_view>& reserved() {
+  static const std::unordered_set<std::string_view> names = [] {
+    std::unordered_set<std::string_view> all(kKeywords.begin(), kKeywords.end());
+    all.insert(kStandardMacros.begin(), kStandardMacros.end());
+    all.insert(kPlatformMacros.begin(), kPlatformMacros.end());
+    return all;
+  }();
+  return names;
+}
 
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  const auto is_in = [&](const auto& list) { return std::ranges::binary_search(list, std::string_view(name)); };
-  return is_in(kKeywords) || is_in(kStandardMacros) || is_in(kPlatformMacros);
+  return reserved().count(name) > 0;
 }
 
 }  // namespace robcogen::backend::cpp

@@ -11,8 +11,7 @@ namespace {
 constexpr const char* kInLanes = "in_lanes";
 constexpr const char* kOneByOne = "one_by_one";
 
-std::string counts(const symbolic::Program& program) {
-  const symbolic::OperationCount c = symbolic::count(program);
+std::string counts(const symbolic::OperationCount& c) {
   std::string result = std::to_string(c.mul) + " mul, " + std::to_string(c.add) + " add";
   const auto append = [&](int count, const char* what) {
     if (count) result += ", " + std::to_string(count) + " " + what;
@@ -27,16 +26,23 @@ std::string counts(const symbolic::Program& program) {
          " cycles.";
 }
 
+std::string counts(const symbolic::Program& program) {
+  return counts(symbolic::count(program));
+}
+
 std::string lanes(int width) {
   return "robcogen::Lanes<Scalar, " + std::to_string(width) + ">";
+}
+
+std::string type_of(const Parameter& p) {
+  return p.width > 1 ? lanes(p.width) : "Scalar";
 }
 
 // `head` is all before the parameters: `void name`.
 std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail) {
   std::vector<std::string> list;
   for (const Parameter& p : parameters) {
-    const std::string type = p.width > 1 ? lanes(p.width) : "Scalar";
-    list.push_back((p.output ? type : "const " + type) + "* " + (p.used ? p.name : "/*" + p.name + "*/"));
+    list.push_back((p.output ? type_of(p) : "const " + type_of(p)) + "* " + (p.used ? p.name : "/*" + p.name + "*/"));
   }
   return "template <class Scalar>\n" + declaration(head, list, tail);
 }
@@ -82,8 +88,7 @@ std::string print_parts(const Parts& parts, const std::string& name) {
 std::string definition(const Kernel& kernel, const Parts& parts) {
   std::string text = signature("void " + kernel.name, kernel.parameters, " noexcept {");
   for (const Handed& h : parts.handed)
-    text += "  " + (h.array.width > 1 ? lanes(h.array.width) : "Scalar") + " " + h.array.name + "[" +
-            std::to_string(h.size) + "];\n";
+    text += "  " + type_of(h.array) + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
   for (const Kernel& part : parts.kernels) {
     std::vector<std::string> arguments;
     for (const Parameter& p : part.parameters) arguments.push_back(p.name);
@@ -125,12 +130,11 @@ std::string summary(const Callable& callable) {
 constexpr const char* kInline = "[[gnu::always_inline]] inline ";
 
 // Of a kernel whose limbs share lanes.
-std::string comments_in_lanes(const Callable& callable, const symbolic::Program& program) {
+std::string comments_in_lanes(const Callable& callable) {
   std::string text;
   for (const std::string& limbs : callable.function->limbs_in_lanes)
     text += comment("In lanes: the limbs from " + limbs + ".");
-  text += comment("Where limbs are mirrored, some lanes of a value are negated.");
-  return text + comment(counts(program));
+  return text + comment("Where limbs are mirrored, some lanes of a value are negated.");
 }
 
 // Chooses between the two ways of computing the same.
@@ -162,15 +166,16 @@ constexpr int kSmallCore = 64;
 
 std::string print_core(const Callable& callable) {
   const auto& [core, in_lanes, read, angles] = *callable.function->parts;
-  const auto print = [&](const std::string& comments, const symbolic::Program& program) {
+  const auto print = [&](const std::string& remarks, const symbolic::Program& program) {
     const Kernel kernel = lower(program, callable.kernel);
-    if (symbolic::count(program).instructions > kSmallCore) return print_whole_or_parts(comments, kernel);
+    const symbolic::OperationCount count = symbolic::count(program);
+    const std::string comments = remarks + comment(counts(count));
+    if (count.instructions > kSmallCore) return print_whole_or_parts(comments, kernel);
     return comments + definition(kernel, kInline);
   };
-  if (!in_lanes) return print(summary(callable) + comment(counts(core)), core);
+  if (!in_lanes) return print(summary(callable), core);
   return print_both(
-      callable, print(comments_in_lanes(callable, *in_lanes), *in_lanes), print(comment(counts(core)), core),
-      print_chooser(callable, core, kInline));
+      callable, print(comments_in_lanes(callable), *in_lanes), print("", core), print_chooser(callable, core, kInline));
 }
 
 // Sines and cosines of these angles, each to its place in sin_q and cos_q.
@@ -232,8 +237,9 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
 std::string print_kernel(const Library& library, const Callable& callable) {
   const Function& function = *callable.function;
   if (!has_own_lanes(function)) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
+  const symbolic::Program& program = *function.in_lanes;
   const std::string in_lanes =
-      print_whole_or_parts(comments_in_lanes(callable, *function.in_lanes), lower(*function.in_lanes, callable.kernel));
+      print_whole_or_parts(comments_in_lanes(callable) + comment(counts(program)), lower(program, callable.kernel));
   return print_both(callable, in_lanes, print_one_by_one(library, callable), print_chooser(callable, function.program));
 }
 
