@@ -22,6 +22,23 @@ bool is_bound(symbolic::Role role) {
   return role == Role::parameters || role == Role::joint_sine || role == Role::joint_cosine;
 }
 
+std::vector<Parameter> claim_parameters(const Program& program, const Dialect& dialect, NameScope& scope) {
+  std::vector<std::vector<std::string>> elements;
+  for (const symbolic::InputArray& array : program.inputs) {
+    elements.emplace_back();
+    if (!dialect.names_variables || array.role != symbolic::Role::variables) continue;
+    std::vector<std::string> wanted;
+    for (const std::string& label : array.elements)
+      wanted.push_back(shortened(label, dialect.name_limit, dialect.is_reserved));
+    elements.back() = claim_all(scope, wanted);
+  }
+  std::vector<Parameter> result;
+  for (std::size_t p = 0; p < program.inputs.size(); ++p)
+    result.push_back({scope.claim(program.inputs[p].name), false, true, std::move(elements[p])});
+  for (const symbolic::OutputArray& array : program.outputs) result.push_back({scope.claim(array.name), true});
+  return result;
+}
+
 // Of a statement whose operands have their spellings.
 Spelling expression(const Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
@@ -37,20 +54,6 @@ Spelling expression(const Arrangement& arranged, std::size_t i) {
   return binary(s.op, spell(arranged, s.a, s.width), spell(arranged, s.b, s.width));
 }
 
-// Of the statement's expression.
-Line line(const Arrangement& arranged, std::size_t i) {
-  const Spelling& expression = arranged.expressions[i];
-  if (arranged.places[i] != Place::output) {
-    const int width = arranged.program.statements[i].width;
-    return {Line::Kind::definition, {arranged.spellings[i].text}, text(expression), 0, width};
-  }
-  Spelling value = expression;
-  value.negative = value.negative != arranged.stores[i].front().negative;
-  Line result{Line::Kind::store, {}, text(value)};
-  for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
-  return result;
-}
-
 class Arranging {
  public:
   Arranging(const Program& program, const Dialect& dialect)
@@ -60,7 +63,6 @@ class Arranging {
     arranged_.places.resize(program.statements.size(), Place::nowhere);
     arranged_.spellings.resize(program.statements.size());
     arranged_.expressions.resize(program.statements.size());
-    arranged_.lines.resize(program.statements.size());
     arranged_.stores.resize(program.statements.size());
     for (const Number& constant : program.constants) arranged_.constants.push_back(dialect.literal(constant));
   }
@@ -88,11 +90,7 @@ class Arranging {
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
   void declare_parameters() {
-    arranged_.parameters = parameters(program_, dialect_);
-    for (const Parameter& p : arranged_.parameters) {
-      arranged_.scope.take(p.name);
-      for (const std::string& e : p.elements) arranged_.scope.take(e);
-    }
+    arranged_.parameters = claim_parameters(program_, dialect_, arranged_.scope);
     for (std::size_t p = 0; p < program_.inputs.size(); ++p) {
       arranged_.parameters[p].used = false;
       const std::vector<std::string>& labels = program_.inputs[p].elements;
@@ -281,21 +279,28 @@ class Arranging {
 
   // Statements come in their order: what stands inside one is spelled, and fits, before it.
   void fit(std::size_t i) {
-    write(i);
-    while (dialect_.text(arranged_.lines[i]).size() > dialect_.line_limit) {
+    arranged_.expressions[i] = expression(arranged_, i);
+    while (!fits(i)) {
       Part part;
       consider_parts(i, part);
       if (part.statement < 0) return;
       arranged_.places[at(part.statement)] = Place::own;
-      // All that it stood inside of is other text now.
-      for (std::size_t user = at(users_[at(part.statement)]); user != i; user = at(users_[user])) write(user);
-      write(i);
+      spell_users(at(part.statement), i);
     }
   }
 
-  void write(std::size_t i) {
-    arranged_.expressions[i] = expression(arranged_, i);
-    arranged_.lines[i] = line(arranged_, i);
+  bool fits(std::size_t i) const {
+    const std::size_t inner = arranged_.spellings[i].text.size() + arranged_.expressions[i].text.size();
+    if (arranged_.places[i] != Place::output && inner + dialect_.around <= dialect_.line_limit) return true;
+    return dialect_.text(line(arranged_, i)).size() <= dialect_.line_limit;
+  }
+
+  // All that the part stood inside of is other text now, up to i.
+  void spell_users(std::size_t part, std::size_t i) {
+    while (part != i) {
+      part = at(users_[part]);
+      arranged_.expressions[part] = expression(arranged_, part);
+    }
   }
 };
 
@@ -303,20 +308,7 @@ class Arranging {
 
 std::vector<Parameter> parameters(const Program& program, const Dialect& dialect) {
   NameScope scope(dialect.is_reserved, dialect.used_names);
-  std::vector<std::vector<std::string>> elements;
-  for (const symbolic::InputArray& array : program.inputs) {
-    elements.emplace_back();
-    if (!dialect.names_variables || array.role != symbolic::Role::variables) continue;
-    std::vector<std::string> wanted;
-    for (const std::string& label : array.elements)
-      wanted.push_back(shortened(label, dialect.name_limit, dialect.is_reserved));
-    elements.back() = claim_all(scope, wanted);
-  }
-  std::vector<Parameter> result;
-  for (std::size_t p = 0; p < program.inputs.size(); ++p)
-    result.push_back({scope.claim(program.inputs[p].name), false, true, std::move(elements[p])});
-  for (const symbolic::OutputArray& array : program.outputs) result.push_back({scope.claim(array.name), true});
-  return result;
+  return claim_parameters(program, dialect, scope);
 }
 
 Arrangement arrange(const Program& program, const Dialect& dialect) {
@@ -352,6 +344,19 @@ Spelling spell(const Arrangement& arranged, const Operand& o) {
     if (o.lane >= 0) result.text = arranged.dialect.element(result.text, at(o.lane));
   }
   result.negative = result.negative != o.negative;
+  return result;
+}
+
+Line line(const Arrangement& arranged, std::size_t i) {
+  const Spelling& expression = arranged.expressions[i];
+  if (arranged.places[i] != Place::output) {
+    const int width = arranged.program.statements[i].width;
+    return {Line::Kind::definition, {arranged.spellings[i].text}, text(expression), 0, width};
+  }
+  Spelling value = expression;
+  value.negative = value.negative != arranged.stores[i].front().negative;
+  Line result{Line::Kind::store, {}, text(value)};
+  for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
   return result;
 }
 

@@ -68,6 +68,9 @@ Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 Spelling spell(const Arrangement& arranged, const symbolic::Operand& o);
 Spelling spell(const Arrangement& arranged, const symbolic::Operand& o, int lanes);
 
+// The line of a statement that is not inside another; of one that is, the line that it would have by itself.
+Line line(const Arrangement& arranged, std::size_t statement);
+
 // The array of an output.
 const Parameter& output_parameter(const Arrangement& arranged, std::size_t output);
 

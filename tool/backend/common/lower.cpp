@@ -166,7 +166,7 @@ class Emission {
       if (computed) emit_angle(key, angle);
     } else {
       enter_section(i);
-      add(std::move(arranged_.lines[i]));
+      add(line(arranged_, i));
       if (arranged_.places[i] == Place::output) return;
     }
     if (!dialect_.stores || arranged_.stores[i].empty()) return;

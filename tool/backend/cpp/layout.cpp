@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "support/concat.h"
+
 namespace robcogen::backend::cpp {
 namespace {
 
@@ -152,7 +154,10 @@ std::string quoted(const std::string& text) {
 }
 
 std::string paragraphs(const std::vector<std::string>& parts) {
+  std::size_t size = 0;
+  for (const std::string& part : parts) size += part.size() + 1;
   std::string result;
+  result.reserve(size);
   for (const std::string& part : parts) {
     if (part.empty()) continue;
     if (!result.empty()) result += "\n";
@@ -163,7 +168,7 @@ std::string paragraphs(const std::vector<std::string>& parts) {
 
 std::string in_namespace(const std::string& name, const std::string& body) {
   if (body.empty()) return "";
-  return "namespace " + name + " {\n\n" + body + "\n}  // namespace " + name + "\n";
+  return concat({"namespace ", name, " {\n\n", body, "\n}  // namespace ", name, "\n"});
 }
 
 }  // namespace robcogen::backend::cpp

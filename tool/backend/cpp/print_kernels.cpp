@@ -55,10 +55,10 @@ std::string lines(const Kernel& kernel) {
   if (!kernel.functions.empty()) result += "\n";
   for (std::size_t i = 0; i < kernel.lines.size(); ++i) {
     const Line& line = kernel.lines[i];
-    if (line.kind != Line::Kind::section)
-      result += "  " + text(line) + "\n";
-    else
-      result += (i ? "\n" : "") + comment(line.expression, 2);
+    const bool is_section = line.kind == Line::Kind::section;
+    result += !is_section ? "  " : i ? "\n" : "";
+    result += is_section ? comment(line.expression, 2) : text(line);
+    if (!is_section) result += '\n';
   }
   return result;
 }
