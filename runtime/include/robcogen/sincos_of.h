@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
 #include "robcogen/lanes.h"
 #include "robcogen/sincos.h"
+#include "robcogen/sine_polynomials.h"
 
 #if defined(__GNUC__)
 #define ROBCOGEN_INLINE static inline __attribute__((always_inline))
@@ -18,170 +18,9 @@
 #define ROBCOGEN_RARE static
 #endif
 
-// Products and sums that are rounded once: where the processor has them, and the compiler a name for them.
-#define ROBCOGEN_FUSES 0
-#if defined(__FMA__) && ROBCOGEN_HAS_VECTORS && defined(__has_builtin)
-#if __has_builtin(__builtin_elementwise_fma)
-#undef ROBCOGEN_FUSES
-#define ROBCOGEN_FUSES 1
-#define ROBCOGEN_FMA128(a, b, c) __builtin_elementwise_fma(a, b, c)
-#define ROBCOGEN_FMA256(a, b, c) __builtin_elementwise_fma(a, b, c)
-#define ROBCOGEN_FMA512(a, b, c) __builtin_elementwise_fma(a, b, c)
-#elif __has_builtin(__builtin_ia32_vfmaddpd) && __has_builtin(__builtin_ia32_vfmaddpd256)
-#undef ROBCOGEN_FUSES
-#define ROBCOGEN_FUSES 1
-#define ROBCOGEN_FMA128(a, b, c) __builtin_ia32_vfmaddpd(a, b, c)
-#define ROBCOGEN_FMA256(a, b, c) __builtin_ia32_vfmaddpd256(a, b, c)
-#define ROBCOGEN_FMA512(a, b, c) __builtin_ia32_vfmaddpd512_mask(a, b, c, 0xff, 4)
-#endif
-#endif
-
 namespace robcogen {
 namespace {  // each file's own, as lanes are
 namespace lanes {
-
-// The bits of each. `Doubles` is a vector of doubles, or a double.
-template <class Doubles>
-using Bits = Vector<std::uint64_t, static_cast<int>(sizeof(Doubles) / sizeof(double))>;
-
-template <class Doubles>
-ROBCOGEN_INLINE Bits<Doubles> bits(const Doubles& x) noexcept {
-  Bits<Doubles> b;
-  std::memcpy(&b, &x, sizeof(b));
-  return b;
-}
-
-template <class Doubles>
-ROBCOGEN_INLINE Doubles doubles(const Bits<Doubles>& b) noexcept {
-  Doubles x;
-  std::memcpy(&x, &b, sizeof(x));
-  return x;
-}
-
-#if ROBCOGEN_FUSES
-// k p + x, rounded once.
-ROBCOGEN_INLINE double fused(double k, double p, double x) noexcept {
-  return __builtin_fma(k, p, x);
-}
-ROBCOGEN_INLINE Vector<double, 2> fused(const Vector<double, 2>& k, double p, const Vector<double, 2>& x) noexcept {
-  return ROBCOGEN_FMA128(k, (p - Vector<double, 2>{}), x);
-}
-ROBCOGEN_INLINE Vector<double, 4> fused(const Vector<double, 4>& k, double p, const Vector<double, 4>& x) noexcept {
-  return ROBCOGEN_FMA256(k, (p - Vector<double, 4>{}), x);
-}
-#if defined(__AVX512F__)
-ROBCOGEN_INLINE Vector<double, 8> fused(const Vector<double, 8>& k, double p, const Vector<double, 8>& x) noexcept {
-  return ROBCOGEN_FMA512(k, (p - Vector<double, 8>{}), x);
-}
-#endif
-
-// x - k pi / 2 is r - rest, with r its nearest double, or near it. For |k| <= 2^16.
-//
-// pi / 2 in parts of 53, 33 and 53 bits. The first difference is exact: it is below 1 and a multiple of 2^-53. The
-// second is exact where it is below 2^-34, for it is a multiple of 2^-86; where it is larger, r - first and what
-// rounding took off r are, for they have less than 53 bits.
-template <class Doubles>
-ROBCOGEN_INLINE void reduce(const Doubles& x, const Doubles& k, Doubles& r, Doubles& rest) noexcept {
-  const Doubles first = fused(k, -0x1.921fb54442d18p+0, x);
-  r = fused(k, -0x1.1a62633100000p-54, first);
-  rest = fused(k, 0x1.1701b839a2520p-88, fused(k, 0x1.1a62633100000p-54, r - first));
-}
-#else
-// a - t and what rounding added to it (Dekker 1971), where |a| is not smaller than |t| or nothing is added. Exact also
-// where the compiler fuses t = k p, which is exact by itself.
-template <class Doubles>
-ROBCOGEN_INLINE Doubles difference(const Doubles& a, const Doubles& t, Doubles& excess) noexcept {
-  const Doubles result = a - t;
-  excess = t - (a - result);
-  return result;
-}
-
-// x - k pi / 2 is r - rest, with r its nearest double, or near it. For |k| <= 2^16.
-//
-// pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody, Waite 1980): where a difference is smaller
-// than what it is taken from, it has few enough bits to be exact.
-template <class Doubles>
-ROBCOGEN_INLINE void reduce(const Doubles& x, const Doubles& k, Doubles& r, Doubles& rest) noexcept {
-  Doubles excess1, excess2;
-  const Doubles first = x - k * 0x1.921fb54400000p+0;  // exact
-  const Doubles second = difference(first, k * 0x1.0b4611a600000p-34, excess1);
-  r = difference(second, k * 0x1.3198a2e000000p-69, excess2);
-  rest = k * 0x1.b839a252049c1p-104 + (excess1 + excess2);
-}
-#endif
-
-// Adding it rounds to an integer k, whose last bits then stand in the last bits.
-constexpr double kRound = 0x1.8p52 + 0x1p16;
-
-// Of |k| <= 2^16 the bits are below kBeyond, of any other, and of what is no number, not.
-constexpr std::uint64_t kBeyond = 1 << 17;
-template <class Doubles>
-ROBCOGEN_INLINE Bits<Doubles> bits_of_integer(const Doubles& rounded) noexcept {
-  constexpr std::uint64_t kNone = 0x4338000000000000;  // of 0x1.8p52
-  return bits(rounded) ^ kNone;
-}
-
-template <class Doubles>
-ROBCOGEN_INLINE Doubles quarter_turns(const Doubles& x) noexcept {
-  return x * 0x1.45f306dc9c883p-1 + kRound;
-}
-
-// b where the highest bit of `where` is set, else a.
-template <class Doubles>
-ROBCOGEN_INLINE Doubles chosen(const Bits<Doubles>& where, const Doubles& a, const Doubles& b) noexcept {
-#if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
-  if constexpr (sizeof(Doubles) == 32) return __builtin_ia32_blendvpd256(a, b, doubles<Doubles>(where));
-#endif
-  return doubles<Doubles>(bits(a) ^ ((bits(a) ^ bits(b)) & -(where >> 63)));
-}
-
-// Minimax polynomials in the angle's square, of relative error 2^-57 and absolute error 2^-59 on [-pi/4, pi/4] (Remez
-// exchange, coefficients rounded to double). The result is within 0.8 ulp, and has the sign of a zero.
-//
-// Of what is beyond their range, |x| of about 1e5, `beyond` gets bits from kBeyond on.
-template <class Doubles>
-ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosine, Bits<Doubles>& beyond) noexcept {
-  const Doubles rounded = quarter_turns(x);
-  const Bits<Doubles> k = bits_of_integer(rounded);
-  beyond |= k;
-  Doubles r, rest;
-  reduce<Doubles>(x, rounded - kRound, r, rest);
-
-  const Doubles z = r * r, half = 0.5 * z;
-  const Doubles s = 0.16666666666666632 -
-                    z * (0.008333333333322413 -
-                         z * (0.00019841269829807808 -
-                              z * (2.755731369191808e-06 - z * (2.5050758115276912e-08 - z * 1.5896795653837948e-10))));
-  const Doubles c =
-      0.0416666666666666 +
-      z * (-0.0013888888888874125 +
-           z * (2.4801587289482194e-05 +
-                z * (-2.7557314352335047e-07 + z * (2.087572327348275e-09 + z * -1.1359647814765908e-11))));
-  const Doubles one_less = 1.0 - half;
-  const Doubles sin_r = r - (z * r * s + one_less * rest);
-  const Doubles cos_r = one_less + (((1.0 - one_less) - half + r * rest) + z * z * c);
-
-  // In odd quadrants sine and cosine are exchanged: of the two, each gets what the other has not.
-  const Bits<Doubles> odd = k << 63, half_turn = k >> 1 << 63;
-  const Bits<Doubles> sine_bits = bits(chosen(odd, sin_r, cos_r)) ^ half_turn;
-  sine = doubles<Doubles>(sine_bits);
-  cosine = doubles<Doubles>((bits(sin_r) ^ bits(cos_r) ^ odd) ^ sine_bits);
-}
-
-// Whether any has a bit from kBeyond on.
-template <class Integers>
-ROBCOGEN_INLINE bool any_beyond(const Integers& b) noexcept {
-#if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
-  if constexpr (sizeof(b) == 32) {
-    typedef long long Signed __attribute__((vector_size(32)));
-    return !__builtin_ia32_ptestz256((Signed)b, (Signed)(b ^ b ^ ~(kBeyond - 1)));
-  }
-#endif
-  std::uint64_t elements[sizeof(b) / sizeof(std::uint64_t)], all = 0;
-  std::memcpy(elements, &b, sizeof(b));
-  for (const std::uint64_t element : elements) all |= element;
-  return all >= kBeyond;
-}
 
 // What is out of the range of the polynomials, or no number.
 template <class Scalar>
@@ -440,7 +279,3 @@ class SinCosOf {
 
 #undef ROBCOGEN_INLINE
 #undef ROBCOGEN_RARE
-#undef ROBCOGEN_FUSES
-#undef ROBCOGEN_FMA128
-#undef ROBCOGEN_FMA256
-#undef ROBCOGEN_FMA512
