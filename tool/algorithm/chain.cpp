@@ -20,7 +20,15 @@ std::optional<Motor> motor_of(const PrimitiveTransform& primitive) {
 }  // namespace
 
 std::vector<Stretch> chain(const model::KinematicTree& tree, const model::FramePair& frames) {
-  const auto transform = model::transform_between(model::motions_of(tree), frames.left.name, frames.right.name);
+  const model::RigidMotions motions = model::motions_of(tree);
+  return chain(tree, model::MotionGraph(motions), frames);
+}
+
+std::vector<Stretch> chain(
+    const model::KinematicTree& tree,
+    const model::MotionGraph& motions,
+    const model::FramePair& frames) {
+  const auto transform = motions.transform_between(frames.left.name, frames.right.name);
   if (!transform) throw std::logic_error("the motions of a robot do not connect its frames");
   std::vector<Stretch> way(1);
   for (const PrimitiveTransform& primitive : transform->primitives) {
@@ -66,6 +74,19 @@ Reached walk(
     name_reached(trace.graph, here, stretch.subject);
   }
   return here;
+}
+
+symbolic::Program transform_along(
+    const model::KinematicTree& tree,
+    const std::vector<Stretch>& way,
+    TransformForm form,
+    const std::string& name) {
+  return cheapest_transform(form, behind_last_turn(way), [&](int moment_from) {
+    Trace trace(tree);
+    const auto q = trace.joint_input("q", symbolic::Role::joint_position);
+    output_transform(trace, way, q, form, moment_from);
+    return trace.program(name);
+  });
 }
 
 void output_transform(

@@ -26,8 +26,12 @@ struct Stretch {
   std::optional<Motor> motor;  // of a robot, but for the last stretch
 };
 
-// left_X_right, cut behind each joint.
+// left_X_right, cut behind each joint; for many pairs of frames with the graph of the robot's motions.
 std::vector<Stretch> chain(const model::KinematicTree& tree, const model::FramePair& frames);
+std::vector<Stretch> chain(
+    const model::KinematicTree& tree,
+    const model::MotionGraph& motions,
+    const model::FramePair& frames);
 
 // The number of the stretch where turning is over: behind the last turn, or the one that turns before it slides.
 int behind_last_turn(const std::vector<Stretch>& way);
@@ -44,6 +48,13 @@ Reached walk(
     const std::vector<Expression>& variables,
     const std::function<void(const Stretch&, const Reached&)>& behind,
     int moment_from = Reached::kNoStretch);
+
+// The program of a robot's coordinate_transform (kinematics.h), for a way from left to right.
+symbolic::Program transform_along(
+    const model::KinematicTree& tree,
+    const std::vector<Stretch>& way,
+    TransformForm form,
+    const std::string& name);
 
 // left_X_right as the output X, for a way from left to right.
 void output_transform(

@@ -28,13 +28,7 @@ Program coordinate_transform(
     const model::FramePair& frames,
     TransformForm form,
     const std::string& name) {
-  const std::vector<Stretch> way = chain(tree, frames);
-  return cheapest_transform(form, behind_last_turn(way), [&](int moment_from) {
-    Trace trace(tree);
-    const auto q = trace.joint_input("q", Role::joint_position);
-    output_transform(trace, way, q, form, moment_from);
-    return trace.program(name);
-  });
+  return transform_along(tree, chain(tree, frames), form, name);
 }
 
 Program geometric_jacobian(

@@ -201,13 +201,17 @@ void advance(Reached& here, const Pose& pose) {
 Program cheapest_transform(TransformForm form, int tail, const std::function<Program(int moment_from)>& make) {
   Program best = make(Reached::kNoStretch);
   if (form == TransformForm::homogeneous) return best;
-  const auto cost = [](const Program& program) {
+  const auto cost_of = [](const Program& program) {
     const symbolic::OperationCount c = symbolic::count(program);
     return std::pair(c.instructions, c.mul + c.add);
   };
-  for (const int moment_from : {0, tail}) {
+  auto least = cost_of(best);
+  for (const int moment_from : tail == 0 ? std::vector{0} : std::vector{0, tail}) {
     Program other = make(moment_from);
-    if (cost(other) < cost(best)) best = std::move(other);
+    const auto cost = cost_of(other);
+    if (cost >= least) continue;
+    least = cost;
+    best = std::move(other);
   }
   return best;
 }

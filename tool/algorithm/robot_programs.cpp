@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "algorithm/chain.h"
 #include "algorithm/kinematics.h"
 #include "algorithm/transform_kinds.h"
 
@@ -247,9 +248,14 @@ std::vector<RobotFunction> energy_group(const KinematicTree& tree, Formulations&
 }
 
 std::vector<RobotFunction> transforms_group(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  const model::RigidMotions motions = model::motions_of(tree);
+  const model::MotionGraph graph(motions);
+  std::vector<std::vector<Stretch>> ways;
+  for (const model::FramePair& pair : desired.transforms) ways.push_back(chain(tree, graph, pair));
   std::vector<RobotFunction> list;
   for (const TransformKind& kind : transform_kinds()) {
-    for (const model::FramePair& pair : desired.transforms) {
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const model::FramePair& pair = desired.transforms[i];
       const std::string name = pair.left.name + "_X_" + pair.right.name;
       list.push_back(
           {"transforms",
@@ -258,7 +264,7 @@ std::vector<RobotFunction> transforms_group(const KinematicTree& tree, const mod
            {kind.summary(pair.left.name, pair.right.name)},
            {},
            pair,
-           coordinate_transform(tree, pair, kind.form, kind.scope + "_" + name)});
+           transform_along(tree, ways[i], kind.form, kind.scope + "_" + name)});
     }
   }
   return list;
@@ -451,15 +457,13 @@ std::vector<std::optional<symbolic::Program>> alike_programs(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired,
     const std::string& group,
-    const Formulations& formulations) {
+    Formulations& with_typical_limbs) {
   static const std::vector<std::string> kOfLimbs = {
       "inverse_dynamics",           "bias_forces",     "forward_dynamics", "joint_space_inertia",
       "joint_space_inertia_factor", "coriolis_matrix", "centroidal",       "energy"};
   if (std::find(kOfLimbs.begin(), kOfLimbs.end(), group) == kOfLimbs.end()) return {};
-  std::optional<Formulations> alike = formulations.with_typical_limbs();
-  if (!alike) return {};
   std::vector<std::optional<symbolic::Program>> programs;
-  for (RobotFunction& f : functions(tree, desired, group, *alike)) {
+  for (RobotFunction& f : functions(tree, desired, group, with_typical_limbs)) {
     const bool is_other = std::any_of(f.program.constants.begin(), f.program.constants.end(), [](const Number& n) {
       return n.typical() != n.value();
     });

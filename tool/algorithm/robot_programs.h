@@ -42,11 +42,12 @@ std::vector<RobotFunction> functions(
     const std::string& group,
     const Formulation& formulation = {});
 
-// The programs of these functions with equal limbs that fold alike, for lanes; nullopt where these are the same.
+// The programs of these functions with equal limbs that fold alike, for lanes, by Formulations::with_typical_limbs;
+// nullopt where these are the same, and nothing for groups that no limbs have a part in.
 std::vector<std::optional<symbolic::Program>> alike_programs(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired,
     const std::string& group,
-    const Formulations& formulations);
+    Formulations& with_typical_limbs);
 
 }  // namespace robcogen::algorithm

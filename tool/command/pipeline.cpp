@@ -189,26 +189,22 @@ SplitSteps split(const Steps& steps) {
   return result;
 }
 
-InLanes in_lanes(
-    const model::KinematicTree& tree,
-    const symbolic::Program& program,
-    const std::optional<symbolic::Program>& alike) {
-  std::vector<std::string> names;
-  std::vector<pass::InputTuples> classes;
-  for (const algorithm::LimbsInLanes& limbs : algorithm::limbs_in_lanes(tree)) {
-    classes.push_back(algorithm::limb_inputs(tree, limbs, program));
-    names.push_back(fmt::format("{}", fmt::join(limbs.names, ", ")));
-  }
-  InLanes result;
-  if (classes.empty()) return result;
-  pass::Packed packed = pass::pack_lanes(program, classes, alike);
-  for (std::size_t c = 0; c < classes.size(); ++c)
-    if (packed.in_lanes[c]) result.limbs.push_back(names[c]);
-  if (!result.limbs.empty()) result.program = std::move(packed.program);
-  return result;
-}
-
 namespace {
+
+// Computes equal limbs in lanes where the function gets faster by it. `alike`: the same program with equal limbs that
+// fold alike, where that is another one.
+void bring_into_lanes(
+    backend::Function& function,
+    const model::KinematicTree& tree,
+    const std::vector<algorithm::LimbsInLanes>& limbs,
+    const std::optional<symbolic::Program>& alike) {
+  std::vector<pass::InputTuples> classes;
+  for (const algorithm::LimbsInLanes& c : limbs) classes.push_back(algorithm::limb_inputs(tree, c, function.program));
+  pass::Packed packed = pass::pack_lanes(function.program, classes, alike);
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    if (packed.in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
+  if (!function.limbs_in_lanes.empty()) function.in_lanes = std::move(packed.program);
+}
 
 // Functions, and for each the same program with equal limbs that fold alike, where that is another one.
 struct Traced {
@@ -221,19 +217,23 @@ Traced trace(const Robot& robot, const std::vector<std::string>& groups, const S
   const auto [formulation, passes] = split(steps);
   algorithm::Formulations formulations(robot.tree, formulation);
   Traced result;
+  std::vector<std::size_t> first_of_group;
   for (const std::string& group : groups) {
+    first_of_group.push_back(result.functions.size());
     for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulations)) {
       f.program = pass::run(std::move(f.program), passes);
       result.functions.push_back(std::move(f));
     }
-    if (for_lanes) {
-      for (std::optional<symbolic::Program>& program :
-           algorithm::alike_programs(robot.tree, robot.desired, group, formulations)) {
-        if (program) program = pass::run(std::move(*program), passes);
-        result.alike.push_back(std::move(program));
-      }
+  }
+  result.alike.resize(result.functions.size());
+  std::optional<algorithm::Formulations> typical = for_lanes ? formulations.with_typical_limbs() : std::nullopt;
+  for (std::size_t g = 0; typical && g < groups.size(); ++g) {
+    std::size_t i = first_of_group[g];
+    for (std::optional<symbolic::Program>& program :
+         algorithm::alike_programs(robot.tree, robot.desired, groups[g], *typical)) {
+      if (program) result.alike[i] = pass::run(std::move(*program), passes);
+      ++i;
     }
-    result.alike.resize(result.functions.size());
   }
   return result;
 }
@@ -382,12 +382,10 @@ backend::Library library_for_vectors(
     result = split_library(robot, names, groups, steps);
     alike.resize(result.functions.size());
   }
-  for (std::size_t i = 0; has_lanes && i < result.functions.size(); ++i) {
-    backend::Function& function = result.functions[i];
-    InLanes packed = in_lanes(robot.tree, function.program, alike[i]);
-    function.in_lanes = std::move(packed.program);
-    function.limbs_in_lanes = std::move(packed.limbs);
-  }
+  if (!has_lanes) return result;
+  const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
+  for (std::size_t i = 0; !limbs.empty() && i < result.functions.size(); ++i)
+    bring_into_lanes(result.functions[i], robot.tree, limbs, alike[i]);
   return result;
 }
 

@@ -82,18 +82,6 @@ SplitSteps split(const Steps& steps);
 // The step that computes equal limbs in the lanes of vectors, in languages that have vectors. It comes last.
 inline constexpr const char* kLanesStep = "lanes";
 
-// A program whose equal limbs share lanes, if it has some and gets faster by it; and the names of these limbs.
-struct InLanes {
-  std::optional<symbolic::Program> program;
-  std::vector<std::string> limbs;  // of each class: `LF, RF, LH, RH`
-};
-
-// `alike`: the same program with equal limbs that fold alike, where that is another one.
-InLanes in_lanes(
-    const model::KinematicTree& tree,
-    const symbolic::Program& program,
-    const std::optional<symbolic::Program>& alike = std::nullopt);
-
 // All functions of these groups, by these steps; without lanes. The robot must be traceable.
 std::vector<algorithm::RobotFunction> trace(
     const Robot& robot,

@@ -1,56 +1,14 @@
 #include "model/coordinate_transforms.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <stdexcept>
-#include <string_view>
+
+#include "support/index.h"
 
 namespace robcogen::model {
 
 namespace {
-
-// One motion on the way from one frame to another.
-struct Step {
-  const Motion* motion = nullptr;
-  bool backwards = false;
-};
-
-bool is_known(const RigidMotions& motions, const std::string& frame) {
-  if (std::find(motions.frames.begin(), motions.frames.end(), frame) != motions.frames.end()) return true;
-  return std::any_of(motions.motions.begin(), motions.motions.end(), [&](const Motion& m) {
-    return m.from == frame || m.to == frame;
-  });
-}
-
-// The motions between two frames, in the order of the walk (breadth first, so that it is the shortest).
-std::optional<std::vector<Step>> path(const RigidMotions& motions, const std::string& from, const std::string& to) {
-  std::multimap<std::string_view, Step> leaving;
-  for (const Motion& motion : motions.motions) {
-    leaving.insert({motion.from, {&motion, false}});
-    leaving.insert({motion.to, {&motion, true}});
-  }
-  std::map<std::string_view, Step> reached_by = {{from, Step{}}};
-  std::vector<std::string_view> queue = {from};
-  for (std::size_t next = 0; next < queue.size() && !reached_by.contains(to); ++next) {
-    const auto [begin, end] = leaving.equal_range(queue[next]);
-    for (auto it = begin; it != end; ++it) {
-      const Step& step = it->second;
-      const std::string_view frame = step.backwards ? step.motion->from : step.motion->to;
-      if (reached_by.insert({frame, step}).second) queue.push_back(frame);
-    }
-  }
-  if (!reached_by.contains(to)) return std::nullopt;
-
-  std::vector<Step> steps;
-  for (std::string_view frame = to; frame != from;) {
-    const Step& step = reached_by.at(frame);
-    steps.push_back(step);
-    frame = step.backwards ? step.motion->to : step.motion->from;
-  }
-  std::reverse(steps.begin(), steps.end());
-  return steps;
-}
 
 // from_X_to of one motion, as primitives whose moved frame is on the right.
 std::vector<PrimitiveTransform> primitives_of(const Motion& motion, MotionConvention convention) {
@@ -67,18 +25,52 @@ std::vector<PrimitiveTransform> primitives_of(const Motion& motion, MotionConven
 
 }  // namespace
 
-std::optional<CoordinateTransform> transform_between(
-    const RigidMotions& motions,
+MotionGraph::MotionGraph(const RigidMotions& motions) : convention_(motions.convention) {
+  const auto index_of = [&](const std::string& frame) {
+    return frames_.emplace(frame, static_cast<int>(frames_.size())).first->second;
+  };
+  for (const std::string& frame : motions.frames) index_of(frame);
+  for (const Motion& motion : motions.motions) {
+    const int from = index_of(motion.from), to = index_of(motion.to);
+    leaving_.resize(frames_.size());
+    leaving_[at(from)].push_back({&motion, false, from, to});
+    leaving_[at(to)].push_back({&motion, true, to, from});
+  }
+  leaving_.resize(frames_.size());
+}
+
+// Breadth first, so that it is the shortest.
+std::optional<std::vector<MotionGraph::Step>> MotionGraph::walk(int from, int to) const {
+  std::vector<const Step*> reached_by(leaving_.size(), nullptr);
+  std::vector<int> queue = {from};
+  for (std::size_t next = 0; next < queue.size() && from != to && !reached_by[at(to)]; ++next) {
+    for (const Step& step : leaving_[at(queue[next])]) {
+      if (step.to == from || reached_by[at(step.to)]) continue;
+      reached_by[at(step.to)] = &step;
+      queue.push_back(step.to);
+    }
+  }
+  std::vector<Step> steps;
+  for (int frame = to; frame != from; frame = steps.back().from) {
+    if (!reached_by[at(frame)]) return std::nullopt;
+    steps.push_back(*reached_by[at(frame)]);
+  }
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
+
+std::optional<CoordinateTransform> MotionGraph::transform_between(
     const std::string& left,
     const std::string& right,
-    MovedFramePosition position) {
-  if (!is_known(motions, left) || !is_known(motions, right)) return std::nullopt;
-  const auto walk = path(motions, left, right);
+    MovedFramePosition position) const {
+  const auto from = frames_.find(left), to = frames_.find(right);
+  if (from == frames_.end() || to == frames_.end()) return std::nullopt;
+  const std::optional<std::vector<Step>> walk = this->walk(from->second, to->second);
   if (!walk) return std::nullopt;
 
   CoordinateTransform transform = {left, right, {}, ""};
   for (const Step& step : *walk) {
-    std::vector<PrimitiveTransform> primitives = primitives_of(*step.motion, motions.convention);
+    std::vector<PrimitiveTransform> primitives = primitives_of(*step.motion, convention_);
     if (step.backwards) std::reverse(primitives.begin(), primitives.end());
     // An inverse negates, and so does spelling the same map with the moved frame on the left.
     const bool negate = step.backwards != (position == MovedFramePosition::left);
@@ -90,6 +82,14 @@ std::optional<CoordinateTransform> transform_between(
   // A user's name belongs to the transform that the motion itself stands for, not to its inverse.
   if (walk->size() == 1 && !walk->front().backwards) transform.name = walk->front().motion->name;
   return transform;
+}
+
+std::optional<CoordinateTransform> transform_between(
+    const RigidMotions& motions,
+    const std::string& left,
+    const std::string& right,
+    MovedFramePosition position) {
+  return MotionGraph(motions).transform_between(left, right, position);
 }
 
 std::vector<FrameNames> default_transforms(const RigidMotions& motions) {
@@ -106,8 +106,9 @@ CoordinateTransforms transforms_of(
     const std::vector<FrameNames>& pairs,
     MovedFramePosition position) {
   CoordinateTransforms result = {motions.name, position, motions.parameters, motions.variables, {}};
+  const MotionGraph graph(motions);
   for (const auto& [left, right] : pairs) {
-    std::optional<CoordinateTransform> transform = transform_between(motions, left, right, position);
+    std::optional<CoordinateTransform> transform = graph.transform_between(left, right, position);
     if (!transform) throw std::logic_error("transform between frames that no motions connect");
     result.transforms.push_back(std::move(*transform));
   }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,8 +37,34 @@ struct CoordinateTransforms {
   std::vector<CoordinateTransform> transforms;
 };
 
-// The transform between any two frames that the motions connect: the path is walked from `left` to `right`, an edge
-// walked backwards contributes its inverse. nullopt when the frames are unknown or not connected.
+// Frames, and the motions between them, for many questions about the same motions; these must outlive it.
+class MotionGraph {
+ public:
+  explicit MotionGraph(const RigidMotions& motions);
+
+  // The transform between any two frames that the motions connect: the shortest path is walked from `left` to `right`,
+  // a motion walked backwards contributes its inverse. nullopt when the frames are unknown or not connected.
+  std::optional<CoordinateTransform> transform_between(
+      const std::string& left,
+      const std::string& right,
+      MovedFramePosition position = MovedFramePosition::right) const;
+
+ private:
+  // One motion on the way from one frame to another.
+  struct Step {
+    const Motion* motion = nullptr;
+    bool backwards = false;
+    int from = -1, to = -1;  // of the walk
+  };
+
+  std::optional<std::vector<Step>> walk(int from, int to) const;
+
+  MotionConvention convention_;
+  std::unordered_map<std::string, int> frames_;
+  std::vector<std::vector<Step>> leaving_;  // by frame, in the order of the motions
+};
+
+// The same for a single question.
 std::optional<CoordinateTransform> transform_between(
     const RigidMotions& motions,
     const std::string& left,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
+#include <optional>
 
 #include "pass/statements.h"
 #include "support/index.h"
@@ -151,29 +151,30 @@ std::uint64_t Correspondence::hash(const Operand& o, Likeness likeness) const {
 std::vector<Tuple> Correspondence::match(std::vector<std::vector<Operand>>& lists) const {
   std::vector<Tuple> tuples;
   for (const Likeness likeness : {Likeness::equal, Likeness::similar, Likeness::kind}) {
-    std::vector<std::map<std::uint64_t, std::vector<Operand>>> by_hash(lists.size());
-    for (std::size_t lane = 0; lane < lists.size(); ++lane)
-      for (const Operand& o : lists[lane]) by_hash[lane][hash(o, likeness)].push_back(o);
-    std::map<std::uint64_t, std::size_t> matched;  // how many of each
-    for (const Operand& o : lists[0]) {
-      const std::uint64_t h = hash(o, likeness);
-      const std::size_t k = matched[h];
-      const auto has_one = [&](const auto& of_lane) {
-        const auto found = of_lane.find(h);
-        return found != of_lane.end() && found->second.size() > k;
-      };
-      if (!std::all_of(by_hash.begin(), by_hash.end(), has_one)) continue;
-      Tuple& tuple = tuples.emplace_back();
-      for (const auto& of_lane : by_hash) tuple.push_back(of_lane.at(h)[k]);
-      ++matched[h];
+    if (std::any_of(lists.begin(), lists.end(), [](const auto& list) { return list.empty(); })) break;
+    std::vector<std::vector<std::optional<std::uint64_t>>> hashes;  // of what is left
+    for (const std::vector<Operand>& list : lists) {
+      std::vector<std::optional<std::uint64_t>>& of_lane = hashes.emplace_back();
+      for (const Operand& o : list) of_lane.push_back(hash(o, likeness));
     }
-    for (std::vector<Operand>& list : lists) {
-      std::map<std::uint64_t, std::size_t> seen;
-      std::erase_if(list, [&](const Operand& o) {
-        const std::uint64_t h = hash(o, likeness);
-        const auto found = matched.find(h);
-        return found != matched.end() && seen[h]++ < found->second;
-      });
+    std::vector<std::size_t> places(lists.size());
+    for (const std::optional<std::uint64_t> wanted : std::vector(hashes[0])) {
+      bool everywhere = true;
+      for (std::size_t lane = 0; everywhere && lane < lists.size(); ++lane) {
+        const auto found = std::find(hashes[lane].begin(), hashes[lane].end(), wanted);
+        everywhere = found != hashes[lane].end();
+        places[lane] = static_cast<std::size_t>(found - hashes[lane].begin());
+      }
+      if (!everywhere) continue;
+      Tuple& tuple = tuples.emplace_back();
+      for (std::size_t lane = 0; lane < lists.size(); ++lane) {
+        tuple.push_back(lists[lane][places[lane]]);
+        hashes[lane][places[lane]].reset();
+      }
+    }
+    for (std::size_t lane = 0; lane < lists.size(); ++lane) {
+      std::size_t k = 0;
+      std::erase_if(lists[lane], [&](const Operand&) { return !hashes[lane][k++]; });
     }
   }
   return tuples;

@@ -1,6 +1,7 @@
-#include <map>
+#include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <unordered_map>
+#include <utility>
 
 #include "pass/passes.h"
 #include "pass/statements.h"
@@ -12,26 +13,48 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-Program eliminate_common_subexpressions(const Program& p) {
-  using Key = std::tuple<Op, int, int, bool, int, int, bool>;
-  std::map<Key, int> first;
+namespace {
+
+// What a statement does to which operands; these as numbers.
+struct Computation {
+  Op op = Op::add;
+  std::uint64_t a = 0, b = 0;
+  friend bool operator==(const Computation&, const Computation&) = default;
+};
+
+struct HashOfComputation {
+  std::size_t operator()(const Computation& c) const {
+    std::uint64_t h = (c.a * 0x9e3779b97f4a7c15ULL + c.b) * 0xbf58476d1ce4e5b9ULL + static_cast<std::uint64_t>(c.op);
+    h ^= h >> 29;
+    return static_cast<std::size_t>(h * 0x94d049bb133111ebULL);
+  }
+};
+
+std::uint64_t number_of(const Operand& o) {
+  return static_cast<std::uint64_t>(o.index) * 8 + static_cast<std::uint64_t>(o.kind) * 2 + (o.negative ? 1 : 0);
+}
+
+}  // namespace
+
+Program eliminate_common_subexpressions(Program p) {
+  std::unordered_map<Computation, int, HashOfComputation> first;
   std::vector<int> replacement(p.statements.size()), kept;
   const auto resolve = [&](Operand o) {
     if (is_statement(o)) o.index = replacement[static_cast<std::size_t>(o.index)];
-    return std::tuple(static_cast<int>(o.kind), o.index, o.negative);
+    return number_of(o);
   };
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
-    auto a = resolve(s.a), b = symbolic::is_binary(s.op) ? resolve(s.b) : std::tuple(-1, -1, false);
+    std::uint64_t a = resolve(s.a), b = symbolic::is_binary(s.op) ? resolve(s.b) : 0;
     if ((s.op == Op::add || s.op == Op::multiply) && b < a) std::swap(a, b);
-    const auto [place, fresh] = first.emplace(std::tuple_cat(std::tuple(s.op), a, b), static_cast<int>(i));
+    const auto [place, fresh] = first.emplace(Computation{s.op, a, b}, static_cast<int>(i));
     replacement[i] = place->second;
     if (fresh) kept.push_back(static_cast<int>(i));
   }
-  return rearrange(p, kept, replacement);
+  return rearrange(std::move(p), kept, replacement);
 }
 
-Program eliminate_dead_code(const Program& p) {
+Program eliminate_dead_code(Program p) {
   std::vector<bool> needed(p.statements.size(), false);
   for (const symbolic::OutputArray& array : p.outputs)
     for (const Operand& o : array.values)
@@ -42,7 +65,7 @@ Program eliminate_dead_code(const Program& p) {
   std::iota(same.begin(), same.end(), 0);
   for (int i : same)
     if (needed[static_cast<std::size_t>(i)]) kept.push_back(i);
-  return rearrange(p, kept, same);
+  return rearrange(std::move(p), kept, same);
 }
 
 }  // namespace robcogen::pass

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <queue>
-#include <set>
+#include <unordered_set>
 
 #include "pass/lane_names.h"
 #include "pass/statements.h"
@@ -261,7 +261,7 @@ std::vector<int> LaneBuilder::order() const {
 }
 
 void LaneBuilder::name_all(Program& program) const {
-  std::set<std::string> used;
+  std::unordered_set<std::string> used;
   for (const bool scalars : {true, false})
     for (Statement& s : program.statements)
       if (!s.name.empty() && (s.width == 1) == scalars) s.name = unique_name(s.name, used);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace robcogen::pass {
 namespace {
 
 struct Pass {
   const char* name;
-  symbolic::Program (*run)(const symbolic::Program&);
+  symbolic::Program (*run)(symbolic::Program);
 };
 
 constexpr std::array kPasses = {
@@ -32,7 +33,7 @@ symbolic::Program run(symbolic::Program program, const std::vector<std::string>&
     if (std::find(names().begin(), names().end(), name) == names().end())
       throw std::logic_error("there is no pass '" + name + "'");
   for (const Pass& pass : kPasses)
-    if (std::find(passes.begin(), passes.end(), pass.name) != passes.end()) program = pass.run(program);
+    if (std::find(passes.begin(), passes.end(), pass.name) != passes.end()) program = pass.run(std::move(program));
   return program;
 }
 

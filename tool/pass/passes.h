@@ -10,20 +10,20 @@ namespace robcogen::pass {
 
 // Rebuilds the program through the folding rules of symbolic::Graph: constants, zeros, ones, k1 (k2 x), k1 x + k2 x,
 // (x + c1) + c2, (p + q) - q. What nothing uses goes.
-symbolic::Program simplify(const symbolic::Program& program);
+symbolic::Program simplify(symbolic::Program program);
 
 // Reorders sums that nothing else reads so that each addition can be fused with a product.
-symbolic::Program reassociate(const symbolic::Program& program);
+symbolic::Program reassociate(symbolic::Program program);
 
 // Computes equal statements once: same operation on the same operands, in either order where it commutes.
-symbolic::Program eliminate_common_subexpressions(const symbolic::Program& program);
+symbolic::Program eliminate_common_subexpressions(symbolic::Program program);
 
 // Drops statements that no output needs.
-symbolic::Program eliminate_dead_code(const symbolic::Program& program);
+symbolic::Program eliminate_dead_code(symbolic::Program program);
 
 // Moves each statement to the latest section that still precedes all its uses: values live shorter, sections stay
 // whole.
-symbolic::Program sink(const symbolic::Program& program);
+symbolic::Program sink(symbolic::Program program);
 
 // Names of all passes, in the order in which they run.
 const std::vector<std::string>& names();

@@ -161,7 +161,7 @@ class Reassociation {
 // A sum swallows one product for nothing. In x + (a b + c d) the inner sum swallows one and the outer none; in
 // (x + a b) + c d both do. So a sum becomes a chain that begins with a term that is no product and takes the others as
 // they get ready; where that chain would make the whole program late, the sum stays as it was.
-Program reassociate(const Program& p) {
+Program reassociate(Program p) {
   return Reassociation(p).run();
 }
 

@@ -3,7 +3,7 @@
 
 namespace robcogen::pass {
 
-symbolic::Program simplify(const symbolic::Program& program) {
+symbolic::Program simplify(symbolic::Program program) {
   Rebuild rebuild(program);
   for (std::size_t i = 0; i < program.statements.size(); ++i) {
     rebuild.enter_section_of(i);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "pass/passes.h"
 #include "pass/statements.h"
@@ -13,7 +14,7 @@ using symbolic::Statement;
 
 // A stretch is an unbroken run of statements of one section. A statement that only a later stretch reads is computed
 // there, next to its use; named ones stay where the algorithm put them, so that a section keeps what its title says.
-Program sink(const Program& p) {
+Program sink(Program p) {
   const std::size_t n = p.statements.size();
   std::vector<int> own(n), section_of;  // stretch of a statement, section of a stretch
   for (std::size_t i = 0; i < n; ++i) {
@@ -42,7 +43,7 @@ Program sink(const Program& p) {
   std::stable_sort(kept.begin(), kept.end(), [&](int a, int b) {
     return target[static_cast<std::size_t>(a)] < target[static_cast<std::size_t>(b)];
   });
-  Program result = rearrange(p, kept, same);
+  Program result = rearrange(std::move(p), kept, same);
   for (std::size_t k = 0; k < n; ++k)
     result.statements[k].section = section_of[static_cast<std::size_t>(target[static_cast<std::size_t>(kept[k])])];
   return result;

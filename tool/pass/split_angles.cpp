@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "pass/lane_names.h"
@@ -248,7 +249,7 @@ class Angles {
   Graph graph_;
   std::vector<Expression> all_;
   std::vector<std::string> labels_;
-  std::set<std::string> taken_;
+  std::unordered_set<std::string> taken_;
   std::map<int, int> numbers_;  // by node
 };
 
@@ -317,9 +318,9 @@ class Core {
   const Program& program_;
   const Angles::Readings& readings_;
   const InputArray &sines_, &cosines_;
-  std::size_t behind_ = 0;       // the array behind the joint positions
-  int end_ = 0;                  // the element behind them
-  std::set<std::string> names_;  // of a program with lanes
+  std::size_t behind_ = 0;                 // the array behind the joint positions
+  int end_ = 0;                            // the element behind them
+  std::unordered_set<std::string> names_;  // of a program with lanes
 };
 
 std::set<int> angles_read(const Angles::Readings& readings) {

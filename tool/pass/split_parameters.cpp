@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_set>
 
 #include "pass/gather_parameters.h"
 #include "pass/statements.h"
@@ -133,7 +134,7 @@ class Derived {
   std::vector<Expression> parts_[3];
   std::map<int, int> places_;  // by node
   std::vector<std::string> labels_;
-  std::set<std::string> taken_;
+  std::unordered_set<std::string> taken_;
 };
 
 // One program, and what of it follows from the parameters.

@@ -10,7 +10,7 @@ namespace robcogen::pass {
 // The program with only these statements, in this order (operands before users), renumbered. `replacement[i]` is the
 // statement that stands for statement i; a statement that is kept stands for itself.
 symbolic::Program rearrange(
-    const symbolic::Program& program,
+    symbolic::Program program,
     const std::vector<int>& kept,
     const std::vector<int>& replacement);
 

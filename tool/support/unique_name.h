@@ -1,13 +1,13 @@
 // Names that no other thing has.
 #pragma once
 
-#include <set>
 #include <string>
+#include <unordered_set>
 
 namespace robcogen {
 
 // The name, or with the first number from 2 on that makes it one that is not taken yet. Takes it.
-inline std::string unique_name(const std::string& wanted, std::set<std::string>& taken) {
+inline std::string unique_name(const std::string& wanted, std::unordered_set<std::string>& taken) {
   std::string name = wanted;
   for (int k = 2; !taken.insert(name).second; ++k) name = wanted + "_" + std::to_string(k);
   return name;

@@ -55,23 +55,24 @@ Uses uses_of(const Program& p) {
 int fused_products(const Program& p) {
   const Uses uses = uses_of(p);
   const auto adds = [&](int user) { return user >= 0 && is_sum(p.statements[static_cast<std::size_t>(user)].op); };
-  std::vector<std::size_t> candidates;
+  std::vector<std::vector<std::size_t>> candidates;  // by their number of uses
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     if (p.statements[i].op != Op::multiply) continue;
     const std::span<const int> users = uses.of(i);
-    if (!users.empty() && std::all_of(users.begin(), users.end(), adds)) candidates.push_back(i);
+    if (users.empty() || !std::all_of(users.begin(), users.end(), adds)) continue;
+    if (candidates.size() <= users.size()) candidates.resize(users.size() + 1);
+    candidates[users.size()].push_back(i);
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
-    return uses.of(a).size() < uses.of(b).size();
-  });
   std::vector<bool> taken(p.statements.size(), false);
   int fused = 0;
-  for (const std::size_t i : candidates) {
-    const std::span<const int> sums = uses.of(i);
-    if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) continue;  // m + m
-    if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) continue;
-    for (const int u : sums) taken[static_cast<std::size_t>(u)] = true;
-    ++fused;
+  for (const std::vector<std::size_t>& with_as_many_uses : candidates) {
+    for (const std::size_t i : with_as_many_uses) {
+      const std::span<const int> sums = uses.of(i);
+      if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) continue;  // m + m
+      if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) continue;
+      for (const int u : sums) taken[static_cast<std::size_t>(u)] = true;
+      ++fused;
+    }
   }
   return fused;
 }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
-#include <set>
 #include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "support/unique_name.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -13,6 +15,23 @@ namespace {
 Graph* common_graph(const Expression& a, const Expression& b) {
   if (a.graph() && b.graph() && a.graph() != b.graph()) throw std::logic_error("expressions of two graphs are mixed");
   return a.graph() ? a.graph() : b.graph();
+}
+
+// Makes the names that statements have unique, and numbers the others by their sections' prefixes.
+void name_statements(Program& p) {
+  std::unordered_set<std::string> used;
+  for (Statement& s : p.statements)
+    if (s.named) s.name = unique_name(s.name, used);
+  // Two numbered names are different anyway.
+  std::unordered_map<std::string, int> next_number;
+  std::vector<int*> next_of_section;
+  for (const Section& section : p.sections) next_of_section.push_back(&next_number[section.prefix]);
+  for (Statement& s : p.statements) {
+    if (s.named) continue;
+    const auto section = static_cast<std::size_t>(s.section);
+    s.name = p.sections[section].prefix + "_t" + std::to_string((*next_of_section[section])++);
+    if (used.contains(s.name)) s.name = unique_name(s.name, used);
+  }
 }
 
 }  // namespace
@@ -307,13 +326,7 @@ Program Graph::program(
 
   std::vector<int> new_section(sections_.size(), -1);
   std::vector<Operand> operand_of(nodes_.size());
-  std::set<std::string> used;
-  std::map<std::string, int> next_number;  // by prefix
-  const auto unique = [&used](const std::string& wanted) {
-    std::string result = wanted;
-    for (int k = 2; !used.insert(result).second; ++k) result = wanted + "_" + std::to_string(k);
-    return result;
-  };
+  p.statements.reserve(static_cast<std::size_t>(std::count(reachable.begin(), reachable.end(), true)));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (!reachable[i]) continue;
     const Node& n = nodes_[i];
@@ -336,10 +349,7 @@ Program Graph::program(
       if (n.b >= 0) s.b = operand_of[static_cast<std::size_t>(n.b)];
       s.section = new_section[section];
       s.named = !names_[i].empty();
-      if (names_matter_)
-        s.name = unique(
-            s.named ? names_[i]
-                    : sections_[section].prefix + "_t" + std::to_string(next_number[sections_[section].prefix]++));
+      s.name = names_[i];
       here = {Operand::Kind::statement, static_cast<int>(p.statements.size()), false};
       p.statements.push_back(std::move(s));
     }
@@ -354,6 +364,7 @@ Program Graph::program(
       array.values.push_back(value);
     }
   }
+  if (names_matter_) name_statements(p);
   return p;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <unordered_set>
 
 #include "symbolic/text_names.h"
 
@@ -36,7 +36,7 @@ bool is_identifier(const std::string& s) {
 // What is wrong with the names of input or output arrays.
 template <class Array>
 std::string fault_of_names(const std::vector<Array>& arrays) {
-  std::set<std::string> names;
+  std::unordered_set<std::string> names;
   for (const Array& array : arrays) {
     if (!is_identifier(array.name)) return "'" + array.name + "' is no identifier";
     if (!names.insert(array.name).second) return "'" + array.name + "' names two arrays";
@@ -64,7 +64,7 @@ std::string verify(const Program& p) {
   if (!is_identifier(p.name)) return "the program has no proper name";
   for (const auto& fault : {fault_of_names(p.inputs), fault_of_names(p.outputs)})
     if (!fault.empty()) return fault;
-  std::set<std::string> names;
+  std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
     if (!is_identifier(s.name)) return "'" + s.name + "' is no identifier";

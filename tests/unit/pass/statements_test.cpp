@@ -11,7 +11,7 @@ using symbolic::Program;
 using test::head;
 using test::small_program;
 
-using Run = Program (*)(const Program&);
+using Run = Program (*)(Program);
 
 std::string after(Run run, const std::string& statements, int outputs = 1) {
   const std::string text = print(run(small_program(statements, outputs)));
