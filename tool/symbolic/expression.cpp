@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "support/index.h"
 #include "support/unique_name.h"
 
 namespace robcogen::symbolic {
@@ -28,7 +29,7 @@ void name_statements(Program& p) {
   for (const Section& section : p.sections) next_of_section.push_back(&next_number[section.prefix]);
   for (Statement& s : p.statements) {
     if (s.named) continue;
-    const auto section = static_cast<std::size_t>(s.section);
+    const auto section = at(s.section);
     s.name = p.sections[section].prefix + "_t" + std::to_string((*next_of_section[section])++);
     if (used.contains(s.name)) s.name = unique_name(s.name, used);
   }
@@ -40,12 +41,12 @@ void name_statements(Program& p) {
 // Expression
 
 bool Expression::is_constant() const {
-  return !graph_ || graph_->nodes()[static_cast<std::size_t>(node_)].kind == Node::Kind::constant;
+  return !graph_ || graph_->nodes()[at(node_)].kind == Node::Kind::constant;
 }
 
 Number Expression::number() const {
   if (!graph_) return Number();
-  const Number& n = graph_->number(graph_->nodes()[static_cast<std::size_t>(node_)]);
+  const Number& n = graph_->number(graph_->nodes()[at(node_)]);
   return negative_ ? -n : n;
 }
 
@@ -112,8 +113,7 @@ std::size_t Graph::slot(const Key& k) const {
   h ^= h >> 29;
   h *= 0x94d049bb133111ebULL;
   std::size_t place = static_cast<std::size_t>(h ^ (h >> 32)) & (known_.size() - 1);
-  while (known_[place] >= 0 && !(key(nodes_[static_cast<std::size_t>(known_[place])]) == k))
-    place = (place + 1) & (known_.size() - 1);
+  while (known_[place] >= 0 && !(key(nodes_[at(known_[place])]) == k)) place = (place + 1) & (known_.size() - 1);
   return place;
 }
 
@@ -142,7 +142,6 @@ int Graph::intern(const Node& n) {
   known_[place] = static_cast<int>(nodes_.size());
   nodes_.push_back(n);
   section_of_.push_back(static_cast<int>(sections_.size()) - 1);
-  names_.emplace_back();
   return known_[place];
 }
 
@@ -155,7 +154,7 @@ Expression Graph::constant(const Number& value) {
   Node n;
   n.a = static_cast<int>(constants_before);
   const int node = intern(n);
-  if (nodes_[static_cast<std::size_t>(node)].a != n.a) constants_.pop_back();  // it was known
+  if (nodes_[at(node)].a != n.a) constants_.pop_back();  // it was known
   return Expression(this, node, negative);
 }
 
@@ -171,14 +170,14 @@ void Graph::rollback(std::size_t mark) {
     known_[slot(key(nodes_.back()))] = -1;
     nodes_.pop_back();
     section_of_.pop_back();
-    names_.pop_back();
   }
+  names_.resize(std::min(names_.size(), mark));
 }
 
 int Graph::cost_since(std::size_t mark) const {
   constexpr int kDivision = 8;
   const auto is_product = [&](int node) {
-    const Node& n = nodes_[static_cast<std::size_t>(node)];
+    const Node& n = nodes_[at(node)];
     return n.kind == Node::Kind::operation && n.op == Op::multiply;
   };
   int cost = 0;
@@ -198,8 +197,10 @@ void Graph::begin_section(std::string title, std::string prefix) {
 
 void Graph::name(const Expression& e, const std::string& name) {
   if (!e.graph() || !names_matter_) return;
-  const auto node = static_cast<std::size_t>(e.node());
-  if (nodes_[node].kind != Node::Kind::operation || !names_[node].empty()) return;
+  const auto node = at(e.node());
+  if (nodes_[node].kind != Node::Kind::operation) return;
+  if (names_.size() <= node) names_.resize(node + 1);
+  if (!names_[node].empty()) return;
   // The node holds the value without its sign.
   if (!e.negative())
     names_[node] = name;
@@ -220,22 +221,22 @@ Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Graph: folding
 
-void Graph::split_factor(const Expression& x, Number& factor, int& rest) const {
-  factor = Number::rational(x.negative() ? -1 : 1);
-  rest = x.node();
-  const Node& n = nodes_[static_cast<std::size_t>(rest)];
-  if (n.kind != Node::Kind::operation || n.op != Op::multiply) return;
-  for (const auto& [scale, other] : {std::pair(n.a, n.b), std::pair(n.b, n.a)}) {
-    if (!is_constant(scale)) continue;
-    const Number& value = number(nodes_[static_cast<std::size_t>(scale)]);
-    factor = x.negative() ? -value : value;
-    rest = other;
-    return;
+Graph::Scaled Graph::split_factor(int node) const {
+  const Node& n = nodes_[at(node)];
+  if (n.kind == Node::Kind::operation && n.op == Op::multiply) {
+    if (is_constant(n.a)) return {n.a, n.b};
+    if (is_constant(n.b)) return {n.b, n.a};
   }
+  return {1, node};
+}
+
+Number Graph::factor(const Expression& x, const Scaled& split) const {
+  const Number& value = number(nodes_[at(split.factor)]);
+  return x.negative() ? -value : value;
 }
 
 std::optional<std::array<Expression, 2>> Graph::terms(const Expression& x) {
-  const Node n = nodes_[static_cast<std::size_t>(x.node())];
+  const Node n = nodes_[at(x.node())];
   if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) return std::nullopt;
   const Expression first(this, n.a, x.negative()), second(this, n.b, x.negative() != (n.op == Op::subtract));
   return std::array{first, second};
@@ -249,11 +250,8 @@ Expression Graph::add(Expression a, Expression b) {
   }
   if (rewrite_) {
     // k1 t + k2 t
-    Number factor_a, factor_b;
-    int rest_a = 0, rest_b = 0;
-    split_factor(a, factor_a, rest_a);
-    split_factor(b, factor_b, rest_b);
-    if (rest_a == rest_b) return constant(factor_a + factor_b) * positive(rest_a);
+    const Scaled split_a = split_factor(a.node()), split_b = split_factor(b.node());
+    if (split_a.rest == split_b.rest) return constant(factor(a, split_a) + factor(b, split_b)) * positive(split_a.rest);
     for (const auto& [sum, other] : {std::pair(a, b), std::pair(b, a)}) {
       const std::optional<std::array<Expression, 2>> both = terms(sum);
       if (!both) continue;
@@ -291,10 +289,8 @@ Expression Graph::multiply(Expression a, Expression b) {
     // k1 (k2 t)
     for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
       if (!scale.is_constant()) continue;
-      Number factor;
-      int rest = 0;
-      split_factor(product, factor, rest);
-      if (rest != product.node()) return constant(scale.number() * factor) * positive(rest);
+      const Scaled split = split_factor(product.node());
+      if (split.rest != product.node()) return constant(scale.number() * factor(product, split)) * positive(split.rest);
     }
   }
   if (a.node() > b.node()) std::swap(a, b);
@@ -312,11 +308,11 @@ Program Graph::program(
     const std::vector<std::vector<Expression>>& outputs) const {
   std::vector<bool> reachable(nodes_.size(), false);
   for (const auto& values : outputs)
-    for (const Expression& e : values) reachable[static_cast<std::size_t>(e.node())] = true;
+    for (const Expression& e : values) reachable[at(e.node())] = true;
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     if (!reachable[i] || nodes_[i].kind != Node::Kind::operation) continue;
-    reachable[static_cast<std::size_t>(nodes_[i].a)] = true;
-    if (nodes_[i].b >= 0) reachable[static_cast<std::size_t>(nodes_[i].b)] = true;
+    reachable[at(nodes_[i].a)] = true;
+    if (nodes_[i].b >= 0) reachable[at(nodes_[i].b)] = true;
   }
 
   Program p;
@@ -337,29 +333,28 @@ Program Graph::program(
     } else if (n.kind == Node::Kind::input) {
       here = {Operand::Kind::input, n.a, false};
     } else {
-      const auto section = static_cast<std::size_t>(section_of_[i]);
+      const auto section = at(section_of_[i]);
       if (new_section[section] < 0) {
         new_section[section] = static_cast<int>(p.sections.size());
         p.sections.push_back(sections_[section]);
       }
-      Statement s;
-      s.op = n.op;
-      s.a = operand_of[static_cast<std::size_t>(n.a)];
-      s.a.negative = n.a_negative;
-      if (n.b >= 0) s.b = operand_of[static_cast<std::size_t>(n.b)];
-      s.section = new_section[section];
-      s.named = !names_[i].empty();
-      s.name = names_[i];
       here = {Operand::Kind::statement, static_cast<int>(p.statements.size()), false};
-      p.statements.push_back(std::move(s));
+      Statement& s = p.statements.emplace_back();
+      s.op = n.op;
+      s.a = operand_of[at(n.a)];
+      s.a.negative = n.a_negative;
+      if (n.b >= 0) s.b = operand_of[at(n.b)];
+      s.section = new_section[section];
+      s.named = i < names_.size() && !names_[i].empty();
+      if (s.named) s.name = names_[i];
     }
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     OutputArray& array = p.outputs[k];
-    if (outputs[k].size() != static_cast<std::size_t>(array.rows * array.columns))
+    if (outputs[k].size() != at(array.rows * array.columns))
       throw std::logic_error("output '" + array.name + "' has the wrong number of values");
     for (const Expression& e : outputs[k]) {
-      Operand value = operand_of[static_cast<std::size_t>(e.node())];
+      Operand value = operand_of[at(e.node())];
       value.negative = e.negative();
       array.values.push_back(value);
     }

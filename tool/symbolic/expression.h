@@ -132,8 +132,13 @@ class Graph {
   Expression multiply(Expression a, Expression b);
   bool is_constant(int node) const { return nodes_[static_cast<std::size_t>(node)].kind == Node::Kind::constant; }
   Expression positive(int node) { return Expression(this, node, false); }
-  // x as factor * rest with a constant factor; factor is 1 when x has none.
-  void split_factor(const Expression& x, Number& factor, int& rest) const;
+  // A node as factor * rest; factor is a constant's node, and 1's when it has none.
+  struct Scaled {
+    int factor, rest;
+  };
+  Scaled split_factor(int node) const;
+  // The signed factor of an expression that was split.
+  Number factor(const Expression& x, const Scaled& split) const;
   // The two terms of a sum or difference.
   std::optional<std::array<Expression, 2>> terms(const Expression& x);
 
@@ -142,7 +147,7 @@ class Graph {
   std::vector<Node> nodes_;
   std::vector<Number> constants_;
   std::vector<int> section_of_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_;  // up to the last node that has one
   std::vector<Section> sections_;
   // Nodes by their keys: open addressing, no more than half full, -1 where none is. The last node can be taken out by
   // clearing its place, since none came after it.
