@@ -1,6 +1,7 @@
 #include "backend/common/arrangement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "support/index.h"
 
@@ -238,7 +239,7 @@ class Arranging {
     }
     std::vector<std::string> wanted;
     for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
-    const std::vector<std::string> names = claim_all(arranged_.scope, wanted);
+    std::vector<std::string> names = claim_all(arranged_.scope, std::move(wanted));
     for (const symbolic::Block& load : arranged_.blocks.loads)
       arranged_.load_names.push_back(arranged_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -249,7 +250,7 @@ class Arranging {
         continue;
       }
       if (arranged_.places[i] != Place::angle) {
-        arranged_.spellings[i].text = names[i];
+        arranged_.spellings[i].text = std::move(names[i]);
         continue;
       }
       const Angle& angle = arranged_.angles.at({s.a.kind, s.a.index});
@@ -350,8 +351,9 @@ Spelling spell(const Arrangement& arranged, const Operand& o) {
 Line line(const Arrangement& arranged, std::size_t i) {
   const Spelling& expression = arranged.expressions[i];
   if (arranged.places[i] != Place::output) {
-    const int width = arranged.program.statements[i].width;
-    return {Line::Kind::definition, {arranged.spellings[i].text}, text(expression), 0, width};
+    Line result{Line::Kind::definition, {}, text(expression), 0, arranged.program.statements[i].width};
+    result.targets.push_back(arranged.spellings[i].text);
+    return result;
   }
   Spelling value = expression;
   value.negative = value.negative != arranged.stores[i].front().negative;

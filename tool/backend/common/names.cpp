@@ -58,13 +58,13 @@ std::string NameScope::claim(const std::string& wanted) {
   }
 }
 
-std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted) {
-  std::vector<std::string> names(wanted.size());
+std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted) {
+  std::vector<bool> is_claimed(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (is_identifier(wanted[i], scope.is_reserved()) && scope.take(wanted[i])) names[i] = wanted[i];
+    is_claimed[i] = is_identifier(wanted[i], scope.is_reserved()) && scope.take(wanted[i]);
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (names[i].empty()) names[i] = scope.claim(wanted[i]);
-  return names;
+    if (!is_claimed[i]) wanted[i] = scope.claim(wanted[i]);
+  return wanted;
 }
 
 }  // namespace robcogen::backend

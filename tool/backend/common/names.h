@@ -34,6 +34,6 @@ class NameScope {
 };
 
 // One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
-std::vector<std::string> claim_all(NameScope& scope, const std::vector<std::string>& wanted);
+std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted);
 
 }  // namespace robcogen::backend

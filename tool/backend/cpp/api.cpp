@@ -4,7 +4,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "backend/cpp/lower.h"
 #include "backend/cpp/names.h"
 
 namespace robcogen::backend::cpp {
@@ -111,7 +110,7 @@ std::vector<std::string> members_of(const std::string& object, const std::vector
 
 Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
-  const std::vector<Parameter> names = parameters(program);
+  const std::vector<Parameter>& names = callable.parameters;
   Overload result{&callable, result_type(program), {}, !with_gravity, false, {}, {}};
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
@@ -132,6 +131,19 @@ Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
       result.inputs.push_back(names[i].name + ".data()");
     }
   }
+  return result;
+}
+
+Callable callable(
+    const Function& f,
+    const std::string& kernel,
+    const std::string& name,
+    const std::string& columns = "",
+    const std::string& owner = "") {
+  Callable result{&f, kernel, name, columns, owner};
+  result.parameters = parameters(f.program);
+  if (f.parts) result.core_parameters = parameters(f.parts->core);
+  result.count = symbolic::count(f.program);
   return result;
 }
 
@@ -196,15 +208,15 @@ Api api(const Library& library) {
     const Function& f = library.functions[i];
     const std::string& name = names.at({f.scope, f.name});
     const bool jacobian = !f.program.outputs.empty() && symbolic::is_jacobian(f.program.outputs.front().role);
-    result.callables.push_back(
-        {&f, kernel_names[i], name, jacobian ? taken[f.scope].claim(name + "_columns") : "", owner(f.program)});
+    const std::string columns = jacobian ? taken[f.scope].claim(name + "_columns") : "";
+    result.callables.push_back(callable(f, kernel_names[i], name, columns, owner(f.program)));
   }
   if (!library.updates.empty()) name_parameters(library, result);
-  for (const Function& f : library.updates) result.updates.push_back({&f, f.kernel, f.name, "", ""});
-  for (const Function& f : library.numbers) result.numbers.push_back({&f, f.kernel, f.name, "", ""});
+  for (const Function& f : library.updates) result.updates.push_back(callable(f, f.kernel, f.name));
+  for (const Function& f : library.numbers) result.numbers.push_back(callable(f, f.kernel, f.name));
   if (library.trigonometry) {
     const Function& f = library.trigonometry->addition;
-    result.trigonometry.push_back({&f, f.kernel, f.name, "", ""});
+    result.trigonometry.push_back(callable(f, f.kernel, f.name));
   }
   return result;
 }

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "backend/cpp/lower.h"
 #include "backend/library.h"
+#include "symbolic/count.h"
 
 namespace robcogen::backend::cpp {
 
@@ -18,10 +20,13 @@ inline constexpr const char* kTrigonometryName = "at";
 // A function of the library under its C++ names.
 struct Callable {
   const Function* function = nullptr;
-  std::string kernel;   // in namespace `kernel`
-  std::string name;     // in the function's scope
-  std::string columns;  // Jacobians: the constant beside it that lists the joints of its columns
-  std::string owner;    // the type whose member it is; empty: a free function
+  std::string kernel;                      // in namespace `kernel`
+  std::string name;                        // in the function's scope
+  std::string columns;                     // Jacobians: the constant beside it that lists the joints of its columns
+  std::string owner;                       // the type whose member it is; empty: a free function
+  std::vector<Parameter> parameters = {};  // of the kernel: inputs, then outputs
+  std::vector<Parameter> core_parameters = {};  // of its core, where it has one
+  symbolic::OperationCount count = {};          // of the function's program
 };
 
 struct Api {

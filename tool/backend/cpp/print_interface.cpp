@@ -35,7 +35,7 @@ std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
   std::string arrays;
   for (const Packed& p : overload.packed) arrays += numbered_list("const Scalar " + p.name + "[]", p.elements, 2);
   std::vector<std::string> arguments = overload.inputs;
-  std::string result = parameters(program)[program.inputs.size()].name;
+  std::string result = overload.callable->parameters[program.inputs.size()].name;
   if (program.outputs.size() > 1) result = "result";
   for (const symbolic::OutputArray& output : program.outputs) {
     const std::string member = result_member(program, output);

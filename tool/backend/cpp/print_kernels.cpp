@@ -140,12 +140,12 @@ std::string comments_in_lanes(const Callable& callable) {
 // Chooses between the two ways of computing the same.
 std::string print_chooser(
     const Callable& callable,
-    const symbolic::Program& program,
+    const std::vector<Parameter>& parameters,
     const std::string& specifiers = "") {
   std::vector<std::string> names;
-  for (const Parameter& p : parameters(program)) names.push_back(p.name);
+  for (const Parameter& p : parameters) names.push_back(p.name);
   const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
-  return signature(specifiers + "void " + callable.kernel, parameters(program), " noexcept {") +
+  return signature(specifiers + "void " + callable.kernel, parameters, " noexcept {") +
          "  if constexpr (robcogen::kPrefersLanes<Scalar>) {\n" + call_in(kInLanes) + "  } else {\n" +
          call_in(kOneByOne) + "  }\n}\n";
 }
@@ -175,7 +175,8 @@ std::string print_core(const Callable& callable) {
   };
   if (!in_lanes) return print(summary(callable), core);
   return print_both(
-      callable, print(comments_in_lanes(callable), *in_lanes), print("", core), print_chooser(callable, core, kInline));
+      callable, print(comments_in_lanes(callable), *in_lanes), print("", core),
+      print_chooser(callable, callable.core_parameters, kInline));
 }
 
 // Sines and cosines of these angles, each to its place in sin_q and cos_q.
@@ -209,20 +210,19 @@ bool has_own_lanes(const Function& function) {
 
 // A kernel that computes sines and cosines and calls its core.
 std::string print_caller(const Library& library, const Callable& callable) {
-  const symbolic::Program& program = callable.function->program;
   const symbolic::AngleParts& parts = *callable.function->parts;
-  std::string text = comment("As core::" + callable.kernel + ", of positions alone.") + comment(counts(program));
+  std::string text = comment("As core::" + callable.kernel + ", of positions alone.") + comment(counts(callable.count));
   const bool is_in_lanes = callable.function->in_lanes && !has_own_lanes(*callable.function);
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
   if (const int sums = symbolic::count(parts.angles).add; sums > 0)
     text += comment("Of the additions " + std::to_string(sums) + " make angles.");
-  text += signature("void " + callable.kernel, parameters(program), " noexcept {");
+  text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);
   // Stored as vectors and read one by one: a vector across two cache lines would be waited for.
   text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
   text += sines_and_cosines(library, parts.read, parts.angles);
   std::vector<std::string> arguments;
-  for (const Parameter& p : parameters(parts.core)) arguments.push_back(p.name);
+  for (const Parameter& p : callable.core_parameters) arguments.push_back(p.name);
   return text + call("core::" + callable.kernel, arguments, 2) + "}\n";
 }
 
@@ -231,7 +231,7 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
   if (callable.function->parts) return comments + print_caller(library, callable);
   const symbolic::Program& program = callable.function->program;
   return print_whole_or_parts(
-      comments + comment(counts(program)) + arrays(library, program), lower(program, callable.kernel));
+      comments + comment(counts(callable.count)) + arrays(library, program), lower(program, callable.kernel));
 }
 
 std::string print_kernel(const Library& library, const Callable& callable) {
@@ -240,7 +240,8 @@ std::string print_kernel(const Library& library, const Callable& callable) {
   const symbolic::Program& program = *function.in_lanes;
   const std::string in_lanes =
       print_whole_or_parts(comments_in_lanes(callable) + comment(counts(program)), lower(program, callable.kernel));
-  return print_both(callable, in_lanes, print_one_by_one(library, callable), print_chooser(callable, function.program));
+  return print_both(
+      callable, in_lanes, print_one_by_one(library, callable), print_chooser(callable, callable.parameters));
 }
 
 // Sines and cosines of all angles that turn: of joints that slide they are those of zero.
@@ -292,10 +293,9 @@ std::string explicit_instantiations(const std::string& kernel, const std::vector
 }
 
 std::string explicit_instantiations(const Callable& callable) {
-  const Function& function = *callable.function;
   std::string result;
-  if (function.parts) result = explicit_instantiations("core::" + callable.kernel, parameters(function.parts->core));
-  return result + explicit_instantiations(callable.kernel, parameters(function.program));
+  if (callable.function->parts) result = explicit_instantiations("core::" + callable.kernel, callable.core_parameters);
+  return result + explicit_instantiations(callable.kernel, callable.parameters);
 }
 
 // Of joint_trigonometry.
@@ -306,11 +306,11 @@ std::vector<Parameter> trigonometry_parameters(const Library& library) {
   return list;
 }
 
-std::vector<Callable> callables_of(const Api& api, const std::string& group) {
-  std::vector<Callable> result;
+std::vector<const Callable*> callables_of(const Api& api, const std::string& group) {
+  std::vector<const Callable*> result;
   for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry})
     for (const Callable& c : *list)
-      if (c.function->group == group) result.push_back(c);
+      if (c.function->group == group) result.push_back(&c);
   return result;
 }
 
@@ -331,11 +331,11 @@ std::string whole_update(const Api& api) {
 }  // namespace
 
 std::string kernel_declaration(const Callable& callable) {
-  return signature("void " + callable.kernel, parameters(callable.function->program), " noexcept;");
+  return signature("void " + callable.kernel, callable.parameters, " noexcept;");
 }
 
 std::string core_declaration(const Callable& callable) {
-  return signature("void " + callable.kernel, parameters(callable.function->parts->core), " noexcept;");
+  return signature("void " + callable.kernel, callable.core_parameters, " noexcept;");
 }
 
 std::string trigonometry_declaration(const Api& api) {
@@ -349,10 +349,10 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
     return paragraphs({banner(*api.library, path, "no kernels of sines and cosines"), "#pragma once\n"});
   std::vector<std::string> cores, kernels;
   bool has_lanes = false;
-  for (const Callable& c : callables_of(api, group)) {
-    has_lanes = has_lanes || c.function->in_lanes.has_value();
-    if (c.function->parts) cores.push_back(print_core(c));
-    kernels.push_back(print_kernel(*api.library, c));
+  for (const Callable* c : callables_of(api, group)) {
+    has_lanes = has_lanes || c->function->in_lanes.has_value();
+    if (c->function->parts) cores.push_back(print_core(*c));
+    kernels.push_back(print_kernel(*api.library, *c));
   }
   if (group == kParameters) kernels.push_back(whole_update(api));
   if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
@@ -368,7 +368,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
 
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> kernels;
-  for (const Callable& c : callables_of(api, group)) kernels.push_back(explicit_instantiations(c));
+  for (const Callable* c : callables_of(api, group)) kernels.push_back(explicit_instantiations(*c));
   if (group == kTrigonometry && api.takes_sines())
     kernels.push_back(explicit_instantiations("joint_trigonometry", trigonometry_parameters(*api.library)));
   return paragraphs(

@@ -8,7 +8,6 @@
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 #include "support/number.h"
-#include "symbolic/count.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -146,9 +145,10 @@ Table frame_functions(const Api& api) {
 }
 
 // All kernels of robots with parameters, those that fill their cache too.
-std::vector<Callable> all_callables(const Api& api) {
-  std::vector<Callable> result = api.callables;
-  result.insert(result.end(), api.updates.begin(), api.updates.end());
+std::vector<const Callable*> all_callables(const Api& api) {
+  std::vector<const Callable*> result;
+  for (const std::vector<Callable>* list : {&api.callables, &api.updates})
+    for (const Callable& c : *list) result.push_back(&c);
   return result;
 }
 
@@ -226,9 +226,9 @@ std::string trigonometry(const Api& api) {
 
 std::string flat_functions(const Api& api) {
   std::vector<std::string> functions, cores;
-  for (const Callable& c : all_callables(api)) {
-    functions.push_back(flat_function(c, false));
-    if (c.function->parts) cores.push_back(flat_function(c, true));
+  for (const Callable* c : all_callables(api)) {
+    functions.push_back(flat_function(*c, false));
+    if (c->function->parts) cores.push_back(flat_function(*c, true));
   }
   functions.insert(functions.end(), {in_namespace("core", paragraphs(cores)), flat_trigonometry(api)});
   return in_namespace("flat", paragraphs(functions));
@@ -236,17 +236,16 @@ std::string flat_functions(const Api& api) {
 
 Table functions(const Api& api) {
   std::vector<std::vector<Field>> rows;
-  for (const Callable& c : all_callables(api)) {
-    const symbolic::OperationCount n = symbolic::count(c.function->program);
+  for (const Callable* c : all_callables(api)) {
+    const symbolic::Program& program = c->function->program;
+    const symbolic::OperationCount& n = c->count;
     std::vector<std::string> counts;
     for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
       counts.push_back(std::to_string(k));
-    rows.push_back(
-        {quoted(c.kernel), counts, input_count(c.function->program), output_count(c.function->program),
-         "&flat::" + c.kernel});
-    if (!c.function->parts) continue;
-    rows.back().push_back(static_cast<int>(positions_of(c.function->program)));
-    rows.back().push_back("&flat::core::" + c.kernel);
+    rows.push_back({quoted(c->kernel), counts, input_count(program), output_count(program), "&flat::" + c->kernel});
+    if (!c->function->parts) continue;
+    rows.back().push_back(static_cast<int>(positions_of(program)));
+    rows.back().push_back("&flat::core::" + c->kernel);
   }
   return table("Function", "kFunctions", rows);
 }
@@ -263,9 +262,9 @@ Table parameters(const Library& library) {
 std::string print_reflection(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   std::vector<std::string> kernels, cores;
-  for (const Callable& c : all_callables(api)) {
-    kernels.push_back(kernel_declaration(c));
-    if (c.function->parts) cores.push_back(core_declaration(c));
+  for (const Callable* c : all_callables(api)) {
+    kernels.push_back(kernel_declaration(*c));
+    if (c->function->parts) cores.push_back(core_declaration(*c));
   }
   for (const Callable& c : api.trigonometry) kernels.push_back(kernel_declaration(c));
   if (api.takes_sines()) kernels.push_back(trigonometry_declaration(api));
