@@ -7,7 +7,13 @@ namespace {
 
 using symbolic::Op;
 
-Spelling name(const std::string& text, bool negative = false) {
+Texts texts;
+
+Spelling binary(Op op, const Spelling& a, const Spelling& b) {
+  return backend::binary(op, a, b, texts);
+}
+
+Spelling name(std::string_view text, bool negative = false) {
   Spelling s;
   s.text = text;
   s.negative = negative;
@@ -67,7 +73,7 @@ TEST(Spelling, TheNegativeOfASumKeepsItsMinus) {
 }
 
 TEST(Spelling, LiteralsReadAsPeopleWriteThem) {
-  const Spelling k = literal(0.35);
+  const Spelling k = literal(0.35, texts);
   Spelling minus_k = k;
   minus_k.negative = true;
   EXPECT_EQ(text(k), "Scalar(0.35)");
@@ -77,12 +83,12 @@ TEST(Spelling, LiteralsReadAsPeopleWriteThem) {
   EXPECT_EQ(text(binary(Op::add, k, a)), "a + Scalar(0.35)");
   EXPECT_EQ(text(binary(Op::subtract, k, a)), "Scalar(0.35) - a");
   EXPECT_EQ(text(binary(Op::add, minus_k, a)), "a - Scalar(0.35)");
-  EXPECT_EQ(text(binary(Op::divide, literal(1), a)), "Scalar(1.0) / a");
+  EXPECT_EQ(text(binary(Op::divide, literal(1, texts), a)), "Scalar(1.0) / a");
 }
 
 TEST(Spelling, CallsEncloseWholeExpressions) {
-  EXPECT_EQ(text(call("sqrt", binary(Op::add, a, b))), "sqrt(a + b)");
-  EXPECT_EQ(text(call("sqrt", minus_a)), "sqrt(-a)");
+  EXPECT_EQ(text(call("sqrt", binary(Op::add, a, b), texts)), "sqrt(a + b)");
+  EXPECT_EQ(text(call("sqrt", minus_a, texts)), "sqrt(-a)");
 }
 
 }  // namespace

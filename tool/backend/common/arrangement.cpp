@@ -41,18 +41,18 @@ std::vector<Parameter> claim_parameters(const Program& program, const Dialect& d
 }
 
 // Of a statement whose operands have their spellings.
-Spelling expression(const Arrangement& arranged, std::size_t i) {
+Spelling expression(Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
-  if (s.op == Op::square_root) return call("sqrt", spell(arranged, s.a));
-  if (s.op == Op::sum_lanes) return call("sum_lanes", spell(arranged, s.a));
+  if (s.op == Op::square_root) return call("sqrt", spell(arranged, s.a), arranged.texts);
+  if (s.op == Op::sum_lanes) return call("sum_lanes", spell(arranged, s.a), arranged.texts);
   if (s.op == Op::gather) {
     std::string list;
     for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell(arranged, o));
     Spelling gathered;
-    gathered.text = arranged.dialect.type(s.width) + "::of(" + list + ")";
+    gathered.text = arranged.texts.add({arranged.dialect.type(s.width), "::of(", list, ")"});
     return gathered;
   }
-  return binary(s.op, spell(arranged, s.a, s.width), spell(arranged, s.b, s.width));
+  return binary(s.op, spell(arranged, s.a, s.width), spell(arranged, s.b, s.width), arranged.texts);
 }
 
 class Arranging {
@@ -65,7 +65,8 @@ class Arranging {
     arranged_.spellings.resize(program.statements.size());
     arranged_.expressions.resize(program.statements.size());
     arranged_.stores.resize(program.statements.size());
-    for (const Number& constant : program.constants) arranged_.constants.push_back(dialect.literal(constant));
+    for (const Number& constant : program.constants)
+      arranged_.constants.push_back(dialect.literal(constant, arranged_.texts));
   }
 
   Arrangement run() {
@@ -239,18 +240,18 @@ class Arranging {
     }
     std::vector<std::string> wanted;
     for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
-    std::vector<std::string> names = claim_all(arranged_.scope, std::move(wanted));
+    arranged_.names = claim_all(arranged_.scope, std::move(wanted));
     for (const symbolic::Block& load : arranged_.blocks.loads)
       arranged_.load_names.push_back(arranged_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < arranged_.names.size(); ++i) {
       const Statement& s = statement(i);
       if (arranged_.places[i] == Place::loaded) {
         const auto& [load, column] = arranged_.blocks.loaded.at(i);
-        arranged_.spellings[i].text = dialect_.element(arranged_.load_names[load], column);
+        arranged_.spellings[i].text = arranged_.texts.add({dialect_.element(arranged_.load_names[load], column)});
         continue;
       }
       if (arranged_.places[i] != Place::angle) {
-        arranged_.spellings[i].text = std::move(names[i]);
+        arranged_.spellings[i].text = arranged_.names[i];
         continue;
       }
       const Angle& angle = arranged_.angles.at({s.a.kind, s.a.index});
@@ -290,7 +291,7 @@ class Arranging {
     }
   }
 
-  bool fits(std::size_t i) const {
+  bool fits(std::size_t i) {
     const std::size_t inner = arranged_.spellings[i].text.size() + arranged_.expressions[i].text.size();
     if (arranged_.places[i] != Place::output && inner + dialect_.around <= dialect_.line_limit) return true;
     return dialect_.text(line(arranged_, i)).size() <= dialect_.line_limit;
@@ -316,23 +317,29 @@ Arrangement arrange(const Program& program, const Dialect& dialect) {
   return Arranging(program, dialect).run();
 }
 
-Spelling spell(const Arrangement& arranged, const Operand& o, int lanes) {
+Spelling spell(Arrangement& arranged, const Operand& o, int lanes) {
   if (lanes == 1 || width_of(arranged.program, o) == lanes) return spell(arranged, o);
   Spelling result;
   if (is_constant(o)) {
     const Spelling& number = arranged.constants[at(o.index)];
     const std::string type = arranged.dialect.type(lanes);
-    result = literal(type + "(" + number.text + ")", type + "(" + number.opposite + ")");
+    result = literal(
+        arranged.texts.add({type, "(", number.text, ")"}), arranged.texts.add({type, "(", number.opposite, ")"}));
     result.negative = o.negative;
     return result;
   }
   const Operand positive = {o.kind, o.index, false, o.lane};
-  result = call(arranged.dialect.type(lanes), spell(arranged, positive));
+  result = call(arranged.dialect.type(lanes), spell(arranged, positive), arranged.texts);
   result.negative = o.negative;
   return result;
 }
 
-Spelling spell(const Arrangement& arranged, const Operand& o) {
+Spelling lane_of(Arrangement& arranged, Spelling value, int lane) {
+  value.text = arranged.texts.add({arranged.dialect.element(std::string(value.text), at(lane))});
+  return value;
+}
+
+Spelling spell(Arrangement& arranged, const Operand& o) {
   Spelling result;
   if (is_constant(o)) {
     result = arranged.constants[at(o.index)];
@@ -342,7 +349,7 @@ Spelling spell(const Arrangement& arranged, const Operand& o) {
   } else {
     const bool inside = arranged.places[at(o.index)] == Place::inside;
     result = (inside ? arranged.expressions : arranged.spellings)[at(o.index)];
-    if (o.lane >= 0) result.text = arranged.dialect.element(result.text, at(o.lane));
+    if (o.lane >= 0) result = lane_of(arranged, result, o.lane);
   }
   result.negative = result.negative != o.negative;
   return result;
@@ -352,7 +359,7 @@ Line line(const Arrangement& arranged, std::size_t i) {
   const Spelling& expression = arranged.expressions[i];
   if (arranged.places[i] != Place::output) {
     Line result{Line::Kind::definition, {}, text(expression), 0, arranged.program.statements[i].width};
-    result.targets.push_back(arranged.spellings[i].text);
+    result.targets.push_back(arranged.names[i]);
     return result;
   }
   Spelling value = expression;

@@ -48,9 +48,11 @@ struct Arrangement {
   std::vector<int> widths = {};               // of values with lanes, ascending
   std::vector<Line> bindings = {};            // by Dialect::binds_parameters
   std::vector<std::string> input_names = {};  // by flat index: `q[1]`
+  Texts texts = {};                           // of spellings; those of names are where these are
   std::vector<Spelling> constants = {};
   // By statement.
   std::vector<Place> places = {};
+  std::vector<std::string> names = {};
   std::vector<Spelling> spellings = {};    // how a user reads the statement, unless it stands inside
   std::vector<Spelling> expressions = {};  // what it is: stands in its line, or inside its user
   std::vector<Line> lines = {};            // of a statement inside another: the line that it would have by itself
@@ -65,8 +67,9 @@ struct Arrangement {
 Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 
 // As the function reads it, and as an operand of a statement of so many lanes.
-Spelling spell(const Arrangement& arranged, const symbolic::Operand& o);
-Spelling spell(const Arrangement& arranged, const symbolic::Operand& o, int lanes);
+Spelling spell(Arrangement& arranged, const symbolic::Operand& o);
+Spelling spell(Arrangement& arranged, const symbolic::Operand& o, int lanes);
+Spelling lane_of(Arrangement& arranged, Spelling value, int lane);
 
 // The line of a statement that is not inside another; of one that is, the line that it would have by itself.
 Line line(const Arrangement& arranged, std::size_t statement);

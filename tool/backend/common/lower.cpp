@@ -176,7 +176,7 @@ class Emission {
         for (const Store& store : arranged_.stores[i])
           if (store.negative == negative && store.lane == lane) targets.push_back(store.target);
         Spelling value = arranged_.spellings[i];
-        if (lane >= 0) value.text = dialect_.element(value.text, at(lane));
+        if (lane >= 0) value = lane_of(arranged_, value, lane);
         value.negative = value.negative != negative;
         store(targets, text(value));
       }

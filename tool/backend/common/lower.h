@@ -73,7 +73,7 @@ struct Dialect {
   // Variables of a document come as arguments of their own, by their labels.
   bool names_variables = false;
   // A number that is not negative.
-  Spelling (*literal)(const Number& value) = nullptr;
+  Spelling (*literal)(const Number& value, Texts& texts) = nullptr;
   // Where values have lanes: the name of their type.
   std::string (*type)(int width) = nullptr;
   // Element k, from 0, of an array.

@@ -2,63 +2,65 @@
 
 #include <utility>
 
+#include "support/concat.h"
+
 namespace robcogen::backend {
 namespace {
 
 using symbolic::Op;
 
-std::string enclosed(const std::string& text, bool parentheses) {
-  return parentheses ? "(" + text + ")" : text;
+// A text, and what stands around it.
+struct Enclosed {
+  std::string_view open, text, close;
+};
+
+Enclosed enclosed(const Spelling& v, bool parentheses) {
+  if (!parentheses) return {"", v.text, ""};
+  return {"(", v.text, ")"};
 }
 
-void append(std::string& text, const Spelling& v, bool parentheses) {
-  if (parentheses) text += '(';
-  text += v.text;
-  if (parentheses) text += ')';
+// `a operation b`, with a sign in front or "". Equal precedence needs parentheses on the right, and behind a sign,
+// only: operators associate to the left.
+std::string_view joined(
+    std::string_view sign,
+    const Spelling& a,
+    std::string_view operation,
+    const Spelling& b,
+    Precedence precedence,
+    Texts& texts) {
+  const Enclosed left = enclosed(a, sign.empty() ? a.precedence < precedence : a.precedence <= precedence);
+  const Enclosed right = enclosed(b, b.precedence <= precedence);
+  return texts.add({sign, left.open, left.text, left.close, operation, right.open, right.text, right.close});
 }
 
-// Equal precedence needs parentheses on the right only: operators associate to the left.
-std::string joined(const Spelling& a, const char* operation, const Spelling& b, Precedence precedence) {
-  constexpr std::size_t kAround = 8;  // an operator between blanks, parentheses around each
-  std::string text;
-  text.reserve(a.text.size() + b.text.size() + kAround);
-  append(text, a, a.precedence < precedence);
-  text += operation;
-  append(text, b, b.precedence <= precedence);
-  return text;
-}
-
-Spelling sum(Spelling a, Spelling b) {
+Spelling sum(Spelling a, Spelling b, Texts& texts) {
   const bool minus_first = a.negative && !b.negative;                                // -a + b is b - a
   const bool literal_first = a.literal && !b.literal && !a.negative && !b.negative;  // reads better on the right
   if (minus_first || literal_first) std::swap(a, b);
   Spelling result;
   result.precedence = Precedence::sum;
+  // Two negative terms leave one sign in front.
+  const char* const sign = a.negative ? "-" : "";
   const char* const operation = b.negative ? " - " : " + ";
-  if (a.negative) {
-    // Two negative terms leave one sign in front.
-    a.text = "-" + enclosed(a.text, a.precedence == Precedence::sum);
-    a.precedence = Precedence::product;
-  }
-  result.text = joined(a, operation, b, Precedence::sum);
-  if (b.negative && !a.negative) result.opposite = joined(b, operation, a, Precedence::sum);
+  result.text = joined(sign, a, operation, b, Precedence::sum, texts);
+  if (b.negative && !a.negative) result.opposite = joined("", b, operation, a, Precedence::sum, texts);
   return result;
 }
 
-Spelling product(Op op, Spelling a, Spelling b) {
+Spelling product(Op op, Spelling a, Spelling b, Texts& texts) {
   if (op == Op::multiply && b.literal && !a.literal) std::swap(a, b);
   Spelling result;
   result.precedence = Precedence::product;
   result.negative = a.negative != b.negative;
-  result.text = joined(a, op == Op::multiply ? " * " : " / ", b, Precedence::product);
+  result.text = joined("", a, op == Op::multiply ? " * " : " / ", b, Precedence::product, texts);
   result.literal_first = a.literal_first;
-  if (a.literal_first) result.opposite = a.opposite + result.text.substr(a.text.size());
+  if (a.literal_first) result.opposite = texts.add({a.opposite, result.text.substr(a.text.size())});
   return result;
 }
 
 }  // namespace
 
-Spelling literal(const std::string& text, const std::string& opposite) {
+Spelling literal(std::string_view text, std::string_view opposite) {
   Spelling result;
   result.text = text;
   result.opposite = opposite;
@@ -66,22 +68,22 @@ Spelling literal(const std::string& text, const std::string& opposite) {
   return result;
 }
 
-Spelling binary(Op op, Spelling a, Spelling b) {
+Spelling binary(Op op, Spelling a, Spelling b, Texts& texts) {
   if (op == Op::subtract) b.negative = !b.negative;
-  return op == Op::add || op == Op::subtract ? sum(std::move(a), std::move(b))
-                                             : product(op, std::move(a), std::move(b));
+  return op == Op::add || op == Op::subtract ? sum(a, b, texts) : product(op, a, b, texts);
 }
 
-Spelling call(const std::string& function, const Spelling& argument) {
+Spelling call(std::string_view function, const Spelling& argument, Texts& texts) {
   Spelling result;
-  result.text = function + "(" + text(argument) + ")";
+  result.text = texts.add({function, "(", text(argument), ")"});
   return result;
 }
 
 std::string text(const Spelling& value) {
-  if (!value.negative) return value.text;
-  if (!value.opposite.empty()) return value.opposite;
-  return "-" + enclosed(value.text, value.precedence == Precedence::sum);
+  if (!value.negative) return std::string(value.text);
+  if (!value.opposite.empty()) return std::string(value.opposite);
+  const auto [open, text, close] = enclosed(value, value.precedence == Precedence::sum);
+  return concat({"-", open, text, close});
 }
 
 }  // namespace robcogen::backend

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include "backend/common/texts.h"
 #include "symbolic/program.h"
 
 namespace robcogen::backend {
@@ -10,25 +12,25 @@ namespace robcogen::backend {
 enum class Precedence { sum, product, atom };
 
 // A value `text`, or its negative. The sign stays apart from the text as long as it can: a sum turns it into an
-// addition or a subtraction, a product moves it outwards.
+// addition or a subtraction, a product moves it outwards. Refers to texts that must live as long.
 struct Spelling {
-  std::string text;
+  std::string_view text;
   Precedence precedence = Precedence::atom;
   bool negative = false;
   bool literal = false;
-  std::string opposite;        // `b - a` where the text is `a - b`: the negative without a minus sign; else empty
+  std::string_view opposite;   // `b - a` where the text is `a - b`: the negative without a minus sign; else empty
   bool literal_first = false;  // the text begins with a literal that can take the sign, and `opposite` does so
 };
 
 // A number as a literal and its negative: `Scalar(0.35)`, `Scalar(-0.35)`.
-Spelling literal(const std::string& text, const std::string& opposite);
+Spelling literal(std::string_view text, std::string_view opposite);
 
 // The operation in the evaluation order of the program: the operands of one addition or multiplication may change
 // sides, nothing else.
-Spelling binary(symbolic::Op op, Spelling a, Spelling b);
+Spelling binary(symbolic::Op op, Spelling a, Spelling b, Texts& texts);
 
 // A function of one value: `sqrt(x)`.
-Spelling call(const std::string& function, const Spelling& argument);
+Spelling call(std::string_view function, const Spelling& argument, Texts& texts);
 
 // The value with its sign, as a whole expression.
 std::string text(const Spelling& value);

@@ -64,7 +64,7 @@ const Dialect& dialect() {
     d.name_limit = 30;  // three such operands and their operators fit in one line
     d.angles_together = 4;
     d.binds_parameters = true;
-    d.literal = [](const Number& value) { return literal(value.value()); };
+    d.literal = [](const Number& value, Texts& texts) { return literal(value.value(), texts); };
     d.type = type;
     d.element = element;
     d.text = text;
@@ -91,9 +91,9 @@ Kernel lower_values(const symbolic::Program& program) {
   return backend::lower(program, program.name, values);
 }
 
-Spelling literal(double value) {
+Spelling literal(double value, Texts& texts) {
   const std::string number = print_double(value);
-  return backend::literal("Scalar(" + number + ")", "Scalar(-" + number + ")");
+  return backend::literal(texts.add({"Scalar(", number, ")"}), texts.add({"Scalar(-", number, ")"}));
 }
 
 std::string text(const Line& line) {

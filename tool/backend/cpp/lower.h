@@ -37,7 +37,7 @@ Kernel lower_values(const symbolic::Program& program);
 std::string type(int width);
 
 // `Scalar(0.35)`; the value is not negative.
-Spelling literal(double value);
+Spelling literal(double value, Texts& texts);
 
 // The line without indentation, ready to be printed.
 std::string text(const Line& line);

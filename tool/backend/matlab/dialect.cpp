@@ -92,9 +92,9 @@ std::string text(const Line& line) {
   return joined(line.targets, ", ") + " = " + line.expression + ";";
 }
 
-Spelling literal(const Number& value) {
+Spelling literal(const Number& value, Texts& texts) {
   const std::string text = number(value.value());
-  return backend::literal(text, "-" + text);
+  return backend::literal(texts.add({text}), texts.add({"-", text}));
 }
 
 std::string element(const std::string& array, std::size_t k) {

@@ -29,14 +29,17 @@ bool is_reserved(const std::string& name) {
   return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
 }
 
-Spelling literal(const Number& value) {
-  if (!value.ratio()) return backend::literal(print_double(value.value()), "-" + print_double(value.value()));
-  const auto [num, den] = *value.ratio();
-  std::string number = std::to_string(num);
-  if (value.is_pi_multiple()) number = num == 1 ? "%pi" : number + "*%pi";
-  if (den != 1) number += "/" + std::to_string(den);
-  Spelling result = backend::literal(number, "-" + number);
-  if (den != 1 || value.is_pi_multiple()) result.precedence = Precedence::product;
+std::string fraction(const Rational& ratio, bool is_pi_multiple) {
+  std::string number = std::to_string(ratio.num);
+  if (is_pi_multiple) number = ratio.num == 1 ? "%pi" : number + "*%pi";
+  return ratio.den == 1 ? number : number + "/" + std::to_string(ratio.den);
+}
+
+Spelling literal(const Number& value, Texts& texts) {
+  const std::string number =
+      value.ratio() ? fraction(*value.ratio(), value.is_pi_multiple()) : print_double(value.value());
+  Spelling result = backend::literal(texts.add({number}), texts.add({"-", number}));
+  if (value.ratio() && (value.ratio()->den != 1 || value.is_pi_multiple())) result.precedence = Precedence::product;
   return result;
 }
 
