@@ -239,6 +239,7 @@ class Arranging {
       if (angle.cosine) angle.cosine_name = arranged_.scope.claim(shortened("c_" + subject));
     }
     std::vector<std::string> wanted;
+    wanted.reserve(program_.statements.size());
     for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
     arranged_.names = claim_all(arranged_.scope, std::move(wanted));
     for (const symbolic::Block& load : arranged_.blocks.loads)
@@ -291,6 +292,7 @@ class Arranging {
     }
   }
 
+  // A line is written to be measured only where it may be too long.
   bool fits(std::size_t i) {
     const std::size_t inner = arranged_.spellings[i].text.size() + arranged_.expressions[i].text.size();
     if (arranged_.places[i] != Place::output && inner + dialect_.around <= dialect_.line_limit) return true;

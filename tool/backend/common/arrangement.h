@@ -55,7 +55,6 @@ struct Arrangement {
   std::vector<std::string> names = {};
   std::vector<Spelling> spellings = {};    // how a user reads the statement, unless it stands inside
   std::vector<Spelling> expressions = {};  // what it is: stands in its line, or inside its user
-  std::vector<Line> lines = {};            // of a statement inside another: the line that it would have by itself
   std::vector<std::vector<Store>> stores = {};
   std::map<AngleKey, Angle> angles = {};
   int first_together = 0;    // input element
