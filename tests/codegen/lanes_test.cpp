@@ -64,6 +64,25 @@ TYPED_TEST(LanesOf, ComputeEachLane) {
   }
 }
 
+// A sum of at most 16 numbers below 10, in another order: 16 roundings, of partial sums below 160.
+template <class Scalar>
+constexpr double kRoundingOfSum = 16 * 160 * std::numeric_limits<Scalar>::epsilon();
+
+TYPED_TEST(LanesOf, AddUpAloneAndInPairs) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  const Random<Scalar, kSize> x(1), y(2);
+  double sum_of_x = 0, sum_of_y = 0;
+  for (int i = 0; i < kSize; ++i) {
+    sum_of_x += static_cast<double>(x.numbers[i]);
+    sum_of_y += static_cast<double>(y.numbers[i]);
+  }
+  EXPECT_NEAR(sum_lanes(x.lanes()), sum_of_x, kRoundingOfSum<Scalar>);
+  const auto [first, second] = sum_lanes(x.lanes(), y.lanes());
+  EXPECT_NEAR(first, sum_of_x, kRoundingOfSum<Scalar>);
+  EXPECT_NEAR(second, sum_of_y, kRoundingOfSum<Scalar>);
+}
+
 TYPED_TEST(LanesOf, SpreadOneNumber) {
   using Scalar = typename TypeParam::Scalar;
   constexpr int kSize = TypeParam::kSize;

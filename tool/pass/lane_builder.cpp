@@ -189,12 +189,16 @@ Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
   Operand wide = width(a) > 1 ? a : gather(Tuple(at(lanes), a));
   const bool negative = wide.negative;
   wide.negative = false;
-  Statement s;
-  s.op = Op::sum_lanes;
-  s.a = wide;
-  int latency = 0;
-  for (int rest = lanes; rest > 1; rest /= 2) latency += symbolic::kMoveLatency + symbolic::kLatency;
-  Operand result = make(std::move(s), latency);
+  const auto [known, is_new] = sums_of_lanes_.try_emplace(wide.index);
+  if (is_new) {
+    Statement s;
+    s.op = Op::sum_lanes;
+    s.a = wide;
+    int latency = 0;
+    for (int rest = lanes; rest > 1; rest /= 2) latency += symbolic::kMoveLatency + symbolic::kLatency;
+    known->second = make(std::move(s), latency);
+  }
+  Operand result = known->second;
   result.negative = negative;
   return result;
 }

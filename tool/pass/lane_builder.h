@@ -62,6 +62,7 @@ class LaneBuilder {
   std::vector<Made> made_;
   std::map<std::vector<int>, int> sections_;                                // by those of the lanes
   std::map<std::vector<std::pair<int, bool>>, symbolic::Operand> numbers_;  // by constants and signs
+  std::map<int, symbolic::Operand> sums_of_lanes_;                          // by statement
   int place_ = 0, section_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "pass/lane_builder.h"
+#include "pass/pair_sums.h"
 #include "support/index.h"
 
 namespace robcogen::pass {
@@ -193,7 +194,7 @@ Program lane_program(
     const LanePlan& plan,
     const std::vector<unsigned>& signs,
     LaneBuilder& builder) {
-  return Making(program, plan, signs, builder).run();
+  return pair_sums(Making(program, plan, signs, builder).run());
 }
 
 }  // namespace robcogen::pass

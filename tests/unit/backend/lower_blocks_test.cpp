@@ -53,6 +53,54 @@ TEST(LowerBlocks, ConstantsAreFilledInFirstAndOnlyOnce) {
       "out[13] = Scalar(1.0);\n");
 }
 
+TEST(LowerBlocks, TwoSumsOfLanesThatFollowEachOtherAreOneLine) {
+  EXPECT_EQ(
+      lowered(
+          "tmp s = gather q[0] q[3]\n"
+          "tmp t = s * s\n"
+          "tmp u = t + s\n"
+          "tmp first = sum_lanes t\n"
+          "tmp second = sum_lanes u\n"
+          "tmp third = sum_lanes s\n"
+          "tmp x = first * third\n"
+          "return out x -second second\n",
+          3),
+      "// limbs\n"
+      "const Lanes2 s = Lanes2::of(q[0], q[3]);\n"
+      "const Lanes2 t = s * s;\n"
+      "const auto [first, second] = sum_lanes(t, t + s);\n"
+      "out[2] = second;\n"
+      "out[1] = -second;\n"
+      "out[0] = first * sum_lanes(s);\n");
+}
+
+// Both stand in one line as far as there is room.
+TEST(LowerBlocks, LongSumsOfLanesAreTakenOutOfTheirLine) {
+  std::string statements = "tmp a_value_in_lanes_with_a_name = gather q[0] q[3]\n";
+  for (const std::string sum : {"one", "two"}) {
+    statements += "tmp " + sum + "0 = a_value_in_lanes_with_a_name * a_value_in_lanes_with_a_name\n";
+    for (int k = 1; k < 4; ++k)
+      statements +=
+          "tmp " + sum + std::to_string(k) + " = " + sum + std::to_string(k - 1) + " + a_value_in_lanes_with_a_name\n";
+  }
+  statements += "tmp first = sum_lanes one3\ntmp second = sum_lanes two3\nreturn out first second\n";
+  const std::string text = lowered(statements, 2);
+  EXPECT_NE(text.find("const auto [first, second] = sum_lanes("), std::string::npos) << text;
+  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1)
+    EXPECT_LE(text.find('\n', begin) - begin, 118u) << text;
+}
+
+TEST(LowerBlocks, SumsOfOtherLanesStayApart) {
+  const std::string text = lowered(
+      "tmp s = gather q[0] q[3]\n"
+      "tmp t = gather q[0] q[3] q[1] q[2]\n"
+      "tmp first = sum_lanes s\n"
+      "tmp second = sum_lanes t\n"
+      "return out first second\n",
+      2);
+  EXPECT_EQ(text.find("const auto ["), std::string::npos) << text;
+}
+
 TEST(LowerBlocks, SinesOfABlockOfTwoLanesAreComputedTogether) {
   EXPECT_EQ(
       lowered(

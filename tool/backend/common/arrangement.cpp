@@ -14,7 +14,7 @@ using symbolic::Program;
 using symbolic::Statement;
 
 bool has_expression(Place place) {
-  return place == Place::inside || place == Place::own || place == Place::output;
+  return place == Place::inside || place == Place::own || place == Place::output || place == Place::sums;
 }
 
 // By Dialect::binds_parameters.
@@ -44,6 +44,10 @@ std::vector<Parameter> claim_parameters(const Program& program, const Dialect& d
 Spelling expression(Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
   if (s.op == Op::square_root) return call("sqrt", spell(arranged, s.a), arranged.texts);
+  if (arranged.places[i] == Place::sums) {
+    const Operand& next = arranged.program.statements[i + 1].a;
+    return call("sum_lanes", spell(arranged, s.a), spell(arranged, next), arranged.texts);
+  }
   if (s.op == Op::sum_lanes) return call("sum_lanes", spell(arranged, s.a), arranged.texts);
   if (s.op == Op::gather) {
     std::string list;
@@ -73,6 +77,7 @@ class Arranging {
     declare_parameters();
     if (dialect_.stores) arranged_.blocks = block_plan(program_);
     find_uses();
+    find_pairs_of_sums();
     if (dialect_.binds_parameters) bind_parameters();
     find_angles_together();
     name_values();
@@ -164,6 +169,22 @@ class Arranging {
       for (std::size_t k = 0; k < program_.inputs[p].elements.size(); ++k)
         if (inputs_used[element++]) arranged_.parameters[p].used = true;
     inputs_used_ = std::move(inputs_used);
+  }
+
+  // Sums of lanes that follow each other are defined two by two.
+  void find_pairs_of_sums() {
+    const auto is_sum_of_lanes = [&](std::size_t i) {
+      return statement(i).op == Op::sum_lanes && arranged_.places[i] != Place::nowhere;
+    };
+    for (std::size_t i = 0; i + 1 < arranged_.places.size(); ++i) {
+      if (!is_sum_of_lanes(i) || !is_sum_of_lanes(i + 1)) continue;
+      const Operand &a = statement(i).a, &b = statement(i + 1).a;
+      if (width_of(program_, a) != width_of(program_, b)) continue;
+      arranged_.places[i] = Place::sums;
+      arranged_.places[i + 1] = Place::summed;
+      if (users_[at(b.index)] == static_cast<int>(i + 1)) users_[at(b.index)] = static_cast<int>(i);
+      ++i;
+    }
   }
 
   void note_width(int width) {
@@ -269,6 +290,7 @@ class Arranging {
 
   // The part of i's expression to take out first: the widest, products inside sums last.
   void consider_parts(std::size_t i, Part& best) const {
+    if (arranged_.places[i] == Place::sums) consider_parts(i + 1, best);
     const Statement& s = statement(i);
     for_each_operand(s, [&](const Operand& o) {
       if (!is_statement(o) || arranged_.places[at(o.index)] != Place::inside) return;
@@ -295,7 +317,8 @@ class Arranging {
   // A line is written to be measured only where it may be too long.
   bool fits(std::size_t i) {
     const std::size_t inner = arranged_.spellings[i].text.size() + arranged_.expressions[i].text.size();
-    if (arranged_.places[i] != Place::output && inner + dialect_.around <= dialect_.line_limit) return true;
+    const bool is_definition = arranged_.places[i] == Place::own || arranged_.places[i] == Place::inside;
+    if (is_definition && inner + dialect_.around <= dialect_.line_limit) return true;
     return dialect_.text(line(arranged_, i)).size() <= dialect_.line_limit;
   }
 
@@ -359,6 +382,8 @@ Spelling spell(Arrangement& arranged, const Operand& o) {
 
 Line line(const Arrangement& arranged, std::size_t i) {
   const Spelling& expression = arranged.expressions[i];
+  if (arranged.places[i] == Place::sums)
+    return {Line::Kind::pick, {arranged.names[i], arranged.names[i + 1]}, text(expression)};
   if (arranged.places[i] != Place::output) {
     Line result{Line::Kind::definition, {}, text(expression), 0, arranged.program.statements[i].width};
     result.targets.push_back(arranged.names[i]);

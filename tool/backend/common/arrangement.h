@@ -26,6 +26,8 @@ enum class Place {
   angle,    // a sine or cosine, defined with its pair
   inside,   // part of its only user's expression
   own,      // a definition
+  sums,     // a definition of this sum of lanes and of the next one
+  summed,   // defined with the sum before it
   output,   // stored without a name
   loaded,   // part of a block
 };

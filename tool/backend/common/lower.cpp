@@ -164,7 +164,7 @@ class Emission {
           key.first != Operand::Kind::input && angle.first == static_cast<int>(i) && angles_done_.count(s.a.index) == 0;
       if (computed || (dialect_.stores && !arranged_.stores[i].empty())) enter_section(i);
       if (computed) emit_angle(key, angle);
-    } else {
+    } else if (arranged_.places[i] != Place::summed) {
       enter_section(i);
       add(line(arranged_, i));
       if (arranged_.places[i] == Place::output) return;

@@ -28,7 +28,7 @@ struct Line {
     binding,      // targets: the name of `expression`, an element of an array
     sincos,       // targets: sine and cosine of `expression`
     sincos_of,    // targets: the name that stands for sines and cosines of `count` elements, from `expression` on
-    pick,         // targets: sine and cosine of one of them, `expression`
+    pick,         // targets: the two values of `expression`: sine and cosine of one of them, or sums of lanes
     definition,   // targets: the one name that is defined
     store,        // targets: elements of outputs that get the same value
     load_block,   // targets: the name of `count` values, whose first element is `expression`
@@ -96,6 +96,7 @@ std::vector<Parameter> parameters(const symbolic::Program& program, const Dialec
 //   that of the program.
 // - Values of several lanes are names of their own where a lane is read; scalars that all lanes take are spread there.
 // - A value that only outputs use is stored without a name, equal elements at once.
+// - Two sums of lanes that follow each other are one line, whichever users they have.
 // - Of programs with lanes, what stands side by side in an array is loaded and stored in blocks (symbolic/blocks.h).
 // - Statements that no output needs are left out.
 Kernel lower(const symbolic::Program& program, const std::string& name, const Dialect& dialect);

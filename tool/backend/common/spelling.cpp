@@ -79,6 +79,12 @@ Spelling call(std::string_view function, const Spelling& argument, Texts& texts)
   return result;
 }
 
+Spelling call(std::string_view function, const Spelling& first, const Spelling& second, Texts& texts) {
+  Spelling result;
+  result.text = texts.add({function, "(", text(first), ", ", text(second), ")"});
+  return result;
+}
+
 std::string text(const Spelling& value) {
   if (!value.negative) return std::string(value.text);
   if (!value.opposite.empty()) return std::string(value.opposite);

@@ -29,8 +29,9 @@ Spelling literal(std::string_view text, std::string_view opposite);
 // sides, nothing else.
 Spelling binary(symbolic::Op op, Spelling a, Spelling b, Texts& texts);
 
-// A function of one value: `sqrt(x)`.
+// A function of one value: `sqrt(x)`; or of two.
 Spelling call(std::string_view function, const Spelling& argument, Texts& texts);
+Spelling call(std::string_view function, const Spelling& first, const Spelling& second, Texts& texts);
 
 // The value with its sign, as a whole expression.
 std::string text(const Spelling& value);
