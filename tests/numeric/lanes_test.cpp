@@ -162,7 +162,7 @@ struct Tally {
 void expect_same_of_given_sines(const KinematicTree& tree, const Program& program, const Program& packed) {
   std::vector<std::string> joints;
   for (const model::Joint& joint : tree.joints) joints.push_back(joint.name);
-  const pass::SplitAngles split = pass::split_angles({{program, packed}}, joints);
+  const pass::SplitAngles split = pass::split_angles({{program, &packed}}, joints);
   if (!split.parts[0]) return;
   const Program& core = *split.parts[0]->core_in_lanes;
   ASSERT_EQ(symbolic::verify(core), "") << program.name;

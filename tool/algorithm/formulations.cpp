@@ -8,32 +8,33 @@ namespace robcogen::algorithm {
 
 using model::KinematicTree;
 
-const Formulation& Formulations::searched(
-    std::optional<Formulation>& place,
-    const Formulation& start,
-    const TraceOf& trace) {
-  if (!place) {
-    place = start;
-    place->frames = cheap_frames(tree_, start, trace);
-  }
-  return *place;
+Formulation Formulations::searched(const Formulation& start, const TraceOf& trace) const {
+  Formulation result = start;
+  result.frames = cheap_frames(tree_, start, trace);
+  return result;
 }
 
 const Formulation& Formulations::newton_euler() {
-  return searched(newton_euler_, common_, [&](const KinematicTree& part, const Formulation& f) {
-    return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree_), f);
+  return newton_euler_.get([&] {
+    return searched(common_, [&](const KinematicTree& part, const Formulation& f) {
+      return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree_), f);
+    });
   });
 }
 
 const Formulation& Formulations::unactuated_base() {
-  return searched(unactuated_base_, newton_euler(), [](const KinematicTree& part, const Formulation& f) {
-    return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
+  return unactuated_base_.get([&] {
+    return searched(newton_euler(), [](const KinematicTree& part, const Formulation& f) {
+      return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
+    });
   });
 }
 
 const Formulation& Formulations::inertia() {
-  return searched(inertia_, common_, [](const KinematicTree& part, const Formulation& f) {
-    return joint_space_inertia(part, "joint_space_inertia", f);
+  return inertia_.get([&] {
+    return searched(common_, [](const KinematicTree& part, const Formulation& f) {
+      return joint_space_inertia(part, "joint_space_inertia", f);
+    });
   });
 }
 
@@ -47,9 +48,9 @@ std::optional<Formulations> Formulations::with_typical_limbs() const {
     some_differ = some_differ || !formulation.typical.empty();
   };
   mark(result.common_);
-  for (std::optional<Formulation>* found : {&result.newton_euler_, &result.unactuated_base_, &result.inertia_})
-    if (*found) mark(**found);
-  if (result.forward_dynamics_) mark(result.forward_dynamics_->formulation);
+  for (Lazy<Formulation>* found : {&result.newton_euler_, &result.unactuated_base_, &result.inertia_})
+    if (found->made()) mark(*found->made());
+  if (result.forward_dynamics_.made()) mark(result.forward_dynamics_.made()->formulation);
   return some_differ ? std::optional(std::move(result)) : std::nullopt;
 }
 
@@ -63,8 +64,7 @@ Formulation Formulations::cheaper_for(const std::function<symbolic::Program(cons
 }
 
 const ForwardDynamicsChoice& Formulations::forward_dynamics() {
-  if (!forward_dynamics_) forward_dynamics_ = forward_dynamics_choice(tree_, common_);
-  return *forward_dynamics_;
+  return forward_dynamics_.get([&] { return forward_dynamics_choice(tree_, common_); });
 }
 
 }  // namespace robcogen::algorithm

@@ -6,10 +6,12 @@
 
 #include "algorithm/dynamics.h"
 #include "algorithm/frame_search.h"
+#include "support/lazy.h"
 
 namespace robcogen::algorithm {
 
 // How the programs of a robot are traced: the frames that suit an algorithm are looked for when it is first asked for.
+// Several threads may ask.
 class Formulations {
  public:
   Formulations(const model::KinematicTree& tree, const Formulation& common) : tree_(tree), common_(common) {}
@@ -31,11 +33,11 @@ class Formulations {
   const model::KinematicTree& tree_;
   Formulation common_;
   TypicalLinks typical_of_model_;
-  std::optional<Formulation> newton_euler_, unactuated_base_, inertia_;
+  Lazy<Formulation> newton_euler_, unactuated_base_, inertia_;
+  Lazy<ForwardDynamicsChoice> forward_dynamics_;
 
-  // Looks for frames, from those of `start` on, unless that was done.
-  const Formulation& searched(std::optional<Formulation>& place, const Formulation& start, const TraceOf& trace);
-  std::optional<ForwardDynamicsChoice> forward_dynamics_;
+  // With frames that suit these traces, looked for from those of `start` on.
+  Formulation searched(const Formulation& start, const TraceOf& trace) const;
 };
 
 }  // namespace robcogen::algorithm

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "algorithm/limb_inputs.h"
@@ -15,6 +16,7 @@
 #include "pass/split_angles.h"
 #include "pass/split_parameters.h"
 #include "support/files.h"
+#include "support/parallel.h"
 
 namespace robcogen::command {
 namespace {
@@ -216,25 +218,28 @@ Traced trace(const Robot& robot, const std::vector<std::string>& groups, const S
   require_traceable(robot);
   const auto [formulation, passes] = split(steps);
   algorithm::Formulations formulations(robot.tree, formulation);
-  Traced result;
-  std::vector<std::size_t> first_of_group;
-  for (const std::string& group : groups) {
-    first_of_group.push_back(result.functions.size());
-    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, group, formulations)) {
-      f.program = pass::run(std::move(f.program), passes);
-      result.functions.push_back(std::move(f));
-    }
-  }
-  result.alike.resize(result.functions.size());
+  std::vector<std::vector<algorithm::RobotFunction>> of_groups(groups.size());
+  for_each_index(groups.size(), [&](std::size_t g) {
+    of_groups[g] = algorithm::functions(robot.tree, robot.desired, groups[g], formulations);
+  });
+  std::vector<std::vector<std::optional<symbolic::Program>>> alike_of_groups(groups.size());
   std::optional<algorithm::Formulations> typical = for_lanes ? formulations.with_typical_limbs() : std::nullopt;
-  for (std::size_t g = 0; typical && g < groups.size(); ++g) {
-    std::size_t i = first_of_group[g];
-    for (std::optional<symbolic::Program>& program :
-         algorithm::alike_programs(robot.tree, robot.desired, groups[g], *typical)) {
-      if (program) result.alike[i] = pass::run(std::move(*program), passes);
-      ++i;
-    }
+  if (typical) {
+    for_each_index(groups.size(), [&](std::size_t g) {
+      alike_of_groups[g] = algorithm::alike_programs(robot.tree, robot.desired, groups[g], *typical);
+    });
   }
+  Traced result;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::move(of_groups[g].begin(), of_groups[g].end(), std::back_inserter(result.functions));
+    std::move(alike_of_groups[g].begin(), alike_of_groups[g].end(), std::back_inserter(result.alike));
+    result.alike.resize(result.functions.size());
+  }
+  for_each_index(result.functions.size(), [&](std::size_t i) {
+    symbolic::Program& program = result.functions[i].program;
+    program = pass::run(std::move(program), passes);
+    if (result.alike[i]) result.alike[i] = pass::run(std::move(*result.alike[i]), passes);
+  });
   return result;
 }
 
@@ -336,8 +341,9 @@ backend::Library split_library(
   std::vector<bool> is_dynamics;
   for (const backend::ParameterData& p : result.parameters) is_dynamics.push_back(p.is_dynamics);
   pass::SplitPrograms split = pass::split_parameters(programs, is_dynamics);
-  for (std::size_t i = 0; i < programs.size(); ++i)
+  for_each_index(programs.size(), [&](std::size_t i) {
     result.functions[i].program = pass::run(std::move(split.programs[i]), passes);
+  });
   const auto add_update = [&](symbolic::Program& program, const std::string& what) {
     result.updates.push_back(
         function_of("parameters", pass::run(std::move(program), passes), {"What follows from " + what + "."}));
@@ -354,7 +360,8 @@ backend::Library split_library(
 
 void split_angles(backend::Library& library) {
   std::vector<pass::WithLanes> programs;
-  for (const backend::Function& function : library.functions) programs.push_back({function.program, function.in_lanes});
+  for (const backend::Function& function : library.functions)
+    programs.push_back({function.program, function.in_lanes ? &*function.in_lanes : nullptr});
   std::vector<std::string> joints;
   for (const backend::JointData& joint : library.joints) joints.push_back(joint.name);
   pass::SplitAngles split = pass::split_angles(programs, joints);
@@ -384,8 +391,10 @@ backend::Library library_for_vectors(
   }
   if (!has_lanes) return result;
   const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
-  for (std::size_t i = 0; !limbs.empty() && i < result.functions.size(); ++i)
+  if (limbs.empty()) return result;
+  for_each_index(result.functions.size(), [&](std::size_t i) {
     bring_into_lanes(result.functions[i], robot.tree, limbs, alike[i]);
+  });
   return result;
 }
 

@@ -18,17 +18,14 @@ Sign Signs::product(const Sign& a, const Sign& b) const {
   return result;
 }
 
-Sign Signs::resolved(const Sign& sign) const {
-  Sign result = sign;
-  for (;;) {
-    const auto chosen = std::find_if(result.variables.begin(), result.variables.end(), [&](int v) {
-      return variables_[static_cast<std::size_t>(v)].value.has_value();
-    });
-    if (chosen == result.variables.end()) return result;
-    const Sign value = *variables_[static_cast<std::size_t>(*chosen)].value;
-    result.variables.erase(chosen);
-    result = product(result, value);
+Sign Signs::resolved(const Sign& sign) {
+  Sign result = fixed(sign.lanes);
+  for (const int v : sign.variables) {
+    std::optional<Sign>& value = variables_[static_cast<std::size_t>(v)].value;
+    if (value) value = resolved(*value);
+    result = product(result, value ? *value : Sign{0, {v}});
   }
+  return result;
 }
 
 void Signs::make_plain(const Sign& sign) {
@@ -44,7 +41,7 @@ void Signs::make_plain(const Sign& sign) {
   variables_[static_cast<std::size_t>(variable)].value = std::move(rest);
 }
 
-unsigned Signs::value(const Sign& sign) const {
+unsigned Signs::value(const Sign& sign) {
   return resolved(sign).lanes;
 }
 

@@ -27,14 +27,15 @@ class Signs {
   // Chooses a variable such that this sign vanishes, where that is possible.
   void make_plain(const Sign& sign);
   // The lanes that are negated, where variables that nobody chose are plain.
-  unsigned value(const Sign& sign) const;
+  unsigned value(const Sign& sign);
 
  private:
   struct Variable {
     bool costs = false;
     std::optional<Sign> value = {};
   };
-  Sign resolved(const Sign& sign) const;
+  // By variables that nobody chose; those on the way are remembered by these too.
+  Sign resolved(const Sign& sign);
 
   unsigned all_;
   std::vector<Variable> variables_;

@@ -75,19 +75,17 @@ class Angles {
 
   Readings add(const Program& program) {
     Readings readings(program.statements.size());
-    Values values(program.statements.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    Values values(program);
+    for (std::size_t i = 0; i < program.statements.size(); ++i) {
       const Statement& s = program.statements[i];
       for (int lane = 0; lane < s.width; ++lane) {
-        const std::optional<Expression> a = read(program, values, s.op == Op::gather ? s.lanes[at(lane)] : s.a, lane);
-        if (s.op == Op::sine || s.op == Op::cosine) {
-          if (const auto k = a ? number(*a) : std::nullopt) readings[i].push_back({*k, a->negative()});
-          values[i].emplace_back();
-        } else {
-          values[i].push_back(compute(program, values, s, a, lane));
-        }
+        const std::optional<Expression> a = read(values, s.op == Op::gather ? s.lanes[at(lane)] : s.a, lane);
+        if (s.op != Op::sine && s.op != Op::cosine)
+          values.of(i, lane) = compute(values, s, a, lane);
+        else if (const auto k = a ? number(*a) : std::nullopt)
+          readings[i].push_back({*k, a->negative()});
       }
-      if (readings[i].size() < values[i].size()) readings[i].clear();
+      if (readings[i].size() < at(s.width)) readings[i].clear();
     }
     return readings;
   }
@@ -131,33 +129,47 @@ class Angles {
     return arrays;
   }
 
-  using Values = std::vector<std::vector<std::optional<Expression>>>;  // by statement and lane
+  // Of a program, as far as they follow from parameters and joint positions.
+  class Values {
+   public:
+    explicit Values(const Program& p)
+        : program(p), q(place_of(p, Role::joint_position)), parameters(place_of(p, Role::parameters)) {
+      std::size_t count = 0;
+      for (const Statement& s : p.statements) {
+        first_.push_back(count);
+        count += at(s.width);
+      }
+      values_.resize(count);
+    }
+    std::optional<Expression>& of(std::size_t statement, int lane) { return values_[first_[statement] + at(lane)]; }
+
+    const Program& program;
+    const Place q, parameters;
+
+   private:
+    std::vector<std::size_t> first_;  // by statement
+    std::vector<std::optional<Expression>> values_;
+  };
 
   // This lane of a statement whose first operand is `a` there.
-  std::optional<Expression> compute(
-      const Program& program,
-      const Values& values,
-      const Statement& s,
-      std::optional<Expression> a,
-      int lane) {
+  std::optional<Expression> compute(Values& values, const Statement& s, std::optional<Expression> a, int lane) {
     if (s.op == Op::gather || !a) return a;
-    const auto b = symbolic::is_binary(s.op) ? read(program, values, s.b, lane) : Expression();
+    const auto b = symbolic::is_binary(s.op) ? read(values, s.b, lane) : Expression();
     if (!b || s.op == Op::sum_lanes) return std::nullopt;
     return symbolic::apply(s.op, *a, *b);
   }
 
   // An operand of a value with lanes, in one of these.
-  std::optional<Expression> read(const Program& program, const Values& values, const Operand& o, int lane) {
+  std::optional<Expression> read(Values& values, const Operand& o, int lane) {
     std::optional<Expression> value;
-    if (is_constant(o)) value = graph_.constant(program.constants[at(o.index)]);
+    if (is_constant(o)) value = graph_.constant(values.program.constants[at(o.index)]);
     if (is_statement(o)) {
-      const auto& lanes = values[at(o.index)];
-      value = lanes[lanes.size() == 1 ? 0 : at(o.lane >= 0 ? o.lane : lane)];
+      const bool is_scalar = values.program.statements[at(o.index)].width == 1;
+      value = values.of(at(o.index), is_scalar ? 0 : o.lane >= 0 ? o.lane : lane);
     }
     if (o.kind == Operand::Kind::input) {
-      const Place q = place_of(program, Role::joint_position), p = place_of(program, Role::parameters);
-      if (q.contains(o.index)) value = position(o.index - q.begin);
-      if (p.contains(o.index)) value = graph_.input(o.index - p.begin);
+      if (values.q.contains(o.index)) value = position(o.index - values.q.begin);
+      if (values.parameters.contains(o.index)) value = graph_.input(o.index - values.parameters.begin);
     }
     if (value && o.negative) value = -*value;
     return value;
@@ -278,7 +290,7 @@ class Core {
     for (OutputArray& array : core.outputs)
       for (Operand& o : array.values) move(o);
     core.inputs.insert(core.inputs.begin() + static_cast<std::ptrdiff_t>(behind_), {sines_, cosines_});
-    return eliminate_dead_code(core);
+    return eliminate_dead_code(std::move(core));
   }
 
  private:

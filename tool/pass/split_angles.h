@@ -25,8 +25,8 @@ struct SplitAngles {
 
 // A program, and the same where equal limbs share lanes, if some do.
 struct WithLanes {
-  symbolic::Program program;
-  std::optional<symbolic::Program> in_lanes = {};
+  const symbolic::Program& program;
+  const symbolic::Program* in_lanes = nullptr;
 };
 
 // A sine or cosine of anything else than a sum of positions, constants and parameters stays where it is. The programs

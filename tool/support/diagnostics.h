@@ -42,8 +42,8 @@ struct Diagnostic {
 
 class Diagnostics {
  public:
-  // Return the stored diagnostic, so that notes and a hint can be added to it at once. After 10,000 errors (warnings and
-  // notes) further ones are counted, but not kept.
+  // Return the stored diagnostic, so that notes and a hint can be added to it at once. After 10,000 errors (warnings
+  // and notes) further ones are counted, but not kept.
   Diagnostic& error(std::string code, Place place, std::string message);
   Diagnostic& warning(std::string code, Place place, std::string message);
   // What was done with the input and the user should know, though nothing is wrong.

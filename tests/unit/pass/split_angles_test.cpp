@@ -158,7 +158,7 @@ TEST(SplitAngles, LanesAreGathered) {
       "tmp angle = gather q[1] q[2]\ntmp s = sin angle\ntmp speed = gather v[1] v[2]\ntmp x = s * speed\n"
       "tmp z = x@0 + s@1\n",
       "z x@1");
-  const SplitAngles split = split_angles({{program, in_lanes}}, kJoints);
+  const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
   ASSERT_TRUE(split.parts[0]->core_in_lanes);
   const Program& core = *split.parts[0]->core_in_lanes;
   EXPECT_EQ(symbolic::verify(core), "");
@@ -181,7 +181,7 @@ TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
       "tmp ones = gather 1 -1\ntmp q12 = gather q[1] q[2]\ntmp turned = q12 * ones\ntmp a = turned + 0.25\n"
       "tmp s = sin a\ntmp c = cos a\ntmp x = c@1 - s@1\n",
       "s@0 x");
-  const SplitAngles split = split_angles({{program, in_lanes}}, kJoints);
+  const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4}));
   EXPECT_EQ(split.angle_count, 5);
   const Program& core = *split.parts[0]->core_in_lanes;
@@ -197,7 +197,7 @@ TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
 TEST(SplitAngles, LanesStayTogether) {
   const Program program = with("tmp s = sin v[1]\ntmp t = sin q[1]\n", "s t");
   const Program in_lanes = with("tmp a = gather v[1] q[1]\ntmp s = sin a\n", "s@0 s@1");
-  const SplitAngles split = split_angles({{program, in_lanes}}, kJoints);
+  const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
   EXPECT_EQ(symbolic::count(*split.parts[0]->core_in_lanes).sincos, 1);
   EXPECT_EQ(split.parts[0]->read, std::vector<int>{1});
 }
