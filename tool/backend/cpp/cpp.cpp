@@ -1,10 +1,12 @@
 #include "backend/cpp/cpp.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
+#include "support/parallel.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -90,38 +92,39 @@ std::vector<OutputFile> print(const Library& library) {
   const Api names = api(library);
   const std::string& name = library.name;
   std::vector<OutputFile> files;
-  const auto add = [&](const std::string& path, std::string text) { files.push_back({path, std::move(text)}); };
-  using Printer = std::string (*)(const Api&, const std::string& path);
-  const auto add_header = [&](const std::string& path, Printer printer) { add(path, printer(names, path)); };
-  add_header(header_path(name, "model"), print_model);
-  add_header(header_path(name, "types"), print_types);
-  if (library.has_robot()) add_header(header_path(name, kParameters), print_parameters);
-  if (library.has_robot()) add_header(header_path(name, kTrigonometry), print_trigonometry);
-  if (library.has_robot()) add_header(header_path(name, "robot"), print_robot);
-  add_header(header_path(name, "reflection"), library.has_robot() ? print_reflection : print_factors);
-  add_header(umbrella_path(name), print_umbrella);
+  std::vector<std::function<std::string()>> texts;
+  const auto add = [&](const std::string& path, const auto& printer, const auto&... arguments) {
+    files.push_back({path, {}});
+    texts.emplace_back([&names, path, printer, arguments...] { return printer(names, arguments..., path); });
+  };
+  add(header_path(name, "model"), print_model);
+  add(header_path(name, "types"), print_types);
+  if (library.has_robot()) add(header_path(name, kParameters), print_parameters);
+  if (library.has_robot()) add(header_path(name, kTrigonometry), print_trigonometry);
+  if (library.has_robot()) add(header_path(name, "robot"), print_robot);
+  add(header_path(name, "reflection"), library.has_robot() ? print_reflection : print_factors);
+  add(umbrella_path(name), print_umbrella);
   const auto add_kernels = [&](const std::string& group) {
-    add(kernel_path(name, group), print_kernels(names, group, kernel_path(name, group)));
-    add(source_path(name, group), print_instantiations(names, group, source_path(name, group)));
+    add(kernel_path(name, group), print_kernels, group);
+    add(source_path(name, group), print_instantiations, group);
   };
   if (library.has_robot()) {
     add_kernels(kParameters);
     add_kernels(kTrigonometry);
   }
   for (const std::string& group : library.groups) {
-    add(header_path(name, group), print_interface(names, group, header_path(name, group)));
+    add(header_path(name, group), print_interface, group);
     add_kernels(group);
   }
-  if (!library.has_batches) return files;
-  add_header(header_path(name, kBatch), print_batch);
-  add(source_path(name, kBatch), print_batch_choice(names, source_path(name, kBatch)));
-  for (const std::string& group : library.groups) {
-    add(batch_path(name, group), print_batch_bodies(names, group, batch_path(name, group)));
-    for (const char* level : kLevels) {
-      const std::string path = batch_source_path(name, group, level);
-      add(path, print_batch_level(names, group, level, path));
+  if (library.has_batches) {
+    add(header_path(name, kBatch), print_batch);
+    add(source_path(name, kBatch), print_batch_choice);
+    for (const std::string& group : library.groups) {
+      add(batch_path(name, group), print_batch_bodies, group);
+      for (const char* level : kLevels) add(batch_source_path(name, group, level), print_batch_level, group, level);
     }
   }
+  for_each_index(files.size(), [&](std::size_t i) { files[i].text = texts[i](); });
   return files;
 }
 
