@@ -17,6 +17,17 @@ published_of() {
   esac
 }
 
+# What the CMake function compiles generated code with, beside the level of optimisation.
+flags_of_gcc() {
+  local flags
+  flags=$(sed -n 's/^ *set(of_gcc \(.*\))$/\1/p' "$here/../cmake/Robcogen.cmake")
+  if [[ -z $flags ]]; then
+    echo "bench/instructions.sh: no flags of gcc in cmake/Robcogen.cmake" >&2
+    return 1
+  fi
+  echo "$flags"
+}
+
 # What a run of so many calls takes in all.
 instructions_of_run() { # program function calls
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
@@ -43,9 +54,10 @@ count_model() { # name model folder
     cat "$3/remarks" >&2
     return 1
   fi
-  local flags="-O2 -mavx2 -mfma"
+  local flags="-O2 -mavx2 -mfma" of_gcc
   if ${CXX:-g++} --version | grep -q "Free Software Foundation"; then
-    flags+=" -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2"
+    of_gcc=$(flags_of_gcc)
+    flags+=" $of_gcc"
   fi
   # shellcheck disable=SC2086  # words
   ${CXX:-g++} -std=c++17 ${CXXFLAGS:-$flags} -I"$3" -I"$here/../runtime/include" \

@@ -6,33 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "lane_shapes.h"
+
 namespace robcogen {
 namespace {
 
 constexpr int kUntouched = -1;  // what is in memory that no element of a block is in
 
-template <class Scalar_, int kSize_>
-struct Shape {
-  using Scalar = Scalar_;
-  static constexpr int kSize = kSize_;
-};
-
 template <class Shape>
 class LaneBlocksOf : public testing::Test {};
 
-using Shapes = testing::Types<
-    Shape<double, 1>,
-    Shape<double, 2>,
-    Shape<double, 4>,
-    Shape<double, 8>,
-    Shape<double, 16>,
-    Shape<float, 1>,
-    Shape<float, 2>,
-    Shape<float, 4>,
-    Shape<float, 8>,
-    Shape<float, 16>,
-    Shape<long double, 4>>;
-TYPED_TEST_SUITE(LaneBlocksOf, Shapes);
+TYPED_TEST_SUITE(LaneBlocksOf, LaneShapes);
 
 // Lane i of value k, no two alike.
 template <class Scalar>

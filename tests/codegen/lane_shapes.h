@@ -1,0 +1,27 @@
+// The lanes that are tested: of every size, of scalars that processors have vectors of and one that they do not.
+#pragma once
+
+#include <gtest/gtest.h>
+
+namespace robcogen {
+
+template <class Scalar_, int kSize_>
+struct LaneShape {
+  using Scalar = Scalar_;
+  static constexpr int kSize = kSize_;
+};
+
+using LaneShapes = testing::Types<
+    LaneShape<double, 1>,
+    LaneShape<double, 2>,
+    LaneShape<double, 4>,
+    LaneShape<double, 8>,
+    LaneShape<double, 16>,
+    LaneShape<float, 1>,
+    LaneShape<float, 2>,
+    LaneShape<float, 4>,
+    LaneShape<float, 8>,
+    LaneShape<float, 16>,
+    LaneShape<long double, 4>>;
+
+}  // namespace robcogen
