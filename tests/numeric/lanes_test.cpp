@@ -201,7 +201,7 @@ void expect_same_results(
     const std::vector<algorithm::RobotFunction> functions = algorithm::functions(tree, {}, group, formulations);
     std::optional<algorithm::Formulations> typical = formulations.with_typical_limbs();
     std::vector<std::optional<Program>> alike;
-    if (typical) alike = algorithm::alike_programs(tree, {}, group, *typical);
+    if (typical) alike = algorithm::alike_programs(tree, group, *typical);
     alike.resize(functions.size());
     for (std::size_t i = 0; i < functions.size(); ++i) {
       const Program program = pass::run(functions[i].program, passes);
@@ -286,7 +286,7 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
   ASSERT_TRUE(typical);
   EXPECT_FALSE(of_others.with_typical_limbs()) << "nothing differs";
   for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
-    const auto alike = algorithm::alike_programs(with_zeros, {}, group, *typical);
+    const auto alike = algorithm::alike_programs(with_zeros, group, *typical);
     const auto others = algorithm::functions(without, {}, group, of_others);
     ASSERT_EQ(alike.size(), others.size()) << group;
     for (std::size_t i = 0; i < others.size(); ++i) {

@@ -46,7 +46,6 @@ std::vector<RobotFunction> functions(
 // nullopt where these are the same, and nothing for groups that no limbs have a part in.
 std::vector<std::optional<symbolic::Program>> alike_programs(
     const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired,
     const std::string& group,
     Formulations& with_typical_limbs);
 

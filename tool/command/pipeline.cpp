@@ -226,7 +226,7 @@ Traced trace(const Robot& robot, const std::vector<std::string>& groups, const S
   std::optional<algorithm::Formulations> typical = for_lanes ? formulations.with_typical_limbs() : std::nullopt;
   if (typical) {
     for_each_index(groups.size(), [&](std::size_t g) {
-      alike_of_groups[g] = algorithm::alike_programs(robot.tree, robot.desired, groups[g], *typical);
+      alike_of_groups[g] = algorithm::alike_programs(robot.tree, groups[g], *typical);
     });
   }
   Traced result;
