@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "algorithm/limb_inputs.h"
 #include "algorithm/model_numbers.h"
 #include "algorithm/primitive_product.h"
+#include "command/model_data.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
 #include "pass/pack_lanes.h"
@@ -20,65 +20,6 @@
 
 namespace robcogen::command {
 namespace {
-
-// Constants of the model, as far as the parameters' defaults determine them.
-class Constants {
- public:
-  explicit Constants(const model::KinematicTree& tree) : tree_(tree) {
-    for (const model::Parameter& p : tree.parameters)
-      defaults_.push_back(p.default_value.value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-
-  backend::LinkData of(const model::Link& link) const {
-    backend::LinkData data;
-    data.name = link.name;
-    data.parent_joint = link.parent_joint;
-    if (!link.inertia) return data;
-    const model::RigidBodyInertia body = model::in_link_frame(*link.inertia);
-    data.mass = value(body.mass);
-    data.com = values(link.inertia->com);
-    if (link.inertia->reference) {
-      const std::array<double, 3> moment = values(body.first_moment);
-      for (std::size_t i = 0; i < 3; ++i) data.com[i] = data.mass != 0.0 ? moment[i] / data.mass : 0.0;
-    }
-    data.inertia = {value(body.ixx), value(body.iyy), value(body.izz),
-                    value(body.ixy), value(body.ixz), value(body.iyz)};
-    return data;
-  }
-
-  backend::JointData of(const model::Joint& joint) const {
-    return {
-        joint.name,
-        joint.type == model::JointType::revolute,
-        joint.parent,
-        joint.child,
-        values(joint.placement.translation),
-        values(joint.placement.rotation),
-        {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort}};
-  }
-
-  backend::FrameData of(const model::Frame& frame) const {
-    backend::FrameData data;
-    data.name = frame.name;
-    data.link = tree_.link_of(frame);
-    const auto index = static_cast<std::size_t>(frame.index);
-    if (frame.kind == model::Frame::Kind::link) return data;
-    const model::Placement& placement =
-        frame.kind == model::Frame::Kind::joint ? tree_.joints[index].placement : tree_.user_frames[index].placement;
-    data.translation = values(placement.translation);
-    data.rotation = values(placement.rotation);
-    return data;
-  }
-
- private:
-  double value(const model::Quantity& q) const { return model::evaluate(q, defaults_); }
-  std::array<double, 3> values(const std::array<model::Quantity, 3>& q) const {
-    return {value(q[0]), value(q[1]), value(q[2])};
-  }
-
-  const model::KinematicTree& tree_;
-  std::vector<double> defaults_;
-};
 
 // A function of the library's own machinery.
 backend::Function function_of(const char* group, symbolic::Program program, std::vector<std::string> summary) {
@@ -282,17 +223,8 @@ backend::Library library_of(
   result.floating_base = robot.tree.floating_base;
   result.groups = groups;
   result.primitives = convention_of(primitives);
-  const Constants constants(robot.tree);
-  for (const model::Link& link : robot.tree.links) result.links.push_back(constants.of(link));
-  for (const model::Joint& joint : robot.tree.joints) result.joints.push_back(constants.of(joint));
+  add_model(robot.tree, result);
   const std::vector<model::Frame> frames = robot.tree.frames();
-  for (const model::Frame& frame : frames) result.frames.push_back(constants.of(frame));
-  for (const model::Parameter& p : robot.tree.parameters) {
-    backend::ParameterData data = {p.name};
-    if (p.default_value) data.default_value = *p.default_value;
-    data.is_dynamics = model::is_dynamics(p.kind);
-    result.parameters.push_back(std::move(data));
-  }
   for (algorithm::RobotFunction& f : functions) {
     backend::Function function;
     function.group = std::move(f.group);

@@ -1,0 +1,86 @@
+#include "command/model_data.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace robcogen::command {
+namespace {
+
+// Constants of the model, as far as the parameters' defaults determine them.
+class Constants {
+ public:
+  explicit Constants(const model::KinematicTree& tree) : tree_(tree) {
+    for (const model::Parameter& p : tree.parameters)
+      defaults_.push_back(p.default_value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+
+  backend::LinkData of(const model::Link& link) const {
+    backend::LinkData data;
+    data.name = link.name;
+    data.parent_joint = link.parent_joint;
+    if (!link.inertia) return data;
+    const model::RigidBodyInertia body = model::in_link_frame(*link.inertia);
+    data.mass = value(body.mass);
+    data.com = values(link.inertia->com);
+    if (link.inertia->reference) {
+      const std::array<double, 3> moment = values(body.first_moment);
+      for (std::size_t i = 0; i < 3; ++i) data.com[i] = data.mass != 0.0 ? moment[i] / data.mass : 0.0;
+    }
+    data.inertia = {value(body.ixx), value(body.iyy), value(body.izz),
+                    value(body.ixy), value(body.ixz), value(body.iyz)};
+    return data;
+  }
+
+  backend::JointData of(const model::Joint& joint) const {
+    return {
+        joint.name,
+        joint.type == model::JointType::revolute,
+        joint.parent,
+        joint.child,
+        values(joint.placement.translation),
+        values(joint.placement.rotation),
+        {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort}};
+  }
+
+  backend::FrameData of(const model::Frame& frame) const {
+    backend::FrameData data;
+    data.name = frame.name;
+    data.link = tree_.link_of(frame);
+    const auto index = static_cast<std::size_t>(frame.index);
+    if (frame.kind == model::Frame::Kind::link) return data;
+    const model::Placement& placement =
+        frame.kind == model::Frame::Kind::joint ? tree_.joints[index].placement : tree_.user_frames[index].placement;
+    data.translation = values(placement.translation);
+    data.rotation = values(placement.rotation);
+    return data;
+  }
+
+ private:
+  double value(const model::Quantity& q) const { return model::evaluate(q, defaults_); }
+  std::array<double, 3> values(const std::array<model::Quantity, 3>& q) const {
+    return {value(q[0]), value(q[1]), value(q[2])};
+  }
+
+  const model::KinematicTree& tree_;
+  std::vector<double> defaults_;
+};
+
+}  // namespace
+
+void add_model(const model::KinematicTree& tree, backend::Library& library) {
+  const Constants constants(tree);
+  for (const model::Link& link : tree.links) library.links.push_back(constants.of(link));
+  for (const model::Joint& joint : tree.joints) library.joints.push_back(constants.of(joint));
+  for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
+  for (const model::Parameter& p : tree.parameters) {
+    backend::ParameterData data = {p.name};
+    if (p.default_value) data.default_value = *p.default_value;
+    data.is_dynamics = model::is_dynamics(p.kind);
+    library.parameters.push_back(std::move(data));
+  }
+}
+
+}  // namespace robcogen::command
