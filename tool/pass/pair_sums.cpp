@@ -94,10 +94,11 @@ class Ordering {
 
 }  // namespace
 
-Program pair_sums(const Program& program) {
+Program pair_sums(Program program) {
   std::vector<int> same(program.statements.size());
   std::iota(same.begin(), same.end(), 0);
-  return rearrange(program, Ordering(program, partners(program)).run(), same);
+  const std::vector<int> order = Ordering(program, partners(program)).run();
+  return rearrange(std::move(program), order, same);
 }
 
 }  // namespace robcogen::pass

@@ -7,6 +7,6 @@ namespace robcogen::pass {
 
 // The same statements in another order: of two sums of lanes that do not need each other, the second follows the first
 // at once.
-symbolic::Program pair_sums(const symbolic::Program& program);
+symbolic::Program pair_sums(symbolic::Program program);
 
 }  // namespace robcogen::pass

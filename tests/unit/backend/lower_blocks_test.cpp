@@ -90,6 +90,27 @@ TEST(LowerBlocks, LongSumsOfLanesAreTakenOutOfTheirLine) {
     EXPECT_LE(text.find('\n', begin) - begin, 118u) << text;
 }
 
+// Names alone can be too much for one line.
+TEST(LowerBlocks, SumsWithLongNamesHaveALineEach) {
+  EXPECT_EQ(
+      lowered(
+          "tmp lanes_that_have_a_long_name = gather q[0] q[3]\n"
+          "tmp others_that_have_a_long_name = lanes_that_have_a_long_name * lanes_that_have_a_long_name\n"
+          "tmp first_sum_with_a_long_name = sum_lanes lanes_that_have_a_long_name\n"
+          "tmp second_sum_with_a_long_name = sum_lanes others_that_have_a_long_name\n"
+          "tmp x = others_that_have_a_long_name@0 * first_sum_with_a_long_name\n"
+          "return out first_sum_with_a_long_name second_sum_with_a_long_name x\n",
+          3),
+      "// limbs\n"
+      "const Lanes2 lanes_that_have_a_long_name = Lanes2::of(q[0], q[3]);\n"
+      "const Lanes2 others_that_have_a_long_name = lanes_that_have_a_long_name * lanes_that_have_a_long_name;\n"
+      "const Scalar first_sum_with_a_long_name = sum_lanes(lanes_that_have_a_long_name);\n"
+      "out[0] = first_sum_with_a_long_name;\n"
+      "const Scalar second_sum_with_a_long_name = sum_lanes(others_that_have_a_long_name);\n"
+      "out[1] = second_sum_with_a_long_name;\n"
+      "out[2] = others_that_have_a_long_name[0] * first_sum_with_a_long_name;\n");
+}
+
 TEST(LowerBlocks, SumsOfOtherLanesStayApart) {
   const std::string text = lowered(
       "tmp s = gather q[0] q[3]\n"

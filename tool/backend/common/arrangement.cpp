@@ -308,10 +308,20 @@ class Arranging {
     while (!fits(i)) {
       Part part;
       consider_parts(i, part);
-      if (part.statement < 0) return;
+      if (part.statement < 0) {
+        if (arranged_.places[i] != Place::sums) return;
+        part_sums(i);
+        continue;
+      }
       arranged_.places[at(part.statement)] = Place::own;
       spell_users(at(part.statement), i);
     }
+  }
+
+  // Two sums whose line is too long: each has its own.
+  void part_sums(std::size_t i) {
+    arranged_.places[i] = arranged_.places[i + 1] = Place::own;
+    arranged_.expressions[i] = expression(arranged_, i);
   }
 
   // A line is written to be measured only where it may be too long.
