@@ -163,6 +163,43 @@ TYPED_TEST(LanesOf, LargeAnglesAndNoNumbersStayInTheirLane) {
   }
 }
 
+TYPED_TEST(LanesOf, SinesOfSmallAnglesAreTheSame) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int kSize = TypeParam::kSize;
+  for (const Scalar to : {Scalar(1), Scalar(100), Scalar(9000)}) {
+    const Lanes<Scalar, kSize> x = Random<Scalar, kSize>(1).lanes() * Lanes<Scalar, kSize>(to);
+    const auto expected = robcogen::sincos(x), found = sincos_of_small(x);
+    for (int i = 0; i < kSize; ++i) {
+      EXPECT_EQ(found.sin[i], expected.sin[i]);
+      EXPECT_EQ(found.cos[i], expected.cos[i]);
+    }
+  }
+}
+
+// Of as many angles as lanes, and of one more: blocks, and one with elements of the block before, that count twice.
+template <int kCount, class Scalar>
+void expect_judged() {
+  constexpr Scalar kSmall = Scalar(2.1e4), kLarge = Scalar(3.01e4);
+  const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN(), infinity = std::numeric_limits<Scalar>::infinity();
+  for (int place = 0; place < kCount; ++place) {
+    Scalar angles[kCount] = {};
+    EXPECT_TRUE(are_small<kCount>(angles));
+    for (const Scalar small : {kSmall, -kSmall}) {
+      angles[place] = small;
+      EXPECT_TRUE(are_small<kCount>(angles));
+    }
+    for (const Scalar large : {kLarge, -kLarge, Scalar(1e30), infinity, -infinity, nan}) {
+      angles[place] = large;
+      EXPECT_FALSE(are_small<kCount>(angles)) << kCount << " " << place << " " << large;
+    }
+  }
+}
+
+TYPED_TEST(LanesOf, LargeAnglesAreFoundAtEachPlace) {
+  expect_judged<TypeParam::kSize, typename TypeParam::Scalar>();
+  expect_judged<TypeParam::kSize + 1, typename TypeParam::Scalar>();
+}
+
 // As functions over limbs in lanes have them, evaluated for several states.
 TEST(Lanes, MayBeLanesThemselves) {
   using Inner = Lanes<double, 4>;

@@ -31,8 +31,8 @@ void add_operators(const std::string& line, Counts& counts) {
   counts[3] += occurrences(line, "sqrt(");
   // `const auto [s_q, c_q] = trig_2[1];`: of those that are computed together.
   static const std::regex picked(R"(.*\] = trig(_\d+)?\[.*)");
-  counts[4] += occurrences(line, "sincos(") + std::regex_match(line, picked) + occurrences(line, " = sin(") +
-               occurrences(line, " = cos(");
+  for (const char* call : {"sincos(", "sincos_of_small(", " = sin(", " = cos("}) counts[4] += occurrences(line, call);
+  counts[4] += std::regex_match(line, picked);
 }
 
 // `// 26 mul, 19 add, 1 div, 2 sincos: …`

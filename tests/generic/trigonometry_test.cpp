@@ -43,6 +43,23 @@ typename R::JointState joints(unsigned seed) {
   return result;
 }
 
+// Turns of many times 2 pi, of one joint after the other: sines and cosines in lanes are for small angles only.
+TYPED_TEST(Trigonometry, LargeAnglesAreNoOthers) {
+  using R = TypeParam;
+  using Scalar = typename R::Scalar;
+  const auto usual = joints<R>(1);
+  for (Eigen::Index k = 0; k < usual.size(); ++k) {
+    auto q = usual;
+    q[k] = Scalar(1e6);
+    const typename R::JointTrigonometry given(q, q.array().sin(), q.array().cos());
+    expect_close(R::joint_space_inertia(q), R::joint_space_inertia(given), "inertia matrix");
+    if constexpr (R::kFloatingBase) {  // a fixed one feels nothing of its first joint
+      q[k] = std::numeric_limits<Scalar>::quiet_NaN();
+      EXPECT_TRUE(R::joint_space_inertia(q).hasNaN()) << k;
+    }
+  }
+}
+
 TYPED_TEST(Trigonometry, OfOneStateServesAllFunctions) {
   using R = TypeParam;
   using Vector3 = typename R::Vector3;

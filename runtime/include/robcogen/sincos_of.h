@@ -96,12 +96,12 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) no
 template <int kSize>
 using LeafOf = Vector<double, (kSize < kInRegister<double> ? kSize : kInRegister<double>)>;
 
-template <int kSize>
+template <int kSize, class Beyond>
 ROBCOGEN_INLINE void sincos(
     const Lanes<double, kSize>& x,
     Lanes<double, kSize>& sine,
     Lanes<double, kSize>& cosine,
-    Bits<LeafOf<kSize>>& beyond) noexcept {
+    Beyond& beyond) noexcept {
   if constexpr (kSize <= kInRegister<double>) {
     LeafOf<kSize> s, c;
     polynomials(x.vector(), s, c, beyond);
@@ -116,12 +116,12 @@ ROBCOGEN_INLINE void sincos(
   }
 }
 
-template <int kSize>
+template <int kSize, class Beyond>
 ROBCOGEN_INLINE void sincos(
     const Lanes<float, kSize>& x,
     Lanes<float, kSize>& sine,
     Lanes<float, kSize>& cosine,
-    Bits<LeafOf<kSize>>& beyond) noexcept {
+    Beyond& beyond) noexcept {
   float numbers[kSize];
   x.store(numbers);
   Lanes<double, kSize> s, c;
@@ -199,6 +199,41 @@ ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& 
 }
 
 namespace {
+
+// Whether all are so small that sincos_of_small has the sines and cosines of each, and of sums of three of them. Judged
+// by the sum of their squares, of which those in two blocks count twice: no more than 3e4^2, and a number.
+template <int kCount, class Scalar>
+ROBCOGEN_INLINE bool are_small(const Scalar* angles) noexcept {
+  constexpr Scalar kLimit = static_cast<Scalar>(lanes::kSmall * lanes::kSmall);
+  constexpr int kSize = kCount < lanes::kInRegister<Scalar> ? 1 : lanes::kInRegister<Scalar>;
+  using Block = Lanes<Scalar, kSize>;
+  Block sum = Block::load(angles) * Block::load(angles);
+  for (int i = kSize; i < kCount; i += kSize) {
+    const Block x = Block::load(angles + (i + kSize <= kCount ? i : kCount - kSize));
+    sum = sum + x * x;
+  }
+#if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
+  if constexpr (std::is_same_v<Scalar, double> && kSize == 4) {
+    constexpr int kNotLessOrEqual = 0x16;
+    const auto large = __builtin_ia32_cmppd256(sum.vector(), Block(kLimit).vector(), kNotLessOrEqual);
+    return __builtin_ia32_vtestzpd256(large, large);
+  }
+#endif
+  return sum_lanes(sum) <= kLimit;
+}
+
+// Sines and cosines of angles that are known to be small.
+template <class Scalar, int kSize>
+ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos_of_small(const Lanes<Scalar, kSize>& x) noexcept {
+  if constexpr (lanes::kIsComputed<Scalar>) {
+    SinCos<Lanes<Scalar, kSize>> both;
+    lanes::NoneBeyond none;
+    lanes::sincos(x, both.sin, both.cos, none);
+    return both;
+  } else {
+    return robcogen::sincos(x);
+  }
+}
 
 // A lone sine or cosine costs as much as both.
 template <class Scalar, int kSize>

@@ -169,6 +169,22 @@ ROBCOGEN_INLINE Doubles quarter_turns(const Doubles& x) noexcept {
   return x * 0x1.45f306dc9c883p-1 + kRound;
 }
 
+// Of what is beyond the range of the polynomials, |x| of about 1e5, `beyond` gets bits from kBeyond on. The last bits
+// are those of the integer.
+template <class Doubles>
+ROBCOGEN_INLINE Bits<Doubles> noted(const Doubles& rounded, Bits<Doubles>& beyond) noexcept {
+  const Bits<Doubles> k = bits_of_integer(rounded);
+  beyond |= k;
+  return k;
+}
+
+// Where nothing is.
+struct NoneBeyond {};
+template <class Doubles>
+ROBCOGEN_INLINE Bits<Doubles> noted(const Doubles& rounded, NoneBeyond&) noexcept {
+  return bits(rounded);
+}
+
 // b where the highest bit of `where` is set, else a.
 template <class Doubles>
 ROBCOGEN_INLINE Doubles chosen(const Bits<Doubles>& where, const Doubles& a, const Doubles& b) noexcept {
@@ -178,13 +194,11 @@ ROBCOGEN_INLINE Doubles chosen(const Bits<Doubles>& where, const Doubles& a, con
   return doubles<Doubles>(bits(a) ^ ((bits(a) ^ bits(b)) & -(where >> 63)));
 }
 
-// Of x, of at most about 1e5. Of what is beyond, `beyond` gets bits from kBeyond on. The results have the sign of a
-// zero.
-template <class Doubles>
-ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosine, Bits<Doubles>& beyond) noexcept {
+// The results have the sign of a zero.
+template <class Doubles, class Beyond>
+ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosine, Beyond& beyond) noexcept {
   const Doubles rounded = quarter_turns(x);
-  const Bits<Doubles> k = bits_of_integer(rounded);
-  beyond |= k;
+  const Bits<Doubles> k = noted(rounded, beyond);
   Doubles r, rest, sin_r, cos_r;
   reduce<Doubles>(x, rounded - kRound, r, rest);
   of_reduced<Doubles>(r, rest, sin_r, cos_r);
@@ -195,6 +209,9 @@ ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosin
   sine = doubles<Doubles>(sine_bits);
   cosine = doubles<Doubles>((bits(sin_r) ^ bits(cos_r) ^ odd) ^ sine_bits);
 }
+
+// The largest root of a sum of squares of angles for which the polynomials hold: for each angle, and for sums of three.
+constexpr double kSmall = 3e4;
 
 // Whether any has a bit from kBeyond on.
 template <class Integers>

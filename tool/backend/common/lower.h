@@ -42,6 +42,7 @@ struct Line {
   int width = 1;          // of what is defined: lanes
   int stride = 0;         // of blocks: from lane to lane
   std::vector<std::string> values = {};
+  bool is_small = false;  // of sincos: the angle is known to be small
 };
 
 struct Kernel {

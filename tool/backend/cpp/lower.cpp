@@ -97,7 +97,7 @@ Spelling literal(double value, Texts& texts) {
 }
 
 std::string text(const Line& line) {
-  const auto& [kind, targets, expression, count, width, stride, values] = line;
+  const auto& [kind, targets, expression, count, width, stride, values, is_small] = line;
   const auto number = [](auto n) { return std::to_string(n); };
   switch (kind) {
     case Line::Kind::section:
@@ -106,7 +106,9 @@ std::string text(const Line& line) {
     case Line::Kind::binding:
       return concat({"const ", type_of(line), "& ", targets[0], " = ", expression, ";"});
     case Line::Kind::sincos:
-      return concat({"const auto [", targets[0], ", ", targets[1], "] = robcogen::sincos(", expression, ");"});
+      return concat(
+          {"const auto [", targets[0], ", ", targets[1], "] = robcogen::", is_small ? "sincos_of_small" : "sincos", "(",
+           expression, ");"});
     case Line::Kind::sincos_of:
       return concat(
           {"const robcogen::SinCosOf<", type_of(line), ", ", number(count), "> ", targets[0], "(&", expression, ");"});

@@ -1,7 +1,10 @@
 // <name>/kernel/<group>.h, the kernels as text, and <name>/<group>.cpp, that compiles them for double and float.
+#include <algorithm>
+
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
+#include "backend/cpp/small_angles.h"
 #include "symbolic/count.h"
 
 namespace robcogen::backend::cpp {
@@ -150,6 +153,24 @@ std::string print_chooser(
          call_in(kOneByOne) + "  }\n}\n";
 }
 
+// The same where the way in lanes is for small angles only.
+std::string print_chooser_of_small_angles(const Callable& callable) {
+  std::vector<std::string> names;
+  for (const Parameter& p : callable.parameters) names.push_back(p.name);
+  const std::vector<symbolic::InputArray>& inputs = callable.function->program.inputs;
+  const auto q = std::find_if(inputs.begin(), inputs.end(), [](const symbolic::InputArray& array) {
+    return array.role == symbolic::Role::joint_position;
+  });
+  const std::string& name = names[static_cast<std::size_t>(q - inputs.begin())];
+  const auto call_in = [&](const char* space, std::size_t indent) {
+    return call(space + ("::" + callable.kernel), names, indent);
+  };
+  return signature("void " + callable.kernel, callable.parameters, " noexcept {") +
+         "  if constexpr (robcogen::kPrefersLanes<Scalar>) {\n    if (robcogen::are_small<" +
+         std::to_string(q->elements.size()) + ">(" + name + ")) {\n" + call_in(kInLanes, 6) +
+         "      return;\n    }\n  }\n" + call_in(kOneByOne, 2) + "}\n";
+}
+
 // Where equal limbs share lanes, both ways of computing it, and what chooses between them.
 std::string print_both(
     const Callable& callable,
@@ -238,10 +259,15 @@ std::string print_kernel(const Library& library, const Callable& callable) {
   const Function& function = *callable.function;
   if (!has_own_lanes(function)) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
   const symbolic::Program& program = *function.in_lanes;
-  const std::string in_lanes =
-      print_whole_or_parts(comments_in_lanes(callable) + comment(counts(program)), lower(program, callable.kernel));
+  const Kernel kernel = lower(program, callable.kernel);
+  const std::string comments = comments_in_lanes(callable) + comment(counts(program));
+  const std::string one_by_one = print_one_by_one(library, callable);
+  if (kernel.lines.size() <= kLongest && has_small_angles(program, kernel))
+    return print_both(
+        callable, comments + definition(of_small_angles(kernel), kInline), one_by_one,
+        print_chooser_of_small_angles(callable));
   return print_both(
-      callable, in_lanes, print_one_by_one(library, callable), print_chooser(callable, callable.parameters));
+      callable, print_whole_or_parts(comments, kernel), one_by_one, print_chooser(callable, callable.parameters));
 }
 
 // Sines and cosines of all angles that turn: of joints that slide they are those of zero.

@@ -1,0 +1,68 @@
+#include "backend/cpp/small_angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/index.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+using symbolic::Op;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Statement;
+
+// What robcogen::are_small says of each position, and what the polynomials are for (rad).
+constexpr double kSmall = 3e4, kLargest = 1e5;
+
+// The largest magnitude that each statement can have, from small positions.
+std::vector<double> largest_values(const Program& p) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  std::vector<double> inputs, result;
+  for (const symbolic::InputArray& array : p.inputs)
+    inputs.insert(
+        inputs.end(), array.elements.size(), array.role == symbolic::Role::joint_position ? kSmall : kUnknown);
+  const auto largest = [&](const Operand& o) {
+    if (is_constant(o)) return std::abs(p.constants[at(o.index)].value());
+    return o.kind == Operand::Kind::input ? inputs[at(o.index)] : result[at(o.index)];
+  };
+  for (const Statement& s : p.statements) {
+    double value = kUnknown;
+    if (is_sum(s.op)) value = largest(s.a) + largest(s.b);
+    if (s.op == Op::multiply) value = largest(s.a) * largest(s.b);
+    if (s.op == Op::gather) {
+      value = 0.0;
+      for (const Operand& o : s.lanes) value = std::max(value, largest(o));
+    }
+    result.push_back(value);
+  }
+  return result;
+}
+
+bool is_angle_in_lanes(const Line& line) {
+  return line.kind == Line::Kind::sincos && line.width > 1;
+}
+
+}  // namespace
+
+bool has_small_angles(const Program& program, const Kernel& kernel) {
+  const auto is_block = [](const Line& line) { return line.kind == Line::Kind::sincos_of && line.width > 1; };
+  if (std::none_of(kernel.lines.begin(), kernel.lines.end(), is_angle_in_lanes) ||
+      std::any_of(kernel.lines.begin(), kernel.lines.end(), is_block))
+    return false;
+  const std::vector<double> largest = largest_values(program);
+  return std::all_of(program.statements.begin(), program.statements.end(), [&](const Statement& s) {
+    const bool is_angle_function = s.op == Op::sine || s.op == Op::cosine;
+    return !is_angle_function || s.width == 1 || largest[at(s.a.index)] <= kLargest;
+  });
+}
+
+Kernel of_small_angles(Kernel kernel) {
+  for (Line& line : kernel.lines) line.is_small = is_angle_in_lanes(line);
+  return kernel;
+}
+
+}  // namespace robcogen::backend::cpp
