@@ -80,6 +80,10 @@ bool LaneBuilder::is_product(const Operand& o) const {
   return is_statement(o) && o.lane < 0 && made_[at(o.index)].statement.op == Op::multiply;
 }
 
+bool LaneBuilder::is_sum_of_lanes(const Operand& o) const {
+  return is_statement(o) && o.lane < 0 && made_[at(o.index)].statement.op == Op::sum_lanes;
+}
+
 Operand LaneBuilder::numbers(const Tuple& lanes, unsigned flips) {
   const bool negative = flips & 1U;
   std::vector<std::pair<int, bool>> key;
@@ -166,7 +170,11 @@ Operand LaneBuilder::sum(std::vector<Operand> terms) {
   const auto start = [&](const Operand& o) { return is_product(o) ? ready(o) - symbolic::kLatency : ready(o); };
   std::stable_sort(terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return start(a) < start(b); });
   const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });
-  if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);
+  // What limbs add up to is known last. Where products can be added up before, it waits for none of them, at the cost
+  // of an addition that is not fused.
+  const bool is_awaited = first != terms.end() && is_sum_of_lanes(*first) && first - terms.begin() >= 2 &&
+                          start(first[-1]) + 2 * symbolic::kLatency <= ready(*first);
+  if (first != terms.end() && !is_awaited) std::rotate(terms.begin(), first, first + 1);
   Operand result = terms.front();
   for (std::size_t k = 1; k < terms.size(); ++k) {
     Operand a = result, b = terms[k];

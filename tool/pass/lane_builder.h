@@ -29,7 +29,7 @@ class LaneBuilder {
   symbolic::Operand unary(symbolic::Op op, const symbolic::Operand& a);
   symbolic::Operand binary(symbolic::Op op, const symbolic::Operand& a, symbolic::Operand b);
   // A chain that begins with a term that is no product and takes the others as they get ready, so that each addition
-  // can be fused with a product.
+  // can be fused with a product; unless that term is a sum of lanes that is known after several products.
   symbolic::Operand sum(std::vector<symbolic::Operand> terms);
   // Of a value that is a scalar in `width` equal lanes, too.
   symbolic::Operand sum_lanes(const symbolic::Operand& a, int width);
@@ -51,6 +51,7 @@ class LaneBuilder {
   symbolic::Operand make(symbolic::Statement s, int latency);
   int ready(const symbolic::Operand& o) const;
   bool is_product(const symbolic::Operand& o) const;
+  bool is_sum_of_lanes(const symbolic::Operand& o) const;
   int section_of(const Tuple& lanes, int place);
   void fold_constants(std::vector<symbolic::Operand>& terms);
   void settle_late();

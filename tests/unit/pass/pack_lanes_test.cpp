@@ -48,6 +48,25 @@ TEST(PackLanes, OneStatementServesAllLimbs) {
   EXPECT_EQ(std::pair(c.mul, c.add), std::pair(1, 1));
 }
 
+// What a trunk adds is ready long before what its limbs add up to, that then waits for one addition only.
+TEST(PackLanes, ASumOfLanesComesLast) {
+  const Program program = with(
+      "tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * q[3]\ntmp L_b = L_a * q[0]\ntmp R_b = R_a * q[2]\n"
+      "in 1\ntmp t0 = q[4] * q[5]\ntmp t1 = q[4] * 0.5\ntmp t2 = q[5] * 0.25\n"
+      "tmp s0 = L_b + R_b\ntmp s1 = s0 + t0\ntmp s2 = s1 + t1\ntmp s3 = s2 + t2\n",
+      "s3", 1);
+  const Program lanes = packed(program, kLegs);
+  ASSERT_TRUE(lanes.has_lanes());
+  constexpr double kRounding = 1e-15;  // a few additions of numbers below 3, in another order
+  EXPECT_NEAR(run(lanes)[0], run(program)[0], kRounding);
+  const Statement& last = lanes.statements.back();
+  ASSERT_TRUE(is_sum(last.op));
+  const auto is_sum_of_lanes = [&](const symbolic::Operand& o) {
+    return is_statement(o) && lanes.statements[static_cast<std::size_t>(o.index)].op == Op::sum_lanes;
+  };
+  EXPECT_TRUE(is_sum_of_lanes(last.a) || is_sum_of_lanes(last.b)) << symbolic::print(lanes);
+}
+
 // Numbers take up signs: a plus in one limb is a minus in the other, and no instruction changes a lane's sign.
 TEST(PackLanes, NumbersTakeTheSignsOfMirroredLimbs) {
   const Program program =
