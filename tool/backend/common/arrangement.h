@@ -67,6 +67,9 @@ struct Arrangement {
 
 Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 
+// Of a statement whose operands have their spellings.
+Spelling expression(Arrangement& arranged, std::size_t statement);
+
 // As the function reads it, and as an operand of a statement of so many lanes.
 Spelling spell(Arrangement& arranged, const symbolic::Operand& o);
 Spelling spell(Arrangement& arranged, const symbolic::Operand& o, int lanes);
