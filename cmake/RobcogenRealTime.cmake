@@ -3,7 +3,8 @@
 # cmake -D LIBRARY=file -D KERNELS=dir -D OBJECTS=file,file… -D NM=program -D STACK_LIMIT=bytes -P RobcogenRealTime.cmake
 #
 # - It calls nothing but the functions of the list below.
-# - Its kernels are straight-line code, with no branch and no loop: every call does the same operations.
+# - Its kernels are straight-line code, with no branch and no loop: every call does the same operations. But for large
+#   angles: a kernel in lanes leaves these, before all else, to the way one by one.
 # - Its functions' stack frames, which the compiler reports beside the object files (-fstack-usage), are of constant or
 #   bounded size. A kernel calls no other but its core, of the same unit, and either calls, where it is long, its parts,
 #   one after the other, which call none: the two largest frames of a unit and the largest of a part are the stack that
@@ -79,6 +80,10 @@ function(check_straight_lines)
     string(REGEX REPLACE "//[^\n]*|\"[^\"\n]*\"" "" text "${text}")
     # Limbs in lanes or one by one: the compiler decides, by the scalar type.
     string(REGEX REPLACE "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)]([^}]*)} else" "\\1}" text "${text}")
+    # And before what it does in lanes: are angles small?
+    string(REGEX REPLACE
+      "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)] {[ \n]*if [(]robcogen::are_small<[0-9]+>[(][A-Za-z0-9_]+[)][)] {([^}]*)}"
+      "{\\1" text "${text}")
     set(between "[^A-Za-z0-9_]")
     if(text MATCHES "${between}(if|else|for|while|do|switch|goto|throw|try|new|delete)${between}|[?]|&&|[|][|]")
       message(FATAL_ERROR "${file} is no straight-line code: ${CMAKE_MATCH_0}")
