@@ -4,6 +4,7 @@
 #include "algorithm/group_functions.h"
 #include "algorithm/kinematics.h"
 #include "algorithm/transform_kinds.h"
+#include "support/parallel.h"
 
 namespace robcogen::algorithm {
 
@@ -47,21 +48,22 @@ std::vector<RobotFunction> transforms_functions(const KinematicTree& tree, const
   const model::MotionGraph graph(motions);
   std::vector<std::vector<Stretch>> ways;
   for (const model::FramePair& pair : desired.transforms) ways.push_back(chain(tree, graph, pair));
-  std::vector<RobotFunction> list;
-  for (const TransformKind& kind : transform_kinds()) {
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-      const model::FramePair& pair = desired.transforms[i];
-      const std::string name = pair.left.name + "_X_" + pair.right.name;
-      list.push_back(
-          {"transforms",
-           "transforms::" + kind.scope,
-           name,
-           {kind.summary(pair.left.name, pair.right.name)},
-           {},
-           pair,
-           transform_along(tree, ways[i], kind.form, kind.scope + "_" + name)});
-    }
-  }
+  const std::vector<TransformKind> kinds = transform_kinds();
+  std::vector<RobotFunction> list(kinds.size() * ways.size());
+  for_each_index(list.size(), [&](std::size_t k) {
+    const TransformKind& kind = kinds[k / ways.size()];
+    const std::size_t i = k % ways.size();
+    const model::FramePair& pair = desired.transforms[i];
+    const std::string name = pair.left.name + "_X_" + pair.right.name;
+    list[k] = {
+        "transforms",
+        "transforms::" + kind.scope,
+        name,
+        {kind.summary(pair.left.name, pair.right.name)},
+        {},
+        pair,
+        transform_along(tree, ways[i], kind.form, kind.scope + "_" + name)};
+  });
   return list;
 }
 

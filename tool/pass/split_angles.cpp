@@ -10,6 +10,7 @@
 #include "pass/lane_names.h"
 #include "pass/passes.h"
 #include "support/index.h"
+#include "support/parallel.h"
 #include "support/unique_name.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
@@ -354,18 +355,19 @@ SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vect
   SplitAngles result;
   result.angle_count = angles.count();
   const InputArray sines = angles.sines(), cosines = angles.cosines();
-  for (std::size_t i = 0; i < programs.size(); ++i) {
-    std::optional<symbolic::AngleParts>& parts = result.parts.emplace_back();
+  result.parts.resize(programs.size());
+  for_each_index(programs.size(), [&](std::size_t i) {
+    std::optional<symbolic::AngleParts>& parts = result.parts[i];
     std::set<int> read = angles_read(readings[i]);
     read.merge(angles_read(readings_in_lanes[i]));
-    if (read.empty()) continue;
+    if (read.empty()) return;
     const auto& [program, in_lanes] = programs[i];
     parts.emplace();
     parts->core = Core(program, readings[i], sines, cosines).run();
     if (in_lanes) parts->core_in_lanes = Core(*in_lanes, readings_in_lanes[i], sines, cosines).run();
     parts->read = {read.begin(), read.end()};
     parts->angles = angles.program("angles_" + program.name, parts->read);
-  }
+  });
   std::vector<int> all;
   for (int k = 0; k < angles.count(); ++k) all.push_back(k);
   result.angles = angles.program("joint_trigonometry", all);

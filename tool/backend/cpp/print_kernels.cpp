@@ -5,6 +5,7 @@
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
 #include "backend/cpp/small_angles.h"
+#include "support/parallel.h"
 #include "symbolic/count.h"
 
 namespace robcogen::backend::cpp {
@@ -373,13 +374,15 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
     return paragraphs({banner(*api.library, path, "no kernels, as it has no parameters"), "#pragma once\n"});
   if (group == kTrigonometry && !api.takes_sines())
     return paragraphs({banner(*api.library, path, "no kernels of sines and cosines"), "#pragma once\n"});
-  std::vector<std::string> cores, kernels;
-  bool has_lanes = false;
-  for (const Callable* c : callables_of(api, group)) {
-    has_lanes = has_lanes || c->function->in_lanes.has_value();
-    if (c->function->parts) cores.push_back(print_core(*c));
-    kernels.push_back(print_kernel(*api.library, *c));
-  }
+  const std::vector<const Callable*> callables = callables_of(api, group);
+  const bool has_lanes = std::any_of(
+      callables.begin(), callables.end(), [](const Callable* c) { return c->function->in_lanes.has_value(); });
+  std::vector<std::string> cores(callables.size()), kernels(callables.size());
+  for_each_index(callables.size(), [&](std::size_t i) {
+    if (callables[i]->function->parts) cores[i] = print_core(*callables[i]);
+    kernels[i] = print_kernel(*api.library, *callables[i]);
+  });
+  std::erase(cores, std::string());  // of those that read no angles
   if (group == kParameters) kernels.push_back(whole_update(api));
   if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
