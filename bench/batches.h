@@ -44,6 +44,8 @@ class Columns {
   auto to(std::size_t begin) {
     return batch::by_element<Value>(data_ + begin, kStride);
   }
+  batch::Strided<const double> strided() const { return {data_, kStride, 1}; }
+  batch::Strided<double> strided() { return {data_, kStride, 1}; }
 
  private:
   static constexpr std::size_t kLine = 8;  // of 64 bytes
@@ -121,25 +123,53 @@ void forward_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
 #endif
 
 #if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
+// Matrices of all states at once would not stay near the processor: as many states as 256 KB hold, at the same place.
 template <class R>
 void joint_space_inertia_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
+  constexpr std::size_t kElements = R::InertiaMatrix::SizeAtCompileTime;
+  constexpr std::size_t kBlock = 8, kFitting = (std::size_t(1) << 15) / kElements / kBlock * kBlock;
+  constexpr std::size_t kRange = std::clamp(kFitting, kBlock, kStates);
   const auto function = [](const auto&... x) { generated::batch::joint_space_inertia(x...); };
-  call(function, *a.robot, static_cast<std::ptrdiff_t>(count), a.q.from(begin), a.matrix.to(begin));
+  for (std::size_t i = 0; i < count; i += kRange) {
+    const auto n = static_cast<std::ptrdiff_t>(std::min(kRange, count - i));
+    call(function, *a.robot, n, a.q.from(begin + i), a.matrix.to(0));
+  }
 }
 #endif
 
 template <class R>
 using Compute = void (*)(Arrays<R>& arrays, std::size_t begin, std::size_t count);
 
-template <class R>
-void add_batch(const std::shared_ptr<Arrays<R>>& arrays, const std::string& name, Compute<R> compute) {
-  benchmark::RegisterBenchmark((name + "/batch").c_str(), [arrays, compute](benchmark::State& state) {
+// run() computes all states.
+template <class Run>
+void add_batch(const std::string& name, Run run) {
+  benchmark::RegisterBenchmark((name + "/batch").c_str(), [run](benchmark::State& state) {
     for (auto _ : state) {
-      compute(*arrays, 0, kStates);
+      run();
       benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kStates));
   });
+}
+
+template <class R>
+void add_batch(const std::shared_ptr<Arrays<R>>& arrays, const std::string& name, Compute<R> compute) {
+  add_batch(name, [arrays, compute] { compute(*arrays, 0, kStates); });
+}
+
+// A function of positions alone, of the library's table.
+template <class R>
+void add_batch_of_positions(
+    const std::shared_ptr<const Arrays<R>>& arrays,
+    const std::string& name,
+    const std::string& kernel) {
+  for (const reflection::BatchFunction& f : generated::reflection::batch_functions) {
+    if (kernel != f.name) continue;
+    add_batch(name, [arrays, results = std::make_shared<Columns>(f.outputs), call = f.call] {
+      const double* parameters = reference::cache_of(*arrays->robot);
+      call(parameters, kStates, arrays->q.strided(), results->strided(), batch::best_level());
+    });
+  }
 }
 
 // Each thread computes its range over and over, so that starting it does not count.
@@ -167,7 +197,7 @@ void add_threads(const std::shared_ptr<Arrays<R>>& arrays, const std::string& na
 }
 
 template <class R>
-void add_batches(const std::vector<State<R>>& states) {
+void add_batches(const Robot& robot, const std::vector<State<R>>& states) {
   const auto arrays = std::make_shared<Arrays<R>>(states);
 #if ROBCOGEN_HAS_INVERSE_DYNAMICS
   add_batch<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
@@ -179,6 +209,10 @@ void add_batches(const std::vector<State<R>>& states) {
 #if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
   add_batch<R>(arrays, "joint_space_inertia", &joint_space_inertia_of<R>);
 #endif
+  for (const reflection::Transform* transform : measured_transforms(robot))
+    add_batch_of_positions<R>(arrays, benchmark_name(*transform), kernel_name(*transform));
+  for (const reflection::Jacobian* jacobian : measured_jacobians(robot))
+    add_batch_of_positions<R>(arrays, benchmark_name(*jacobian), kernel_name(*jacobian));
 }
 
 }  // namespace robcogen::bench

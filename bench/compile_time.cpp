@@ -38,7 +38,8 @@ std::vector<Compilation> compilations(const std::string& json, const std::string
     const std::size_t begin = command.find(" -o "), end = command.find(" -c ", begin);
     if (begin == std::string::npos || end == std::string::npos) continue;
     const std::string object = command.substr(begin + 4, end - begin - 4);
-    if (object.rfind(folder, 0) == 0 || object.find("/" + folder) != std::string::npos)
+    const bool is_of_target = object.rfind(folder, 0) == 0 || object.find("/" + folder) != std::string::npos;
+    if (is_of_target && object.find("/batch/") == std::string::npos)
       found.push_back({entry.at("directory").get<std::string>(), command, object});
   }
   return found;

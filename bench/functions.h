@@ -259,6 +259,14 @@ inline std::string benchmark_name(const reflection::Transform& transform) {
   return std::string("homogeneous/") + transform.name;
 }
 
+inline std::string kernel_name(const reflection::Jacobian& jacobian) {
+  return jacobian.name;
+}
+
+inline std::string kernel_name(const reflection::Transform& transform) {
+  return std::string("homogeneous_") + transform.name;
+}
+
 // A function of positions alone, of the library's table: the same with sines and cosines known.
 template <class R, class Matrix>
 void add_core(
@@ -292,7 +300,7 @@ void add_jacobian(const Robot& robot, const std::vector<State<R>>& states, const
 
 template <class R>
 void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, const reflection::Transform& transform) {
-  const std::string kernel = std::string("homogeneous_") + transform.name;
+  const std::string kernel = kernel_name(transform);
   add<R>(robot, states, benchmark_name(transform), kernel, [call = transform.homogeneous](const State<R>& s) {
     Eigen::Matrix4d X;
     call(reference::cache_of(*s.robot), s.q.data(), X.data());
@@ -301,17 +309,31 @@ void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, co
   add_core<R, Eigen::Matrix4d>(robot, states, benchmark_name(transform), kernel);
 }
 
-// The tables are empty where a group is missing.
+// What is measured of the tables, which are empty where a group is missing: the longest, and those that other libraries
+// compute too.
+inline std::vector<const reflection::Transform*> measured_transforms(const Robot& robot) {
+  const reflection::Transform* longest = longest_transform(robot);
+  const reflection::Transform* compared = compared_transform(robot);
+  std::vector<const reflection::Transform*> all;
+  if (longest != nullptr) all.push_back(longest);
+  if (compared != nullptr && compared != longest) all.push_back(compared);
+  return all;
+}
+inline std::vector<const reflection::Jacobian*> measured_jacobians(const Robot& robot) {
+  const reflection::Jacobian* widest = widest_jacobian(robot);
+  const reflection::Jacobian* compared = compared_jacobian(robot);
+  std::vector<const reflection::Jacobian*> all;
+  if (widest != nullptr) all.push_back(widest);
+  if (compared != nullptr && compared != widest) all.push_back(compared);
+  return all;
+}
+
 template <class R>
 void add_kinematics(const Robot& robot, const std::vector<State<R>>& states) {
+  for (const reflection::Transform* transform : measured_transforms(robot))
+    add_homogeneous<R>(robot, states, *transform);
   if (const reflection::Transform* longest = longest_transform(robot)) {
     const std::string name = longest->name;
-    const reflection::Transform* transform = compared_transform(robot);
-    add_homogeneous<R>(robot, states, *longest);
-    if (transform != nullptr) {
-      if (transform != longest) add_homogeneous<R>(robot, states, *transform);
-      benchmark::AddCustomContext("compared/transform", benchmark_name(*transform));
-    }
     add<R>(robot, states, "motion/" + name, "motion_" + name, [longest](const State<R>& s) {
       Eigen::Matrix<double, 6, 6> X;
       longest->motion(reference::cache_of(*s.robot), s.q.data(), X.data());
@@ -319,13 +341,11 @@ void add_kinematics(const Robot& robot, const std::vector<State<R>>& states) {
     });
     add_core<R, Eigen::Matrix<double, 6, 6>>(robot, states, "motion/" + name, "motion_" + name);
   }
-  const reflection::Jacobian* widest = widest_jacobian(robot);
-  const reflection::Jacobian* compared = compared_jacobian(robot);
-  if (widest != nullptr) add_jacobian<R>(robot, states, *widest);
-  if (compared != nullptr) {
-    if (compared != widest) add_jacobian<R>(robot, states, *compared);
+  for (const reflection::Jacobian* jacobian : measured_jacobians(robot)) add_jacobian<R>(robot, states, *jacobian);
+  if (const reflection::Transform* compared = compared_transform(robot))
+    benchmark::AddCustomContext("compared/transform", benchmark_name(*compared));
+  if (const reflection::Jacobian* compared = compared_jacobian(robot))
     benchmark::AddCustomContext("compared/jacobian", benchmark_name(*compared));
-  }
 }
 
 }  // namespace robcogen::bench

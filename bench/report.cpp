@@ -132,7 +132,8 @@ void print_legend(const Setup& setup) {
       "cycles:\n"
       "measured, sin and cos given, and their ratio to the bound; bytes: the compiled kernel; compiled: processor "
       "time\n"
-      "for all sources of the library; x: time of the other library / time of the generated code.\n",
+      "for all sources of the library but those of batches; x: time of the other library / time of the generated "
+      "code.\n",
       setup.repetitions);
   fmt::print(
       "{}{}\n",

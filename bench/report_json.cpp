@@ -41,7 +41,7 @@ Json units_json() {
       {"batch", "ns for one state, in calls for many"},
       {"bound_cycles", "the greater of critical path and half the instructions"},
       {"gigahertz", "from a chain of additions, in the same run"},
-      {"compile_time", "s of processor time for all sources of the library"},
+      {"compile_time", "s of processor time for all sources of the library but those of functions over many states"},
       {"bytes", "compiled kernel"},
       {"counts",
        "operations of one call; instructions: mul and add, fused where one feeds the other; critical_path: "

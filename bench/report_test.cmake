@@ -65,9 +65,11 @@ END")
 write_benchmark(broken_bench "no JSON")
 write_script(disagreeing_bench "echo 'Judge disagrees' >&2; exit 1")
 
-# Two sources of the leg, of which each takes a compiler's time, and one of another library.
+# Two sources of the leg, of which each takes a compiler's time, one of its batches and one of another library, which
+# nothing compiles.
 write_script(compiler "[ \"$1 $3\" = '-o -c' ] && [ $4 != broken.cpp ] && echo object > \"$2\"")
-foreach(source leg/CMakeFiles/leg.dir/a leg/CMakeFiles/leg.dir/b leg/CMakeFiles/leg_test.dir/c CMakeFiles/broken.dir/broken)
+foreach(source leg/CMakeFiles/leg.dir/a leg/CMakeFiles/leg.dir/b leg/CMakeFiles/leg.dir/batch/broken
+               leg/CMakeFiles/leg_test.dir/c CMakeFiles/broken.dir/broken)
   cmake_path(GET source FILENAME name)
   list(APPEND entries "{\"directory\": \"${DIRECTORY}\", \"command\": \"./compiler -o ${source}.o -c ${name}.cpp\"}")
 endforeach()

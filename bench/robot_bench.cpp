@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   const std::vector<bench::State<R>> states = bench::random_states<R>(robot, instance);
   bench::add_functions<R>(robot, states);
 #ifdef ROBCOGEN_BATCH_HEADER
-  bench::add_batches<R>(states);
+  bench::add_batches<R>(robot, states);
 #endif
   bench::add_clock();
 #ifdef ROBCOGEN_BENCH_URDF

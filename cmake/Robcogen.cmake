@@ -23,8 +23,8 @@
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
 #       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel, its core and a part of that; without it, 65536: half of the
-#                                   # smallest default stack of a thread (musl's). With BATCH, 262144: a function of
-#                                   # eight states at once has eight times as much to keep
+#                                   # smallest default stack of a thread (musl's). With BATCH, 262144, the frame of what
+#                                   # calls the kernel included: eight states at once take eight times as much to keep
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
@@ -32,8 +32,8 @@
 # Makes, for TARGET hyl in C++ (in other languages alone, a target hyl that generates them):
 #     hyl            the static library; #include <hyl/hyl.h>
 #     hyl_codegen    the generated files only
-#     hyl_selfcheck  compares the compiled code with an independent recursion; ctest hyl.selfcheck, label `robot`
-#                    (where BUILD_TESTING is on)
+#     hyl_selfcheck  compares the compiled code with an independent recursion, and functions over many states with
+#                    those of one; ctest hyl.selfcheck, label `robot` (where BUILD_TESTING is on)
 #     hyl_allocations  runs every function where allocation aborts; ctest hyl.allocations. Beside it, the ctest
 #                    hyl.real_time of what can be seen in the files (RobcogenRealTime.cmake)
 #     hyl_bench      times the functions (where Google Benchmark is found)

@@ -7,8 +7,9 @@
 #   angles: a kernel in lanes leaves these, before all else, to the way one by one.
 # - Its functions' stack frames, which the compiler reports beside the object files (-fstack-usage), are of constant or
 #   bounded size. A kernel calls no other but its core, of the same unit, and either calls, where it is long, its parts,
-#   one after the other, which call none: the two largest frames of a unit and the largest of a part are the stack that
-#   one uses at most, besides that of sines, cosines and roots. They are no larger than STACK_LIMIT.
+#   one after the other, which call none; a body over many states calls a kernel. So the largest frame of a body, the two
+#   largest of kernels and cores, and the largest of a part are the stack that one uses at most, besides that of sines,
+#   cosines and roots. They are no larger than STACK_LIMIT.
 #
 # What the program cannot see, as the compiler reports no stack use or there is no nm, it says and leaves out.
 cmake_minimum_required(VERSION 3.25)
@@ -105,12 +106,14 @@ function(check_stack)
     endif()
     # `file:line:column:function<tab>bytes<tab>kind`
     file(READ ${report} text)
-    # Of functions as gcc and as clang writes them, only whether they are parts is kept.
+    # Of functions as gcc and as clang writes them, only whether they are parts or bodies is kept.
     string(REGEX REPLACE "[^\n]*(kernel::[^\n\t]*parts::|6kernel[^\n\t]*5parts)[^\n\t]*\t" "part\t" text "${text}")
-    string(REGEX MATCHALL "(part)?\t[0-9]+\t[a-z,]+" lines "${text}")
+    string(REGEX REPLACE "[^\n]*(batch::body::|5batch4body)[^\n\t]*\t" "body\t" text "${text}")
+    string(REGEX MATCHALL "(part|body)?\t[0-9]+\t[a-z,]+" lines "${text}")
     set(first 0)
     set(second 0)
     set(part 0)
+    set(body 0)
     foreach(line IN LISTS lines)
       math(EXPR frames "${frames} + 1")
       string(REGEX MATCH "[0-9]+" bytes "${line}")
@@ -118,9 +121,9 @@ function(check_stack)
       if(NOT is_instrumented AND NOT line MATCHES "\t(static|dynamic,bounded)$")
         message(FATAL_ERROR "${report}: a frame is not of constant size")
       endif()
-      if(line MATCHES "^part")
-        if(bytes GREATER part)
-          set(part ${bytes})
+      if(line MATCHES "^(part|body)")
+        if(bytes GREATER ${CMAKE_MATCH_1})
+          set(${CMAKE_MATCH_1} ${bytes})
         endif()
       elseif(bytes GREATER first)
         set(second ${first})
@@ -129,7 +132,7 @@ function(check_stack)
         set(second ${bytes})
       endif()
     endforeach()
-    math(EXPR bytes "${first} + ${second} + ${part}")
+    math(EXPR bytes "${body} + ${first} + ${second} + ${part}")
     if(bytes GREATER largest)
       set(largest ${bytes})
       cmake_path(GET object FILENAME unit)
@@ -144,7 +147,7 @@ function(check_stack)
   endif()
   message("stack: ${largest} bytes at most, in ${unit}, of ${frames} functions; the limit is ${STACK_LIMIT}")
   if(largest GREATER STACK_LIMIT)
-    message(FATAL_ERROR "a kernel of ${LIBRARY}, its core and a part may need stack frames of ${largest} bytes")
+    message(FATAL_ERROR "a kernel of ${LIBRARY} with what calls it and what it calls may need stack frames of ${largest} bytes")
   endif()
 endfunction()
 

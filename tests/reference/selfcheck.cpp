@@ -3,6 +3,7 @@
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_HAS_<GROUP>                                1 where the library has the group, else 0
+//     ROBCOGEN_BATCH_HEADER                               where the library has functions over many states
 //
 //     hyl_selfcheck [--seed N] [--samples N]
 //
@@ -11,6 +12,7 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
+#include "robcogen/reference/check_batch.h"
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_frame_motion.h"
@@ -61,6 +63,9 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     check_frame_motions(subject, c, checks);
   }
   check_trigonometry(robot, subject.cache(), engine, samples, checks);
+#ifdef ROBCOGEN_BATCH_HEADER
+  check_batches(robot, ROBCOGEN_ROBOT_NAMESPACE::reflection::batch_functions, subject.cache(), engine, checks);
+#endif
 }
 
 constexpr int kSetsOfValues = 4;

@@ -48,6 +48,9 @@ struct Strided {
   Number* data;
   std::ptrdiff_t element;
   std::ptrdiff_t state;
+
+  // The same states without their first k elements.
+  constexpr Strided from(std::ptrdiff_t k) const noexcept { return {data + k * element, element, state}; }
 };
 
 // Stands for the type of one state's value where a plain array of numbers is given.

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "robcogen/batch.h"
+
 namespace robcogen::reflection {
 
 struct Joint {
@@ -123,6 +125,20 @@ struct Function {
   // function of them all, as Trigonometry computes them.
   int positions = 0;
   void (*call_core)(const double* inputs, const double* sin_q, const double* cos_q, double* outputs) noexcept = nullptr;
+};
+
+// The function of the same name over n states. `parameters` is the cache of a robot that has some, which is not among
+// the inputs here, and else not read.
+struct BatchFunction {
+  const char* name;
+  int inputs;  // of each state
+  int outputs;
+  void (*call)(
+      const double* parameters,
+      std::ptrdiff_t n,
+      const batch::Strided<const double>& inputs,
+      const batch::Strided<double>& outputs,
+      batch::Level most) noexcept;
 };
 
 // Sines and cosines of all angles that functions read: first of each joint. `parameters` is the cache of a robot that

@@ -1,6 +1,6 @@
 // Functions over many states: <name>/batch.h, Eigen types over arrays, and what the library compiles beneath it,
 // <name>/batch.cpp, which chooses the bodies for the processor that it runs on, and the bodies, <name>/batch/<group>.h,
-// instantiated in a source for each processor.
+// instantiated in a source for each processor. And what the tables of <name>/reflection.h say of them.
 #include <algorithm>
 #include <cmath>
 
@@ -224,15 +224,67 @@ std::string interface(const Api& api, bool single_precision) {
   return in_namespace(single_precision ? "f32::batch" : "batch", paragraphs(parts));
 }
 
+// A function under one signature for all: what it reads of a state stands one after another, and so does what it
+// writes.
+struct FlatFunction {
+  std::string definition;
+  int inputs = 0;
+  int outputs = 0;
+};
+
+FlatFunction flat_function(const Api& api, const Callable& callable) {
+  FlatFunction result;
+  std::vector<std::string> list = {"const double*", "std::ptrdiff_t n"}, arguments = {"n"};
+  for (const Array& a : arrays(callable.function->program)) {
+    if (a.is_parameters) {
+      list.front() = "const double* parameters";
+      arguments.insert(arguments.begin(), "parameters");
+      continue;
+    }
+    int& offset = a.is_output ? result.outputs : result.inputs;
+    const std::string all = a.is_output ? "out" : "in";
+    arguments.push_back(offset == 0 ? all : all + ".from(" + std::to_string(offset) + ")");
+    offset += a.size;
+  }
+  const std::string strided = "const robcogen::batch::Strided<";
+  list.push_back(strided + "const double>&" + (result.inputs > 0 ? " in" : ""));
+  list.push_back(strided + "double>&" + (result.outputs > 0 ? " out" : ""));
+  list.emplace_back("robcogen::batch::Level most");
+  arguments.emplace_back("most");
+  result.definition = declaration("inline void " + callable.kernel, list, " noexcept {") +
+                      call("::" + api.space + "::batch::kernel::" + callable.kernel + "<double>", arguments, 2) + "}\n";
+  return result;
+}
+
 }  // namespace
+
+std::string batch_kernel_declarations(const Api& api) {
+  std::vector<std::string> choosers;
+  for (const Callable& c : api.callables) choosers.push_back(chooser_declaration(c, " noexcept;"));
+  return in_namespace("batch::kernel", paragraphs(choosers));
+}
+
+std::string batch_table(const Api& api) {
+  std::vector<std::string> functions;
+  std::vector<std::vector<Field>> rows;
+  for (const Callable& c : api.callables) {
+    const FlatFunction flat = flat_function(api, c);
+    functions.push_back(flat.definition);
+    rows.push_back({quoted(c.kernel), flat.inputs, flat.outputs, "&flat::batch::" + c.kernel});
+  }
+  const std::string type = "inline constexpr robcogen::reflection::";
+  const std::string all = type + "Table<robcogen::reflection::BatchFunction> batch_functions";
+  if (rows.empty()) return all + " = {nullptr, 0};\n";
+  return paragraphs(
+      {in_namespace("flat::batch", paragraphs(functions)), table(type + "BatchFunction kBatchFunctions[]", rows),
+       comment("Apart from the robot's own tables: a program that does not look here links none of these functions.") +
+           remarked_list(all, {"kBatchFunctions", std::to_string(rows.size())}, {"rows", "their number"})});
+}
 
 std::string print_batch(const Api& api, const std::string& path) {
   const Library& library = *api.library;
-  std::vector<std::string> choosers;
-  for (const Callable& c : api.callables) choosers.push_back(chooser_declaration(c, " noexcept;"));
   std::vector<std::string> headers = {"\"robcogen/batch.h\"", "\"" + header_path(library.name, "types") + "\""};
   if (api.is_parametric()) headers.push_back("\"" + header_path(library.name, kParameters) + "\"");
-  const std::string kernels = in_namespace("batch::kernel", paragraphs(choosers));
   return paragraphs(
       {banner(library, path, "functions over n states at once, in double and (namespace f32) single precision") +
            "//\n"
@@ -249,7 +301,8 @@ std::string print_batch(const Api& api, const std::string& path) {
            "//\n"
            "// `most` is the best processor to make use of; more than the machine has is never used.\n",
        "#pragma once\n", includes({"<cstddef>"}), includes(headers),
-       in_namespace(api.space, paragraphs({kernels, interface(api, false), interface(api, true)}))});
+       in_namespace(
+           api.space, paragraphs({batch_kernel_declarations(api), interface(api, false), interface(api, true)}))});
 }
 
 std::string print_batch_choice(const Api& api, const std::string& path) {

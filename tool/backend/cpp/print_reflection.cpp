@@ -292,11 +292,16 @@ std::string print_reflection(const Api& api, const std::string& path) {
   }
   for (const Callable& c : api.numbers) fields.push_back(address(c));
   parts.push_back(remarked_list("inline constexpr robcogen::reflection::Robot robot", fields, remarks));
+  std::string batch_kernels;
+  if (library.has_batches) {
+    batch_kernels = in_namespace(api.space, batch_kernel_declarations(api));
+    parts.push_back(batch_table(api));
+  }
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
        api.is_parametric() ? includes({"<limits>"}) : "",
        includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}), runtime_check(api),
-       in_namespace(api.space + "::kernel", paragraphs(kernels)),
+       in_namespace(api.space + "::kernel", paragraphs(kernels)), batch_kernels,
        in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 

@@ -65,6 +65,9 @@ std::string print_batch_level(
     const std::string& group,
     const std::string& level,
     const std::string& path);
+// What <name>/reflection.h says of them: their declarations, within the robot's namespace, and a table.
+std::string batch_kernel_declarations(const Api& api);
+std::string batch_table(const Api& api);
 std::string print_umbrella(const Api& api, const std::string& path);
 
 }  // namespace robcogen::backend::cpp

@@ -1,0 +1,84 @@
+// Functions over many states against the same functions of one.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "robcogen/reference/check_trigonometry.h"
+
+namespace robcogen::reference {
+
+inline constexpr Tolerance kManyStates{
+    "kManyStates", 1e-13, "products fused into other sums, other sines; relative to the function's largest result"};
+inline constexpr Tolerance kManyStatesDivided{
+    "kManyStatesDivided", 1e-9, "the same, carried through the inverse of a matrix of any condition"};
+
+// Two of the widest blocks, and states that fill none.
+inline constexpr int kManyStatesCount = 19;
+
+inline std::vector<batch::Level> available_levels() {
+  std::vector<batch::Level> levels;
+  for (const batch::Level level : {batch::Level::baseline, batch::Level::avx2, batch::Level::avx512})
+    if (batch::available(level) == level) levels.push_back(level);
+  return levels;
+}
+
+// One function in one layout, on every processor that this machine can stand for.
+inline void check_batch(
+    const reflection::Function& single,
+    const reflection::BatchFunction& many,
+    const std::vector<double>& cache,
+    bool by_state,
+    std::mt19937_64& engine,
+    Checks& checks) {
+  constexpr std::ptrdiff_t n = kManyStatesCount;
+  const auto read = static_cast<std::size_t>(many.inputs), written = static_cast<std::size_t>(many.outputs);
+  std::vector<double> inputs(read * n), expected(written * n);
+  const auto strided = [&](double* data, std::size_t elements) {
+    const auto size = static_cast<std::ptrdiff_t>(elements);
+    return by_state ? batch::Strided<double>{data, 1, size} : batch::Strided<double>{data, n, 1};
+  };
+  const auto at = [](const batch::Strided<double>& array, std::ptrdiff_t state, std::size_t k) -> double& {
+    return array.data[static_cast<std::ptrdiff_t>(k) * array.element + state * array.state];
+  };
+  const batch::Strided<double> in = strided(inputs.data(), read), all = strided(expected.data(), written);
+  std::vector<double> results(written);
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const std::vector<double> one = random_inputs(engine, single, cache);
+    for (std::size_t k = 0; k < read; ++k) at(in, i, k) = one[cache.size() + k];
+    single.call(one.data(), results.data());
+    for (std::size_t k = 0; k < written; ++k) at(all, i, k) = results[k];
+  }
+  const bool divides = single.count.div > 0 || single.count.sqrt > 0;
+  const Tolerance& tolerance = divides ? kManyStatesDivided : kManyStates;
+  const std::string which = std::string(by_state ? ", by state" : ", by element") + (divides ? ", with divisions" : "");
+  for (const batch::Level level : available_levels()) {
+    std::vector<double> found(expected.size(), std::numeric_limits<double>::quiet_NaN());
+    many.call(cache.data(), n, {in.data, in.element, in.state}, strided(found.data(), written), level);
+    Difference difference;
+    difference.add(expected, found);
+    checks.record("functions over many states" + which, tolerance, difference.relative(), 0);
+  }
+}
+
+// Every function of the table. One that no function of one state stands beside is infinitely wrong.
+inline void check_batches(
+    const Robot& robot,
+    const reflection::Table<reflection::BatchFunction>& functions,
+    const std::vector<double>& cache,
+    std::mt19937_64& engine,
+    Checks& checks) {
+  for (const reflection::BatchFunction& many : functions) {
+    const reflection::Function* single = std::find_if(
+        robot.functions.begin(), robot.functions.end(),
+        [&](const reflection::Function& f) { return std::strcmp(f.name, many.name) == 0; });
+    if (single == robot.functions.end()) {
+      checks.record(std::string(many.name) + " of one state", kManyStates, std::numeric_limits<Real>::infinity(), 0);
+      continue;
+    }
+    for (const bool by_state : {false, true}) check_batch(*single, many, cache, by_state, engine, checks);
+  }
+}
+
+}  // namespace robcogen::reference
