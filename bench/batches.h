@@ -17,47 +17,53 @@ namespace robcogen::bench {
 namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
 
 // So many elements of each state, element by element: columns that begin with a line of the cache. Eight states more
-// than there are keep them from competing for one place in it.
+// than there are keep columns of all states from competing for one place in it.
 class Columns {
  public:
-  static constexpr std::ptrdiff_t kStride = kStates + 8;
-
-  explicit Columns(int elements)
-      : elements_(static_cast<std::size_t>(elements)), numbers_(elements_ * kStride + kLine) {
+  explicit Columns(int elements, std::size_t states = kStates)
+      : elements_(static_cast<std::size_t>(elements)), stride_(states + 8), numbers_(elements_ * stride_ + kLine) {
     void* begin = numbers_.data();
     std::size_t room = numbers_.size() * sizeof(double);
-    data_ = static_cast<double*>(std::align(kLine * sizeof(double), elements_ * kStride, begin, room));
+    data_ = static_cast<double*>(std::align(kLine * sizeof(double), elements_ * stride_ * sizeof(double), begin, room));
   }
   Columns(const Columns&) = delete;
   Columns& operator=(const Columns&) = delete;
 
   template <class Values>
   void set(std::size_t state, const Values& values) {
-    for (std::size_t k = 0; k < elements_; ++k) data_[k * kStride + state] = values.data()[k];
+    for (std::size_t k = 0; k < elements_; ++k) data_[k * stride_ + state] = values.data()[k];
   }
 
   template <class Value = batch::AnyVector>
   auto from(std::size_t begin) const {
-    return batch::by_element<Value>(static_cast<const double*>(data_) + begin, kStride);
+    return batch::by_element<Value>(static_cast<const double*>(data_) + begin, stride());
   }
   template <class Value = batch::AnyVector>
   auto to(std::size_t begin) {
-    return batch::by_element<Value>(data_ + begin, kStride);
+    return batch::by_element<Value>(data_ + begin, stride());
   }
-  batch::Strided<const double> strided() const { return {data_, kStride, 1}; }
-  batch::Strided<double> strided() { return {data_, kStride, 1}; }
+  batch::Strided<const double> strided() const { return {data_, stride(), 1}; }
+  batch::Strided<double> strided() { return {data_, stride(), 1}; }
 
  private:
   static constexpr std::size_t kLine = 8;  // of 64 bytes
 
+  std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(stride_); }
+
   std::size_t elements_;
+  std::size_t stride_;
   std::vector<double> numbers_;
   double* data_;
 };
 
-// The arguments of all functions, and room for their results.
+// The arguments of all functions, and room for their results: of matrices, which are large, as many states as 256 KB
+// hold. All states' would be far from the processor, and each column on a page of its own.
 template <class R>
 struct Arrays {
+  static constexpr int kMatrixElements = R::InertiaMatrix::SizeAtCompileTime;
+  static constexpr std::size_t kMatrices =
+      std::clamp((std::size_t(1) << 15) / kMatrixElements / 8 * 8, std::size_t(8), kStates);
+
   explicit Arrays(const std::vector<State<R>>& states) : robot(states.front().robot) {
     for (std::size_t i = 0; i < kStates; ++i) {
       q.set(i, states[i].q);
@@ -71,7 +77,7 @@ struct Arrays {
 
   const R* robot;
   Columns q{R::kDof}, qd{R::kDof}, qdd{R::kDof}, tau{R::kDof}, base_velocity{6}, base_acceleration{6};
-  Columns joint_result{R::kDof}, base_result{6}, matrix{R::InertiaMatrix::SizeAtCompileTime};
+  Columns joint_result{R::kDof}, base_result{6}, matrix{kMatrixElements, kMatrices};
 };
 
 // function(arguments…), after the robot's parameters where it has some.
@@ -123,12 +129,9 @@ void forward_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
 #endif
 
 #if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
-// Matrices of all states at once would not stay near the processor: as many states as 256 KB hold, at the same place.
 template <class R>
 void joint_space_inertia_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
-  constexpr std::size_t kElements = R::InertiaMatrix::SizeAtCompileTime;
-  constexpr std::size_t kBlock = 8, kFitting = (std::size_t(1) << 15) / kElements / kBlock * kBlock;
-  constexpr std::size_t kRange = std::clamp(kFitting, kBlock, kStates);
+  constexpr std::size_t kRange = Arrays<R>::kMatrices;
   const auto function = [](const auto&... x) { generated::batch::joint_space_inertia(x...); };
   for (std::size_t i = 0; i < count; i += kRange) {
     const auto n = static_cast<std::ptrdiff_t>(std::min(kRange, count - i));
