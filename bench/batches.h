@@ -16,8 +16,8 @@ namespace robcogen::bench {
 
 namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
 
-// So many elements of each state, element by element: columns that begin with a line of the cache. Eight states more
-// than there are keep columns of all states from competing for one place in it.
+// So many elements of each state, element by element: columns that begin with a line of the cache. The stride, eight
+// states more than a multiple of 16, is an odd number of lines, so that columns do not compete for few places in it.
 class Columns {
  public:
   explicit Columns(int elements, std::size_t states = kStates)
@@ -62,7 +62,7 @@ template <class R>
 struct Arrays {
   static constexpr int kMatrixElements = R::InertiaMatrix::SizeAtCompileTime;
   static constexpr std::size_t kMatrices =
-      std::clamp((std::size_t(1) << 15) / kMatrixElements / 8 * 8, std::size_t(8), kStates);
+      std::clamp((std::size_t(1) << 15) / kMatrixElements / 16 * 16, std::size_t(16), kStates);
 
   explicit Arrays(const std::vector<State<R>>& states) : robot(states.front().robot) {
     for (std::size_t i = 0; i < kStates; ++i) {
