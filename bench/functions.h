@@ -309,23 +309,21 @@ void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, co
   add_core<R, Eigen::Matrix4d>(robot, states, benchmark_name(transform), kernel);
 }
 
-// What is measured of the tables, which are empty where a group is missing: the longest, and those that other libraries
-// compute too.
-inline std::vector<const reflection::Transform*> measured_transforms(const Robot& robot) {
-  const reflection::Transform* longest = longest_transform(robot);
-  const reflection::Transform* compared = compared_transform(robot);
-  std::vector<const reflection::Transform*> all;
-  if (longest != nullptr) all.push_back(longest);
-  if (compared != nullptr && compared != longest) all.push_back(compared);
+// Those that there are, each once.
+template <class T>
+std::vector<const T*> distinct(const T* first, const T* second) {
+  std::vector<const T*> all;
+  if (first != nullptr) all.push_back(first);
+  if (second != nullptr && second != first) all.push_back(second);
   return all;
 }
+
+// What is measured of the tables, which are empty where a group is missing.
+inline std::vector<const reflection::Transform*> measured_transforms(const Robot& robot) {
+  return distinct(longest_transform(robot), compared_transform(robot));
+}
 inline std::vector<const reflection::Jacobian*> measured_jacobians(const Robot& robot) {
-  const reflection::Jacobian* widest = widest_jacobian(robot);
-  const reflection::Jacobian* compared = compared_jacobian(robot);
-  std::vector<const reflection::Jacobian*> all;
-  if (widest != nullptr) all.push_back(widest);
-  if (compared != nullptr && compared != widest) all.push_back(compared);
-  return all;
+  return distinct(widest_jacobian(robot), compared_jacobian(robot));
 }
 
 template <class R>

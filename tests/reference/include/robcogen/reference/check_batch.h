@@ -9,11 +9,6 @@
 
 namespace robcogen::reference {
 
-inline constexpr Tolerance kManyStates{
-    "kManyStates", 1e-13, "products fused into other sums, other sines; relative to the function's largest result"};
-inline constexpr Tolerance kManyStatesDivided{
-    "kManyStatesDivided", 1e-9, "the same, carried through the inverse of a matrix of any condition"};
-
 // Two of the widest blocks, and states that fill none.
 inline constexpr int kManyStatesCount = 19;
 
@@ -53,15 +48,13 @@ inline void check_batch(
     single.call(one.data(), results.data());
     for (std::size_t k = 0; k < written; ++k) at(all, i, k) = results[k];
   }
-  const bool divides = single.count.div > 0 || single.count.sqrt > 0;
-  const Tolerance& tolerance = divides ? kManyStatesDivided : kManyStates;
-  const std::string which = std::string(by_state ? ", by state" : ", by element") + (divides ? ", with divisions" : "");
   for (const batch::Level level : available_levels()) {
     std::vector<double> found(expected.size(), std::numeric_limits<double>::quiet_NaN());
     many.call(cache.data(), n, {in.data, in.element, in.state}, strided(found.data(), written), level);
     Difference difference;
     difference.add(expected, found);
-    checks.record("many states" + which, tolerance, difference.relative(), 0);
+    const std::string layout = by_state ? "by state" : "by element";
+    record_other_rounding(checks, "many states, " + layout, single, difference.relative());
   }
 }
 
@@ -77,7 +70,7 @@ inline void check_batches(
         robot.functions.begin(), robot.functions.end(),
         [&](const reflection::Function& f) { return std::strcmp(f.name, many.name) == 0; });
     if (single == robot.functions.end()) {
-      checks.record(std::string(many.name) + " of one state", kManyStates, std::numeric_limits<Real>::infinity(), 0);
+      checks.record(std::string(many.name) + " of one state", kOtherRounding, std::numeric_limits<Real>::infinity(), 0);
       continue;
     }
     for (const bool by_state : {false, true}) check_batch(*single, many, cache, by_state, engine, checks);

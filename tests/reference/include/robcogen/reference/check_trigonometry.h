@@ -8,10 +8,25 @@
 
 namespace robcogen::reference {
 
-inline constexpr Tolerance kOtherSines{
-    "kOtherSines", 1e-13, "sines and cosines of other rounding, in sums; relative to the function's largest result"};
-inline constexpr Tolerance kOtherSinesDivided{
-    "kOtherSinesDivided", 1e-9, "the same, carried through the inverse of a matrix of any condition"};
+inline constexpr Tolerance kOtherRounding{
+    "kOtherRounding", 1e-13,
+    "sines and cosines of other rounding, in sums of another order; relative to the function's largest result"};
+inline constexpr Tolerance kOtherRoundingDivided{
+    "kOtherRoundingDivided", 1e-9, "the same, carried through the inverse of a matrix of any condition"};
+
+inline bool divides(const reflection::Function& f) {
+  return f.count.div > 0 || f.count.sqrt > 0;
+}
+
+// Of a check of this function against the same by another way.
+inline void record_other_rounding(
+    Checks& checks,
+    const std::string& name,
+    const reflection::Function& f,
+    Real relative_difference) {
+  const std::string which = divides(f) ? ", with divisions" : "";
+  checks.record(name + which, divides(f) ? kOtherRoundingDivided : kOtherRounding, relative_difference, 0);
+}
 
 // Fewer angles may be left to the C library, while all joints together are not.
 inline constexpr int kComputedTogether = 4;
@@ -78,13 +93,10 @@ inline void check_core(
     f.call_core(in.data(), sine.data(), cosine.data(), found.data());
     given.add(expected, found);
   }
-  const bool divides = f.count.div > 0 || f.count.sqrt > 0;
-  const Tolerance& other = divides ? kOtherSinesDivided : kOtherSines;
-  const std::string which = divides ? ", with divisions" : "";
   // The same sines where many are read; kernels whose limbs share lanes still add in another order than their cores.
   const std::string few = f.count.sincos >= kComputedTogether ? "" : ", few read";
-  checks.record("sines and cosines of all joints" + few + which, other, computed.relative(), 0);
-  checks.record("sines and cosines that are given" + which, other, given.relative(), 0);
+  record_other_rounding(checks, "sines and cosines of all joints" + few, f, computed.relative());
+  record_other_rounding(checks, "sines and cosines that are given", f, given.relative());
 }
 
 // Every function that reads sines or cosines of joints.
