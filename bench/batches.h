@@ -57,7 +57,7 @@ class Columns {
 };
 
 // The arguments of all functions, and room for their results: of matrices, which are large, as many states as 256 KB
-// hold. All states' would be far from the processor, and each column on a page of its own.
+// hold. Those of all states would be far from the processor.
 template <class R>
 struct Arrays {
   static constexpr int kMatrixElements = R::InertiaMatrix::SizeAtCompileTime;

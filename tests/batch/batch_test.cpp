@@ -11,11 +11,13 @@
 #include "allocation_hook.h"
 #include "calls.h"
 #include CALLS
+#include "robcogen/reference/levels.h"
 
 namespace robcogen::batch_test {
 namespace {
 
 using batch::Level;
+using reference::available_levels;
 
 // Of the largest number of a state's results: products fuse with other sums, and errors of a few hundred roundings add
 // up in solutions of equations.
@@ -24,13 +26,6 @@ constexpr double kTolerance = 450 * static_cast<double>(std::numeric_limits<Scal
 
 constexpr int kGap = 3;  // numbers beyond the states, or beyond the elements of a state
 constexpr int kGuard = 16;
-
-std::vector<Level> levels() {
-  std::vector<Level> result;
-  for (const Level level : {Level::baseline, Level::avx2, Level::avx512})
-    if (batch::available(level) == level) result.push_back(level);
-  return result;
-}
 
 // Numbers of n states in one layout, between guards, with gaps.
 template <class Scalar>
@@ -163,7 +158,7 @@ TYPED_TEST(Batch, IsSingleCalls) {
   for (const Call<TypeParam>& call : calls<TypeParam>()) {
     for (const std::ptrdiff_t n : {0, 1, 3, 4, 7, 8, 9, 33}) {
       const States<TypeParam> states = random_states(call, n);
-      for (const Level level : levels()) {
+      for (const Level level : available_levels()) {
         for (const bool by_state : {false, true}) {
           const auto found = many(call, states, by_state, level);
           for (std::size_t i = 0; i < states.size(); ++i) {
@@ -196,7 +191,7 @@ TYPED_TEST(Batch, StatesDoNotTouchEachOther) {
       if (i == 0)
         for (TypeParam& x : states[kLarge][i]) x = static_cast<TypeParam>(kScale * static_cast<double>(x));
     }
-    for (const Level level : levels()) {
+    for (const Level level : available_levels()) {
       const auto found = many(call, states, false, level), expected = many(call, usual, false, level);
       for (std::size_t i = 0; i < kCount; ++i) {
         if (i == kOdd) continue;

@@ -30,7 +30,7 @@ std::vector<double> random_numbers(std::mt19937_64& engine, int count) {
 #ifdef ROBCOGEN_BATCH_HEADER
 constexpr const auto& kBatches = ROBCOGEN_ROBOT_NAMESPACE::reflection::batch_functions;
 #else
-constexpr robcogen::reflection::Table<robcogen::reflection::BatchFunction> kBatches = {nullptr, 0};
+constexpr robcogen::reflection::BatchFunctions kBatches = {nullptr, 0};
 #endif
 
 // The same function over many states, element by element, where the library has it. Whether all results are written.

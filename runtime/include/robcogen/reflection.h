@@ -169,6 +169,8 @@ struct Table {
   constexpr const T* end() const { return data + size; }
 };
 
+using BatchFunctions = Table<BatchFunction>;
+
 struct Robot {
   const char* name;
   bool floating_base;

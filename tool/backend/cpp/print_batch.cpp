@@ -226,34 +226,27 @@ std::string interface(const Api& api, bool single_precision) {
 
 // A function under one signature for all: what it reads of a state stands one after another, and so does what it
 // writes.
-struct FlatFunction {
-  std::string definition;
-  int inputs = 0;
-  int outputs = 0;
-};
-
-FlatFunction flat_function(const Api& api, const Callable& callable) {
-  FlatFunction result;
+std::string flat_function(const Api& api, const Callable& callable) {
   std::vector<std::string> list = {"const double*", "std::ptrdiff_t n"}, arguments = {"n"};
+  int read = 0, written = 0;
   for (const Array& a : arrays(callable.function->program)) {
     if (a.is_parameters) {
       list.front() = "const double* parameters";
       arguments.insert(arguments.begin(), "parameters");
       continue;
     }
-    int& offset = a.is_output ? result.outputs : result.inputs;
+    int& offset = a.is_output ? written : read;
     const std::string all = a.is_output ? "out" : "in";
     arguments.push_back(offset == 0 ? all : all + ".from(" + std::to_string(offset) + ")");
     offset += a.size;
   }
   const std::string strided = "const robcogen::batch::Strided<";
-  list.push_back(strided + "const double>&" + (result.inputs > 0 ? " in" : ""));
-  list.push_back(strided + "double>&" + (result.outputs > 0 ? " out" : ""));
+  list.push_back(strided + "const double>&" + (read > 0 ? " in" : ""));
+  list.push_back(strided + "double>&" + (written > 0 ? " out" : ""));
   list.emplace_back("robcogen::batch::Level most");
   arguments.emplace_back("most");
-  result.definition = declaration("inline void " + callable.kernel, list, " noexcept {") +
-                      call("::" + api.space + "::batch::kernel::" + callable.kernel + "<double>", arguments, 2) + "}\n";
-  return result;
+  return declaration("inline void " + callable.kernel, list, " noexcept {") +
+         call("::" + api.space + "::batch::kernel::" + callable.kernel + "<double>", arguments, 2) + "}\n";
 }
 
 }  // namespace
@@ -264,21 +257,10 @@ std::string batch_kernel_declarations(const Api& api) {
   return in_namespace("batch::kernel", paragraphs(choosers));
 }
 
-std::string batch_table(const Api& api) {
+std::string flat_batch_functions(const Api& api) {
   std::vector<std::string> functions;
-  std::vector<std::vector<Field>> rows;
-  for (const Callable& c : api.callables) {
-    const FlatFunction flat = flat_function(api, c);
-    functions.push_back(flat.definition);
-    rows.push_back({quoted(c.kernel), flat.inputs, flat.outputs, "&flat::batch::" + c.kernel});
-  }
-  const std::string type = "inline constexpr robcogen::reflection::";
-  const std::string all = type + "Table<robcogen::reflection::BatchFunction> batch_functions";
-  if (rows.empty()) return all + " = {nullptr, 0};\n";
-  return paragraphs(
-      {in_namespace("flat::batch", paragraphs(functions)), table(type + "BatchFunction kBatchFunctions[]", rows),
-       comment("Apart from the robot's own tables: a program that does not look here links none of these functions.") +
-           remarked_list(all, {"kBatchFunctions", std::to_string(rows.size())}, {"rows", "their number"})});
+  for (const Callable& c : api.callables) functions.push_back(flat_function(api, c));
+  return in_namespace("flat::batch", paragraphs(functions));
 }
 
 std::string print_batch(const Api& api, const std::string& path) {

@@ -250,6 +250,18 @@ Table functions(const Api& api) {
   return table("Function", "kFunctions", rows);
 }
 
+// Of functions over many states; what they read of a state are no parameters.
+Table batch_functions(const Api& api) {
+  std::vector<std::vector<Field>> rows;
+  for (const Callable& c : api.callables) {
+    int inputs = 0;
+    for (const symbolic::InputArray& input : c.function->program.inputs)
+      if (input.role != Role::parameters) inputs += static_cast<int>(input.elements.size());
+    rows.push_back({quoted(c.kernel), inputs, output_count(c.function->program), "&flat::batch::" + c.kernel});
+  }
+  return table("BatchFunction", "kBatchFunctions", rows);
+}
+
 Table parameters(const Library& library) {
   std::vector<std::vector<Field>> rows;
   for (const ParameterData& p : library.parameters)
@@ -295,7 +307,11 @@ std::string print_reflection(const Api& api, const std::string& path) {
   std::string batch_kernels;
   if (library.has_batches) {
     batch_kernels = in_namespace(api.space, batch_kernel_declarations(api));
-    parts.push_back(batch_table(api));
+    const Table t = batch_functions(api);
+    parts.insert(parts.end(), {flat_batch_functions(api), t.definition});
+    parts.push_back(
+        comment("Apart from `robot`: a program that does not look here links none of these functions.") +
+        "inline constexpr robcogen::reflection::BatchFunctions batch_functions = " + t.reference + ";\n");
   }
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",

@@ -65,9 +65,10 @@ std::string print_batch_level(
     const std::string& group,
     const std::string& level,
     const std::string& path);
-// What <name>/reflection.h says of them: their declarations, within the robot's namespace, and a table.
+// What the table of them in <name>/reflection.h refers to: their declarations, within the robot's namespace, and each
+// under one signature for all, in `flat::batch`.
 std::string batch_kernel_declarations(const Api& api);
-std::string batch_table(const Api& api);
+std::string flat_batch_functions(const Api& api);
 std::string print_umbrella(const Api& api, const std::string& path);
 
 }  // namespace robcogen::backend::cpp

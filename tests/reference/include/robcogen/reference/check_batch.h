@@ -6,18 +6,12 @@
 #include <vector>
 
 #include "robcogen/reference/check_trigonometry.h"
+#include "robcogen/reference/levels.h"
 
 namespace robcogen::reference {
 
 // Two of the widest blocks, and states that fill none.
 inline constexpr int kManyStatesCount = 19;
-
-inline std::vector<batch::Level> available_levels() {
-  std::vector<batch::Level> levels;
-  for (const batch::Level level : {batch::Level::baseline, batch::Level::avx2, batch::Level::avx512})
-    if (batch::available(level) == level) levels.push_back(level);
-  return levels;
-}
 
 // One function in one layout, on every processor that this machine can stand for.
 inline void check_batch(
@@ -38,7 +32,7 @@ inline void check_batch(
     return array.data[static_cast<std::ptrdiff_t>(k) * array.element + state * array.state];
   };
   const batch::Strided<double> in = strided(inputs.data(), read), all = strided(expected.data(), written);
-  // A function that depends on no parameter reads none.
+  // What solves with a factor reads that, and no parameters.
   const std::size_t before = static_cast<std::size_t>(single.inputs) - read;
   const std::vector<double> parameters(cache.begin(), before > 0 ? cache.end() : cache.begin());
   std::vector<double> results(written);
@@ -61,7 +55,7 @@ inline void check_batch(
 // Every function of the table. One that no function of one state stands beside is infinitely wrong.
 inline void check_batches(
     const Robot& robot,
-    const reflection::Table<reflection::BatchFunction>& functions,
+    const reflection::BatchFunctions& functions,
     const std::vector<double>& cache,
     std::mt19937_64& engine,
     Checks& checks) {
