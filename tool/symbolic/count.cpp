@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <tuple>
 
 #include "symbolic/blocks.h"
 
@@ -203,7 +204,7 @@ int moves(const Program& p) {
 
 OperationCount count(const Program& p) {
   OperationCount c;
-  std::set<std::pair<int, int>> angles;
+  std::set<std::tuple<int, int, int>> angles;  // kinds, indices and lanes of arguments
   for (const Statement& s : p.statements) {
     switch (s.op) {
       case Op::add:
@@ -221,14 +222,18 @@ OperationCount count(const Program& p) {
         break;
       case Op::sine:
       case Op::cosine:
-        angles.emplace(static_cast<int>(s.a.kind), s.a.index);
+        angles.emplace(static_cast<int>(s.a.kind), s.a.index, s.a.lane);
         break;
       case Op::gather:
       case Op::sum_lanes:
         break;
     }
   }
-  c.sincos = static_cast<int>(angles.size());
+  // A single lane has its sine from those of all lanes, where these are computed.
+  c.sincos = static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
+    const auto& [kind, index, lane] = angle;
+    return lane < 0 || angles.count({kind, index, -1}) == 0;
+  }));
   c.instructions = c.mul + c.add - fused_products(p);
   c.moves = moves(p);
   c.critical_path = critical_path(p);

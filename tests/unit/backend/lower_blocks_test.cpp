@@ -142,6 +142,37 @@ TEST(LowerBlocks, SinesOfABlockOfTwoLanesAreComputedTogether) {
       "out[1] = x[1];\n");
 }
 
+// A limb whose sine the others have no use for: all lanes are computed at once, and it takes its own.
+TEST(LowerBlocks, ASingleLaneHasItsSineFromThoseOfAllLanes) {
+  const std::string text = lowered(
+      "tmp u = gather q[0] q[3]\n"
+      "let x = u + 0.5\n"
+      "tmp s = sin x@0\n"
+      "tmp t = -0.25 * s\n"
+      "tmp c = cos x\n"
+      "tmp r = cos -x@1\n"
+      "return out c@0 c@1 t r\n",
+      4);
+  EXPECT_NE(text.find("const auto [s_x, c_x] = robcogen::sincos(x);\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("Scalar(-0.25) * s_x[0]"), std::string::npos) << text;
+  EXPECT_NE(text.find("out[3] = c_x[1];\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("sincos(x["), std::string::npos) << text;
+}
+
+// What two limbs compute apart from each other are two angles.
+TEST(LowerBlocks, SinesOfSingleLanesAreScalars) {
+  const std::string text = lowered(
+      "tmp u = gather q[0] q[3]\n"
+      "let x = u + 0.5\n"
+      "tmp s = sin x@0\n"
+      "tmp c = cos x@1\n"
+      "tmp r = cos x@0\n"
+      "return out s c r x@0\n",
+      4);
+  EXPECT_NE(text.find("const auto [s_x_0, c_x_0] = robcogen::sincos(x[0]);\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("const Scalar c_x_1 = cos(x[1]);\n"), std::string::npos) << text;
+}
+
 TEST(LowerBlocks, LongListsGoOnInTheNextLine) {
   std::string statements = "tmp s = gather q[0] q[3]\n", first, second;
   for (int k = 0; k < 8; ++k) {

@@ -162,6 +162,14 @@ TEST(Count, LanesCountOnce) {
   EXPECT_EQ(c.critical_path, 4);
 }
 
+// All lanes at once are one, from which a single lane takes its own; single lanes are one each.
+TEST(Count, SinesOfLanesAreOneAndThoseOfSingleLanesOneEach) {
+  const std::string x = "tmp x = gather k[0] k[1]\n";
+  EXPECT_EQ(count(of_lanes("value", x + "tmp s = sin x\ntmp c = cos x@0\n", "s@0 c")).sincos, 1);
+  EXPECT_EQ(count(of_lanes("value", x + "tmp s = sin x@0\ntmp c = cos x@0\n", "s c")).sincos, 1);
+  EXPECT_EQ(count(of_lanes("value", x + "tmp s = sin x@0\ntmp c = cos x@1\n", "s c")).sincos, 2);
+}
+
 TEST(Count, ASumOfLanesWaitsForHalves) {
   const OperationCount c =
       count(of_lanes("value", "tmp a = gather k[0] k[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));

@@ -1,5 +1,8 @@
 // What an arrangement says of single statements and operands.
+#include <stdexcept>
+
 #include "backend/common/arrangement.h"
+#include "support/concat.h"
 #include "support/index.h"
 
 namespace robcogen::backend {
@@ -8,22 +11,59 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Statement;
 
+namespace {
+
+// What does not fit here would not compile, or would take one lane for another.
+void require_lanes(const Arrangement& arranged, const Statement& s, const Spelling& value, int lanes) {
+  if (value.width == lanes) return;
+  throw std::logic_error(concat(
+      {arranged.program.name, ": '", s.name, "' reads ", std::to_string(value.width), " lanes where it takes ",
+       std::to_string(lanes), ": ", value.text}));
+}
+
+// An operand as it is, and what is to be computed has `lanes` of it.
+Spelling spell_checked(Arrangement& arranged, const Statement& s, const Operand& o, int lanes) {
+  Spelling result = spell(arranged, o);
+  require_lanes(arranged, s, result, lanes);
+  return result;
+}
+
+Spelling gathered(Arrangement& arranged, const Statement& s) {
+  std::string list;
+  for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell_checked(arranged, s, o, 1));
+  Spelling result;
+  result.text = arranged.texts.add({arranged.dialect.type(s.width), "::of(", list, ")"});
+  return result;
+}
+
+Spelling sum_of_lanes(Arrangement& arranged, std::size_t i) {
+  const Statement& s = arranged.program.statements[i];
+  const int lanes = width_of(arranged.program, s.a);
+  const Spelling first = spell_checked(arranged, s, s.a, lanes);
+  if (arranged.places[i] != Place::sums) return call("sum_lanes", first, arranged.texts);
+  const Statement& next = arranged.program.statements[i + 1];
+  return call("sum_lanes", first, spell_checked(arranged, next, next.a, lanes), arranged.texts);
+}
+
+}  // namespace
+
 Spelling expression(Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
-  if (s.op == Op::square_root) return call("sqrt", spell(arranged, s.a), arranged.texts);
-  if (arranged.places[i] == Place::sums) {
-    const Operand& next = arranged.program.statements[i + 1].a;
-    return call("sum_lanes", spell(arranged, s.a), spell(arranged, next), arranged.texts);
+  Spelling result;
+  if (s.op == Op::square_root) {
+    result = call("sqrt", spell_checked(arranged, s, s.a, s.width), arranged.texts);
+  } else if (s.op == Op::sum_lanes) {
+    result = sum_of_lanes(arranged, i);
+  } else if (s.op == Op::gather) {
+    result = gathered(arranged, s);
+  } else {
+    const Spelling a = spell(arranged, s.a, s.width), b = spell(arranged, s.b, s.width);
+    require_lanes(arranged, s, a, s.width);
+    require_lanes(arranged, s, b, s.width);
+    result = binary(s.op, a, b, arranged.texts);
   }
-  if (s.op == Op::sum_lanes) return call("sum_lanes", spell(arranged, s.a), arranged.texts);
-  if (s.op == Op::gather) {
-    std::string list;
-    for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell(arranged, o));
-    Spelling gathered;
-    gathered.text = arranged.texts.add({arranged.dialect.type(s.width), "::of(", list, ")"});
-    return gathered;
-  }
-  return binary(s.op, spell(arranged, s.a, s.width), spell(arranged, s.b, s.width), arranged.texts);
+  result.width = s.width;
+  return result;
 }
 
 Spelling spell(Arrangement& arranged, const Operand& o, int lanes) {
@@ -35,16 +75,19 @@ Spelling spell(Arrangement& arranged, const Operand& o, int lanes) {
     result = literal(
         arranged.texts.add({type, "(", number.text, ")"}), arranged.texts.add({type, "(", number.opposite, ")"}));
     result.negative = o.negative;
+    result.width = lanes;
     return result;
   }
   const Operand positive = {o.kind, o.index, false, o.lane};
   result = call(arranged.dialect.type(lanes), spell(arranged, positive), arranged.texts);
   result.negative = o.negative;
+  result.width = lanes;
   return result;
 }
 
 Spelling lane_of(Arrangement& arranged, Spelling value, int lane) {
   value.text = arranged.texts.add({arranged.dialect.element(std::string(value.text), at(lane))});
+  value.width = 1;
   return value;
 }
 
@@ -86,6 +129,11 @@ const Parameter& output_parameter(const Arrangement& arranged, std::size_t outpu
 
 bool is_in_block(const Arrangement& arranged, std::size_t output, std::size_t element) {
   return arranged.dialect.stores && arranged.blocks.is_stored[output][element];
+}
+
+AngleKey supplier(const Arrangement& arranged, const Operand& argument) {
+  const AngleKey whole = {argument.kind, argument.index};
+  return arranged.angles.count(whole) > 0 ? whole : key_of(argument);
 }
 
 bool is_angle_function(Op op) {

@@ -58,6 +58,7 @@ class Arranging {
     declare_parameters();
     if (dialect_.stores) arranged_.blocks = block_plan(program_);
     find_uses();
+    share_angles_of_lanes();
     find_pairs_of_sums();
     if (dialect_.binds_parameters) bind_parameters();
     find_angles_together();
@@ -205,10 +206,25 @@ class Arranging {
 
   void note_angle(std::size_t i) {
     const Statement& s = statement(i);
-    Angle& angle = arranged_.angles[{s.a.kind, s.a.index}];
+    Angle& angle = arranged_.angles[key_of(s.a)];
     angle.first = static_cast<int>(i);  // statements come last to first
     (s.op == Op::sine ? angle.sine : angle.cosine) = true;
     if (s.width > 1) angle.sine = angle.cosine = true;  // of lanes, both come together only
+  }
+
+  // Where all lanes of a value have their sine and cosine, a single lane takes its own from there.
+  void share_angles_of_lanes() {
+    std::map<AngleKey, Angle>& angles = arranged_.angles;
+    for (auto angle = angles.begin(); angle != angles.end();) {
+      const AngleKey& key = angle->first;
+      const auto whole = key.lane < 0 ? angles.end() : angles.find({key.kind, key.index});
+      if (whole == angles.end()) {
+        ++angle;
+        continue;
+      }
+      whole->second.first = std::min(whole->second.first, angle->second.first);
+      angle = angles.erase(angle);
+    }
   }
 
   // Decides whether sines and cosines of inputs are computed together: of one array, and most of the elements between
@@ -216,7 +232,7 @@ class Arranging {
   void find_angles_together() {
     std::vector<int> angles;
     for (const auto& [key, angle] : arranged_.angles)
-      if (key.first == Operand::Kind::input) angles.push_back(key.second);
+      if (key.kind == Operand::Kind::input) angles.push_back(key.index);
     if (dialect_.angles_together == 0 || angles.size() < dialect_.angles_together) return;
     const std::size_t count = at(angles.back() - angles.front()) + 1;
     std::size_t end = 0;
@@ -228,15 +244,16 @@ class Arranging {
     arranged_.first_together = angles.front();
     arranged_.together = count;
     for (auto& [key, angle] : arranged_.angles)
-      if (key.first == Operand::Kind::input) angle.sine = angle.cosine = true;
+      if (key.kind == Operand::Kind::input) angle.sine = angle.cosine = true;
   }
 
   void name_values() {
     for (auto& [key, angle] : arranged_.angles) {
-      const auto& [kind, index] = key;
-      const std::string subject = kind == Operand::Kind::input       ? input_labels_[at(index)]
-                                  : kind == Operand::Kind::statement ? statement(at(index)).name
-                                                                     : statement(at(angle.first)).name;
+      const auto& [kind, index, lane] = key;
+      std::string subject = kind == Operand::Kind::input       ? input_labels_[at(index)]
+                            : kind == Operand::Kind::statement ? statement(at(index)).name
+                                                               : statement(at(angle.first)).name;
+      if (lane >= 0) subject += "_" + std::to_string(lane);
       if (angle.sine) angle.sine_name = arranged_.scope.claim(shortened("s_" + subject));
       if (angle.cosine) angle.cosine_name = arranged_.scope.claim(shortened("c_" + subject));
     }
@@ -248,6 +265,7 @@ class Arranging {
       arranged_.load_names.push_back(arranged_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
     for (std::size_t i = 0; i < arranged_.names.size(); ++i) {
       const Statement& s = statement(i);
+      arranged_.spellings[i].width = s.width;
       if (arranged_.places[i] == Place::loaded) {
         const auto& [load, column] = arranged_.blocks.loaded.at(i);
         arranged_.spellings[i].text = arranged_.texts.add({dialect_.element(arranged_.load_names[load], column)});
@@ -257,10 +275,19 @@ class Arranging {
         arranged_.spellings[i].text = arranged_.names[i];
         continue;
       }
-      const Angle& angle = arranged_.angles.at({s.a.kind, s.a.index});
-      arranged_.spellings[i].text = s.op == Op::sine ? angle.sine_name : angle.cosine_name;
-      arranged_.spellings[i].negative = s.op == Op::sine && s.a.negative;
+      arranged_.spellings[i] = angle_function(s);
     }
+  }
+
+  Spelling angle_function(const Statement& s) {
+    const AngleKey key = supplier(arranged_, s.a);
+    const Angle& angle = arranged_.angles.at(key);
+    Spelling result;
+    result.text = s.op == Op::sine ? angle.sine_name : angle.cosine_name;
+    result.width = width_of(program_, {key.kind, key.index, false, key.lane});
+    if (key.lane != s.a.lane) result = lane_of(arranged_, result, s.a.lane);
+    result.negative = s.op == Op::sine && s.a.negative;
+    return result;
   }
 
   struct Part {

@@ -32,6 +32,18 @@ enum class Place {
   loaded,   // part of a block
 };
 
+// The argument of a sine or cosine, without its sign.
+struct AngleKey {
+  symbolic::Operand::Kind kind = symbolic::Operand::Kind::input;
+  int index = 0;
+  int lane = -1;  // of a value with lanes: this one; -1: the whole
+  friend auto operator<=>(const AngleKey&, const AngleKey&) = default;
+};
+
+inline AngleKey key_of(const symbolic::Operand& argument) {
+  return {argument.kind, argument.index, argument.lane};
+}
+
 // Sine and cosine of one argument.
 struct Angle {
   int first = -1;  // statement that asks for it first
@@ -40,9 +52,6 @@ struct Angle {
 };
 
 struct Arrangement {
-  // Kind and index of an argument.
-  using AngleKey = std::pair<symbolic::Operand::Kind, int>;
-
   const symbolic::Program& program;
   const Dialect& dialect;
   NameScope scope;
@@ -58,9 +67,9 @@ struct Arrangement {
   std::vector<Spelling> spellings = {};    // how a user reads the statement, unless it stands inside
   std::vector<Spelling> expressions = {};  // what it is: stands in its line, or inside its user
   std::vector<std::vector<Store>> stores = {};
-  std::map<AngleKey, Angle> angles = {};
-  int first_together = 0;    // input element
-  std::size_t together = 0;  // how many from it on have their sines and cosines computed together; 0: none
+  std::map<AngleKey, Angle> angles = {};  // of a lane only where there is none of the whole value
+  int first_together = 0;                 // input element
+  std::size_t together = 0;               // how many from it on have their sines and cosines computed together; 0: none
   BlockPlan blocks = {};
   std::vector<std::string> load_names = {};
 };
@@ -85,5 +94,9 @@ const Parameter& output_parameter(const Arrangement& arranged, std::size_t outpu
 bool is_in_block(const Arrangement& arranged, std::size_t output, std::size_t element);
 
 bool is_angle_function(symbolic::Op op);
+
+// What supplies the sine or cosine of this argument: that of the whole value where the argument is a lane of it and all
+// lanes are asked for.
+AngleKey supplier(const Arrangement& arranged, const symbolic::Operand& argument);
 
 }  // namespace robcogen::backend

@@ -67,8 +67,8 @@ class Emission {
     if (place == list.end() || *place != function) list.insert(place, function);
   }
 
-  void emit_angle(const Arrangement::AngleKey& key, const Angle& angle) {
-    const Operand operand{key.first, key.second, false};
+  void emit_angle(const AngleKey& key, const Angle& angle) {
+    const Operand operand{key.kind, key.index, false, key.lane};
     const std::string argument = text(spell(arranged_, operand));
     if (angle.sine && angle.cosine && dialect_.pairs_angles) {
       add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument, 0, width_of(program_, operand)});
@@ -88,14 +88,14 @@ class Emission {
       const std::string all = arranged_.scope.claim("trig");
       add({Line::Kind::sincos_of, {all}, arranged_.input_names[at(arranged_.first_together)], arranged_.together});
       for (const auto& [key, angle] : arranged_.angles) {
-        if (key.first != Operand::Kind::input) continue;
-        const std::string element = dialect_.element(all, at(key.second - arranged_.first_together));
+        if (key.kind != Operand::Kind::input) continue;
+        const std::string element = dialect_.element(all, at(key.index - arranged_.first_together));
         add({Line::Kind::pick, {angle.sine_name, angle.cosine_name}, element});
       }
       return;
     }
     for (const auto& [key, angle] : arranged_.angles)
-      if (key.first == Operand::Kind::input) emit_angle(key, angle);
+      if (key.kind == Operand::Kind::input) emit_angle(key, angle);
   }
 
   // Before all that stands between their elements.
@@ -158,10 +158,10 @@ class Emission {
     if (s.op == Op::square_root) need("sqrt");
     if (arranged_.places[i] == Place::inside) return;
     if (arranged_.places[i] == Place::angle) {
-      const Arrangement::AngleKey key{s.a.kind, s.a.index};
+      const AngleKey key = supplier(arranged_, s.a);
       const Angle& angle = arranged_.angles.at(key);
       const bool computed =
-          key.first != Operand::Kind::input && angle.first == static_cast<int>(i) && angles_done_.count(s.a.index) == 0;
+          key.kind != Operand::Kind::input && angle.first == static_cast<int>(i) && angles_done_.count(s.a.index) == 0;
       if (computed || (dialect_.stores && !arranged_.stores[i].empty())) enter_section(i);
       if (computed) emit_angle(key, angle);
     } else if (arranged_.places[i] != Place::summed) {

@@ -19,6 +19,7 @@ struct Spelling {
   bool negative = false;
   bool literal = false;
   std::string_view opposite;   // `b - a` where the text is `a - b`: the negative without a minus sign; else empty
+  int width = 1;               // lanes
   bool literal_first = false;  // the text begins with a literal that can take the sign, and `opposite` does so
 };
 
