@@ -63,6 +63,58 @@ TEST(EliminateCommonSubexpressions, ComputesEqualStatementsOnce) {
       "return out product -first -sine sine\n");
 }
 
+// Of opposite operands nothing is equal, however alike the statements look.
+TEST(EliminateCommonSubexpressions, TheSignOfAnOperandMatters) {
+  const std::string different =
+      "in 0\n"
+      "tmp sum = a[0] + a[1]\n"
+      "tmp first_negated = -a[0] + a[1]\n"
+      "tmp second_negated = a[0] + -a[1]\n"
+      "tmp product = sum * a[2]\n"
+      "tmp negated_product = -sum * a[2]\n"
+      "tmp root = sqrt sum\n"
+      "tmp root_of_negated = sqrt -sum\n"
+      "tmp cosine = cos sum\n"
+      "tmp sine = sin sum\n"
+      "tmp sine_of_negated = sin -sum\n"
+      "return out first_negated second_negated product negated_product root root_of_negated cosine sine "
+      "sine_of_negated\n";
+  EXPECT_EQ(after(eliminate_common_subexpressions, different, 9), different);
+}
+
+TEST(EliminateCommonSubexpressions, OperandsOfOneSignAreEqual) {
+  EXPECT_EQ(
+      after(
+          eliminate_common_subexpressions,
+          "in 0\n"
+          "tmp sum = -a[0] + a[1]\n"
+          "tmp again = a[1] + -a[0]\n"
+          "tmp root = sqrt -sum\n"
+          "tmp root_again = sqrt -again\n"
+          "return out root root_again\n",
+          2),
+      "in 0\n"
+      "tmp sum = -a[0] + a[1]\n"
+      "tmp root = sqrt -sum\n"
+      "return out root root\n");
+}
+
+// a - b is not b - a, nor a / b the other quotient, whichever comes first.
+TEST(EliminateCommonSubexpressions, DifferencesAndQuotientsDoNotCommute) {
+  const std::string different =
+      "in 0\n"
+      "tmp difference = a[0] - a[1]\n"
+      "tmp opposite = a[1] - a[0]\n"
+      "tmp quotient = a[2] / a[3]\n"
+      "tmp reciprocal = a[3] / a[2]\n"
+      "tmp of_statements = difference - quotient\n"
+      "tmp other_order = quotient - difference\n"
+      "tmp of_constants = 2.0 - a[0]\n"
+      "tmp other_constants = a[0] - 2.0\n"
+      "return out opposite reciprocal of_statements other_order of_constants other_constants\n";
+  EXPECT_EQ(after(eliminate_common_subexpressions, different, 6), different);
+}
+
 TEST(EliminateCommonSubexpressions, SumsAndProductsCommute) {
   EXPECT_EQ(
       after(
