@@ -32,4 +32,6 @@ install(
         cmake/RobcogenTool.cmake
         cmake/RobcogenRealTime.cmake
         cmake/RobcogenTransforms.cmake
+        cmake/RobcogenXacro.cmake
+        cmake/RobcogenExpandXacro.cmake
   DESTINATION ${package_dir})

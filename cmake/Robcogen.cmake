@@ -2,7 +2,10 @@
 #
 #     robcogen_add_robot(
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
-#       MODEL hyl.kindsl            # the robot, .kindsl or .urdf, relative to the calling CMakeLists.txt
+#       MODEL hyl.kindsl            # the robot, .kindsl, .urdf (or .xml, a URDF too) or .urdf.xacro, relative to the calling
+#                                   # CMakeLists.txt
+#       [XACRO_ARGS name:=value…]   # of a .urdf.xacro, which the build expands with the program `xacro`, or with the one
+#                                   # that the variable ROBCOGEN_XACRO names; an edit of an included file is noticed
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document says so itself)
 #       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
@@ -45,6 +48,7 @@ include_guard(GLOBAL)
 
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
 
 set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
 set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
@@ -58,7 +62,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists XACRO_ARGS ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -76,6 +80,10 @@ function(robcogen_add_robot)
   _robcogen_check_names()
   _robcogen_require_tool()
 
+  _robcogen_is_xacro("${library_MODEL}" is_xacro)
+  if(is_xacro)
+    _robcogen_expand_xacro()
+  endif()
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_add_text()
     return()
@@ -109,11 +117,15 @@ endfunction()
 # What a robot's document may be.
 function(_robcogen_check_robot)
   cmake_path(GET library_MODEL EXTENSION LAST_ONLY extension)
-  if(NOT extension MATCHES "^\\.(kindsl|urdf)$")
-    _robcogen_refuse("MODEL must be a .kindsl document or a .urdf, not '${extension}': ${library_MODEL}")
+  if(NOT extension MATCHES "^\\.(kindsl|urdf|xml|xacro)$")
+    _robcogen_refuse(
+      "MODEL must be a .kindsl document, a .urdf or a .urdf.xacro, not '${extension}': ${library_MODEL}")
+  endif()
+  if(library_XACRO_ARGS AND NOT extension STREQUAL ".xacro")
+    _robcogen_refuse("XACRO_ARGS is for a MODEL that xacro expands, called .urdf.xacro or .xacro: ${library_MODEL}")
   endif()
   foreach(keyword FLOATING_BASE SNAP_ANGLES)
-    if(library_${keyword} AND NOT extension STREQUAL ".urdf")
+    if(library_${keyword} AND extension STREQUAL ".kindsl")
       _robcogen_refuse("${keyword} is for URDF; a robot document says such things itself: ${library_MODEL}")
     endif()
   endforeach()

@@ -1,0 +1,42 @@
+# A robot that xacro makes: robcogen_add_robot(… MODEL arm.urdf.xacro XACRO_ARGS length:=0.7).
+#
+# The program is the one that ROBCOGEN_XACRO names, else the xacro on the PATH. Whatever the file includes is a dependency
+# of the build, found anew each time it is expanded, so that no configuration runs xacro.
+
+# Sets `result` to whether xacro makes this file.
+function(_robcogen_is_xacro file result)
+  cmake_path(GET file EXTENSION LAST_ONLY extension)
+  if(extension STREQUAL ".xacro")
+    set(${result} TRUE PARENT_SCOPE)
+  else()
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(_robcogen_require_xacro)
+  find_program(ROBCOGEN_XACRO xacro DOC "The program that expands MODEL arm.urdf.xacro")
+  if(NOT ROBCOGEN_XACRO)
+    _robcogen_refuse(
+      "MODEL is for xacro, and there is no such program on the PATH: ${library_MODEL}. Install it (ROS: ros-<distribution>-xacro, \
+and source its setup.bash) or set ROBCOGEN_XACRO to its path")
+  endif()
+endfunction()
+
+# Adds the rule that expands library_MODEL, and makes the result library_MODEL.
+function(_robcogen_expand_xacro)
+  _robcogen_require_xacro()
+  cmake_path(GET library_MODEL STEM LAST_ONLY stem)
+  string(REGEX REPLACE "\\.urdf$" "" stem "${stem}")
+  set(expanded ${library_OUTPUT_DIR}/${stem}.urdf)
+  cmake_path(GET library_MODEL FILENAME document)
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/RobcogenExpandXacro.cmake)
+  add_custom_command(
+    OUTPUT ${expanded}
+    COMMAND ${CMAKE_COMMAND} -D XACRO=${ROBCOGEN_XACRO} -D MODEL=${library_MODEL} -D OUTPUT=${expanded} -P ${script} --
+            ${library_XACRO_ARGS}
+    DEPENDS ${library_MODEL} ${script} ${library_DEPENDS}
+    DEPFILE ${expanded}.d
+    COMMENT "Expanding ${document}"
+    VERBATIM)
+  set(library_MODEL ${expanded} PARENT_SCOPE)
+endfunction()
