@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <random>
+#include <regex>
 
 #include "import/parameters.h"
 #include "language/common/parse_expression.h"
@@ -43,24 +44,44 @@ TEST(ExportedExpression, SpellsNumbersAsAuthorsDo) {
   EXPECT_EQ(text_of(Number()), "0.0");
   EXPECT_EQ(text_of(Number::rational(-2)), "-2.0");
   EXPECT_EQ(text_of(*Number::parse("0.35")), "0.35");
-  EXPECT_EQ(text_of(Number::rational(1, 3)), "1.0/3.0");
-  EXPECT_EQ(text_of(Number::rational(-2, 3)), "-2.0/3.0");
+  EXPECT_EQ(text_of(*Number::parse("-0.00001")), "-0.00001");
+  EXPECT_EQ(text_of(*Number::parse("5.42101e-20")), "0.0000000000000000000542101");
+  EXPECT_EQ(text_of(Number::rational(1, 8)), "0.125");
+  EXPECT_EQ(text_of(Number::rational(1, 3)), "0.3333333333333333");
+  EXPECT_EQ(text_of(Number::rational(-17094918, 304890005)), "-0.05606913221048358");
   EXPECT_EQ(text_of(Number::pi_multiple(1)), "PI");
   EXPECT_EQ(text_of(Number::pi_multiple(-1, 2)), "-PI/2.0");
-  EXPECT_EQ(text_of(Number::pi_multiple(-2, 3)), "-2.0 PI/3.0");
+  EXPECT_EQ(text_of(Number::pi_multiple(-2, 3)), "-PI/1.5");
+  EXPECT_EQ(text_of(Number::pi_multiple(3, 4)), "0.75 PI");
+  EXPECT_EQ(text_of(Number::pi_multiple(-5, 12)), "-PI/2.4");
+  EXPECT_EQ(text_of(Number::pi_multiple(-3)), "-3.0 PI");
+  EXPECT_EQ(text_of(Number::pi_multiple(7, 12)), "1.8325957145940461");
   EXPECT_EQ(text_of(Number(0.1 + 0.2)), "0.30000000000000004");
 }
 
-constexpr std::int64_t kLargestLiteral = std::int64_t{1} << 53;
+// What the first release of the language reads as a number: `FLOAT`, `FLOAT PI`, `PI`, `PI/FLOAT`.
+bool is_original(const std::string& text) {
+  static const std::regex grammar(R"(-?\d+\.\d+( PI)?|-?PI(/\d+\.\d+)?)");
+  return std::regex_match(text, grammar);
+}
 
+bool is_decimal(const Number& n) {
+  return Number::parse(print_double(n.value())) == n;
+}
+
+// Exactly: rational numbers that are decimals, and multiples of PI by a decimal or by one's inverse.
 bool is_spelled_exactly(const Number& n) {
-  if (!n.ratio()) return false;
-  return std::abs(n.ratio()->num) <= kLargestLiteral && n.ratio()->den <= kLargestLiteral;
+  if (!n.ratio() || n.is_zero()) return n.is_zero();
+  const auto [num, den] = *n.ratio();
+  const bool is_direct = is_decimal(Number::rational(num, den));
+  if (!n.is_pi_multiple()) return is_direct;
+  return is_direct || is_decimal(Number::rational(den, num < 0 ? -num : num));
 }
 
 void expect_survives(const Number& n) {
   const language::ExpressionPtr written = exporting::expression(Quantity(n), {});
   const std::string text = language::print(*written);
+  EXPECT_TRUE(is_original(text)) << text;
   const Read back = read(text);
   EXPECT_TRUE(language::equal(*written, *back.expression)) << text;
   ASSERT_TRUE(back.quantity.is_constant()) << text;

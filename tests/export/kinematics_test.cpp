@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "random_robot.h"
@@ -183,6 +184,68 @@ TEST(ExportedDocument, MovesMassPropertiesFromAFrameThatHasNoName) {
   EXPECT_EQ(evaluate(inertia.com[2]), 3.0);
   EXPECT_EQ(evaluate(inertia.iyy), 1.0);
   EXPECT_EQ(evaluate(inertia.izz), 5.0);
+}
+
+// As a URDF may declare them: the hand before the arm that carries it, and links and joints in different orders.
+KinematicTree children_first() {
+  const auto link = [](const std::string& name, const std::string& children) {
+    return "link " + name +
+           " { id = 1 inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix = 1.0 Iy = 1.0 Iz = 1.0 Ixy = 0.0 Ixz = 0.0 "
+           "Iyz = 0.0 } children { " +
+           children + " } }\n";
+  };
+  const auto joint = [](const std::string& name, const std::string& x) {
+    return "r_joint " + name + " { ref_frame { translation = (" + x + ", 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }\n";
+  };
+  return read(
+      "Robot R { RobotBase base { children { arm via shoulder tail via root } }\n" + link("tip", "") +
+      link("hand", "tip via finger") + link("tail", "") + link("arm", "hand via wrist") + joint("root", "1.0") +
+      joint("finger", "2.0") + joint("shoulder", "3.0") + joint("wrist", "4.0") + "}");
+}
+
+TEST(ExportedDocument, DeclaresAndNumbersParentsFirst) {
+  const KinematicTree tree = children_first();
+  const auto document = exporting::numbered_parents_first(tree, exporting::kinematics_document(tree));
+  std::vector<std::string> links, joints;
+  std::vector<int> ids;
+  for (const auto& link : document.links) {
+    links.push_back(link.name.text);
+    if (link.id) ids.push_back(*link.id);
+  }
+  for (const auto& joint : document.joints) joints.push_back(joint.name.text);
+  // Joints keep their order where that is one of parents first: `root`, which nothing waits for, stays the first.
+  EXPECT_EQ(joints, (std::vector<std::string>{"root", "shoulder", "wrist", "finger"}));
+  EXPECT_EQ(links, (std::vector<std::string>{"base", "tail", "arm", "hand", "tip"}));
+  EXPECT_EQ(ids, (std::vector<int>{1, 2, 3, 4}));
+
+  const KinematicTree found = read(language::kinematics::print(document));
+  ASSERT_EQ(found.joints.size(), tree.joints.size());
+  for (const model::Joint& joint : found.joints) {
+    const model::Joint& same = tree.joints[static_cast<std::size_t>(tree.find_joint(joint.name).value())];
+    EXPECT_EQ(
+        found.links[static_cast<std::size_t>(joint.parent)].name,
+        tree.links[static_cast<std::size_t>(same.parent)].name);
+    EXPECT_EQ(
+        found.links[static_cast<std::size_t>(joint.child)].name, tree.links[static_cast<std::size_t>(same.child)].name);
+    EXPECT_EQ(evaluate(joint.placement.translation[0]), evaluate(same.placement.translation[0]));
+  }
+}
+
+TEST(ExportedDocument, KeepsAnOrderOfParentsFirst) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const KinematicTree tree = numeric::random_robot(seed, {1, 40, numeric::Shape::any, false});
+    const std::vector<int> order = exporting::joints_parents_first(tree);
+    std::vector<int> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    bool was_so = true;
+    for (int j = 0; j < tree.dof(); ++j) {
+      const int parent = tree.parent_joint_of(j);
+      if (parent < 0) continue;
+      EXPECT_LT(place[static_cast<std::size_t>(parent)], place[static_cast<std::size_t>(j)]);
+      was_so = was_so && parent < j;
+    }
+    EXPECT_EQ(std::is_sorted(order.begin(), order.end()), was_so);
+  }
 }
 
 TEST(ExportedDocument, EscapesKeywords) {

@@ -241,7 +241,8 @@ TEST(Expression, PrintsWhatTheOriginalReads) {
   EXPECT_EQ(printed("0.5*len"), "0.5 len");
   EXPECT_EQ(printed("1e-9"), "0.000000001");
   EXPECT_EQ(printed("1e15"), "1000000000000000.0");
-  EXPECT_EQ(printed("1e-30"), "1e-30");
+  EXPECT_EQ(printed("1e-30"), "0.000000000000000000000000000001");
+  EXPECT_EQ(printed("1e-301"), "1e-301");
   EXPECT_EQ(printed("3.14159265358979323846"), "3.141592653589793");
   EXPECT_EQ(printed("0"), "0.0");
   EXPECT_EQ(printed("2.0 m[1]"), "2.0 * m[1.0]");

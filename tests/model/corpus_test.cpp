@@ -126,13 +126,15 @@ TEST_F(Corpus, HasTheKnownRobots) {
   }
 }
 
-// The numbering of ids in this document has a hole, which is worth a warning and no more.
-TEST_F(Corpus, WarnsOfAGapInTheIds) {
+// A link of this document has an id that is too large: there is a hole, and its child has a smaller one. Both are worth
+// a warning and no more.
+TEST_F(Corpus, WarnsOfAWrongId) {
   Diagnostics diagnostics;
   const path document = path(ROBCOGEN_CORPUS_DIR) / "ESROCOS_kin-gen__tests_models_malformed_cmm-numbering.kindsl";
   EXPECT_TRUE(test::tree_of(test::source(document), diagnostics).has_value());
-  ASSERT_EQ(diagnostics.all().size(), 1u) << diagnostics.render();
-  EXPECT_EQ(diagnostics.all()[0].code, "gapped-ids");
+  ASSERT_EQ(diagnostics.all().size(), 2u) << diagnostics.render();
+  EXPECT_EQ(diagnostics.all()[1].code, "gapped-ids");
+  EXPECT_EQ(diagnostics.all()[0].code, "child-before-parent");
 }
 
 TEST_F(Corpus, MovesMassPropertiesAsTheTextbookDoes) {

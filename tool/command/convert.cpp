@@ -1,6 +1,7 @@
 // Models from one language to another: robots to robots, robots to motions, and both to coordinate transforms.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "command/command.h"
@@ -39,12 +40,19 @@ Language language_of(const fs::path& file) {
           "robcogen: error: cannot convert '{}': the languages are .kindsl, .urdf, .motdsl and .ctdsl", file.string())};
 }
 
+// What is read may have any name: its content says whether it is a URDF.
+Language language_of_input(const fs::path& file) {
+  const fs::path extension = file.extension();
+  if (extension == ".motdsl" || extension == ".ctdsl") return language_of(file);
+  return is_urdf(file) ? Language::urdf : Language::robot;
+}
+
 bool is_robot(Language language) {
   return language == Language::robot || language == Language::urdf;
 }
 
 void require_conversion(const Options& options) {
-  const Language from = language_of(options.from), to = language_of(options.to);
+  const Language from = language_of_input(options.from), to = language_of(options.to);
   if (from == to && from != Language::urdf)
     throw Failure{
         wrong_usage,
@@ -88,8 +96,42 @@ void mention_lost_limits(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
+// Joints that the document declares in another order than the model are in another order in q: said once.
+void mention_order(const Robot& robot, Diagnostics& diagnostics) {
+  const std::vector<int> order = exporting::joints_parents_first(robot.tree);
+  if (std::is_sorted(order.begin(), order.end())) return;
+  std::vector<std::string> written, declared;
+  for (const int j : order) written.push_back(robot.tree.joints[static_cast<std::size_t>(j)].name);
+  for (const model::Joint& joint : robot.tree.joints) declared.push_back(joint.name);
+  const model::Joint& first = robot.tree.joints.front();
+  diagnostics
+      .note(
+          "joint-order", first.place,
+          fmt::format(
+              "the robot document declares parents before their children, so that the order of q changes: it is {}",
+              fmt::join(written, ", ")))
+      .hint = fmt::format(
+      "code generated from {} has the order {}", robot.model.filename().string(), fmt::join(declared, ", "));
+}
+
+// What the model says may be what no body has: a warning there, and an error for who reads the URDF.
+void mention_implausible(const std::string& text, const Robot& robot, Diagnostics& diagnostics) {
+  Diagnostics again;
+  import::urdf(std::make_shared<Source>("", text), {}, again);
+  for (const Diagnostic& d : again.all()) {
+    if (d.severity != Severity::error || (d.code != "inertia-not-positive" && d.code != "negative-mass")) continue;
+    diagnostics
+        .warning(
+            "implausible-urdf", {std::make_shared<Source>(robot.model.string(), ""), {}},
+            "the URDF will be refused, as no body has the mass properties that it repeats")
+        .hint = "correct them here, or read the URDF with --allow-implausible";
+    return;
+  }
+}
+
 std::string robot_document(const Options& options, const Robot& robot) {
-  language::kinematics::Document document = exporting::kinematics_document(robot.tree);
+  language::kinematics::Document document =
+      exporting::numbered_parents_first(robot.tree, exporting::kinematics_document(robot.tree));
   document.comments = origin(options);
   return language::kinematics::print(document);
 }
@@ -121,10 +163,14 @@ std::optional<std::string> convert_robot(const Options& options, Diagnostics& di
   switch (language_of(options.to)) {
     case Language::robot:
       mention_lost_limits(*robot, diagnostics);
+      mention_order(*robot, diagnostics);
       return robot_document(options, *robot);
-    case Language::urdf:
+    case Language::urdf: {
       require_values(*robot);
-      return exporting::urdf(robot->tree);
+      std::string text = exporting::urdf(robot->tree);
+      mention_implausible(text, *robot, diagnostics);
+      return text;
+    }
     case Language::motions:
       return motion_document(options, model::motions_of(robot->tree));
     case Language::transforms:
@@ -154,8 +200,9 @@ std::optional<std::string> convert_motions(const Options& options, Diagnostics& 
 Status convert(const Options& options) {
   require_conversion(options);
   Diagnostics diagnostics;
-  const std::optional<std::string> text =
-      is_robot(language_of(options.from)) ? convert_robot(options, diagnostics) : convert_motions(options, diagnostics);
+  const std::optional<std::string> text = is_robot(language_of_input(options.from))
+                                              ? convert_robot(options, diagnostics)
+                                              : convert_motions(options, diagnostics);
   fmt::print(stderr, "{}", diagnostics.render(format_of(options.error_format)));
   if (!text) return wrong_input;
   const fs::path to = options.to;

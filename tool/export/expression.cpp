@@ -65,22 +65,22 @@ bool is_literal(const Number& number) {
   return as_read(number.value()) == number;
 }
 
-// A numerator of PI/den, without a factor of one: `PI`, `-PI`, `-2.0 PI`.
-ExpressionPtr pi_times(std::int64_t factor) {
-  if (factor == 1) return pi();
-  if (factor == -1) return operation(Kind::negate, pi());
-  return operation(Kind::multiply, literal(static_cast<double>(factor)), pi());
+ExpressionPtr signed_pi(bool negative) {
+  return negative ? operation(Kind::negate, pi()) : pi();
 }
 
-// `2.0 PI/3.0`, `-PI/2.0`, `1.0/3.0`, or the nearest literal.
+// In what the original reads: a number alone, `0.75 PI`, or `-PI/1.5`. It has no quotients of numbers, so that what is
+// no decimal becomes the nearest double.
 ExpressionPtr constant(const Number& number) {
-  const auto& ratio = number.ratio();
-  const bool is_fraction =
-      ratio && is_literal(Number::rational(ratio->num)) && is_literal(Number::rational(ratio->den));
-  if (!is_fraction || is_literal(number)) return literal(number.value());
-  const ExpressionPtr dividend =
-      number.is_pi_multiple() ? pi_times(ratio->num) : literal(static_cast<double>(ratio->num));
-  return ratio->den == 1 ? dividend : operation(Kind::divide, dividend, literal(static_cast<double>(ratio->den)));
+  if (!number.is_pi_multiple()) return literal(number.value());
+  const auto [num, den] = *number.ratio();
+  const bool is_negative = num < 0;
+  const Number factor = Number::rational(num, den), divisor = Number::rational(den, is_negative ? -num : num);
+  if (num == den || -num == den) return signed_pi(is_negative);
+  if (den == 1 && is_literal(factor)) return operation(Kind::multiply, literal(factor.value()), pi());
+  if (is_literal(divisor)) return operation(Kind::divide, signed_pi(is_negative), literal(divisor.value()));
+  if (is_literal(factor)) return operation(Kind::multiply, literal(factor.value()), pi());
+  return literal(number.value());
 }
 
 Kind kind_of(Quantity::Op op) {

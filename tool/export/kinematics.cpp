@@ -1,8 +1,10 @@
 #include "export/kinematics.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "export/expression.h"
+#include "support/index.h"
 
 namespace robcogen::exporting {
 
@@ -119,6 +121,33 @@ class Writer {
 
 kinematics::Document kinematics_document(const model::KinematicTree& tree) {
   return Writer(tree).document();
+}
+
+std::vector<int> joints_parents_first(const model::KinematicTree& tree) {
+  std::vector<int> order;
+  std::vector<bool> is_placed(tree.joints.size(), false);
+  for (int declared = 0; declared < tree.dof(); ++declared) {
+    std::vector<int> path;  // from this joint towards the base
+    for (int j = declared; j >= 0 && !is_placed[at(j)]; j = tree.parent_joint_of(j)) {
+      path.push_back(j);
+      is_placed[at(j)] = true;
+    }
+    order.insert(order.end(), path.rbegin(), path.rend());
+  }
+  return order;
+}
+
+kinematics::Document numbered_parents_first(const model::KinematicTree& tree, kinematics::Document document) {
+  std::vector<kinematics::Link> links = {std::move(document.links.front())};
+  std::vector<kinematics::Joint> joints;
+  for (const int j : joints_parents_first(tree)) {
+    links.push_back(std::move(document.links[at(tree.joints[at(j)].child)]));
+    links.back().id = static_cast<int>(joints.size()) + 1;
+    joints.push_back(std::move(document.joints[at(j)]));
+  }
+  document.links = std::move(links);
+  document.joints = std::move(joints);
+  return document;
 }
 
 }  // namespace robcogen::exporting

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
 
 #include "model/plausibility.h"
 
@@ -25,6 +26,26 @@ std::string gaps_between(const std::map<int, Place>& ids) {
   return text;
 }
 
+// The original tool goes through the links by their ids, and takes it that parents come first.
+void check_parents_first(const Description& description, Diagnostics& diagnostics) {
+  std::map<std::string, const DescribedLink*> links;
+  for (const DescribedLink& link : description.links) links.insert({link.name, &link});
+  for (const DescribedLink& parent : description.links) {
+    for (const DescribedChild& child : parent.children) {
+      const auto found = links.find(child.link);
+      if (!parent.id || found == links.end() || !found->second->id || *found->second->id >= *parent.id) continue;
+      Diagnostic& warning = diagnostics.warning(
+          "child-before-parent", found->second->id_place,
+          fmt::format(
+              "id {} of link '{}' is smaller than id {} of its parent '{}': the original RobCoGen computes wrong "
+              "dynamics from such ids, without a message",
+              *found->second->id, child.link, *parent.id, parent.name));
+      warning.notes.push_back({parent.id_place, fmt::format("the id of '{}'", parent.name)});
+      warning.hint = "number parents before their children; here ids have no effect";
+    }
+  }
+}
+
 }  // namespace
 
 void check_link_ids(const Description& description, Diagnostics& diagnostics) {
@@ -38,6 +59,7 @@ void check_link_ids(const Description& description, Diagnostics& diagnostics) {
     diagnostics.warning("duplicate-id", link.id_place, fmt::format("id {} of link '{}' is taken", *link.id, link.name))
         .notes.push_back({earlier->second, "first used here"});
   }
+  if (!diagnostics.has_errors()) check_parents_first(description, diagnostics);  // else there may be no such order
   if (ids.empty()) return;
   const auto& [first, first_place] = *ids.begin();
   const std::string gaps = gaps_between(ids);

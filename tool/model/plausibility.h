@@ -5,7 +5,8 @@
 
 namespace robcogen::model {
 
-// Warns about ids of links that are given twice, and about gaps between them. Ids are hints and mean nothing else.
+// Warns about ids of links that are given twice, about gaps between them, and about a child whose id is smaller than
+// its parent's. Ids are hints and mean nothing else here.
 void check_link_ids(const Description& description, Diagnostics& diagnostics);
 
 // Warns, with the numbers, about a mass that is negative or zero, and about moments of inertia that no body has:

@@ -35,11 +35,11 @@ std::string inside(const Expression& e, Strength least) {
   return strength(e) < least ? "(" + text + ")" : text;
 }
 
-// Without an exponent, which the original did not know, as long as that is readable.
+// Without an exponent, which the original did not know; large numbers as long as that is readable.
 std::string literal(const Number& number) {
   const double value = number.value(), magnitude = std::abs(value);
-  if (magnitude < 1e-20 || magnitude >= 1e20) return print_double(value);
-  std::array<char, 64> buffer;
+  if (magnitude < 1e-300 || magnitude >= 1e20) return print_double(value);
+  std::array<char, 400> buffer;
   const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
   std::string text(buffer.data(), written.ptr);
   return text.find('.') == std::string::npos ? text + ".0" : text;
