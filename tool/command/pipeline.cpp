@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "algorithm/limb_inputs.h"
 #include "algorithm/model_numbers.h"
@@ -11,6 +12,7 @@
 #include "command/model_data.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
+#include "language/common/content.h"
 #include "pass/pack_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
@@ -76,14 +78,24 @@ std::optional<Robot> load_model(
 }  // namespace
 
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
+  // What is not a file, such as a pipe, can be read once only.
+  static std::map<std::filesystem::path, std::shared_ptr<const Source>> streams;
+  std::error_code fault;
+  const bool is_stream = path == "-" || !std::filesystem::is_regular_file(path, fault);
+  if (const auto known = streams.find(path); is_stream && known != streams.end()) return known->second;
   std::string error;
   std::optional<std::string> text = read_file(path, error);
   if (!text) throw Failure{wrong_usage, error};
-  return std::make_shared<Source>(path == "-" ? "<standard input>" : path.string(), std::move(*text));
+  auto source = std::make_shared<const Source>(path == "-" ? "<standard input>" : path.string(), std::move(*text));
+  if (is_stream) streams.insert({path, source});
+  return source;
 }
 
 bool is_urdf(const std::filesystem::path& model) {
-  return model.extension() == ".urdf";
+  if (model.extension() == ".urdf") return true;
+  std::error_code no_such_file;
+  if (model != "-" && !std::filesystem::exists(model, no_such_file)) return false;
+  return language::content_of(read_source(model)->text()) == language::Content::urdf;
 }
 
 std::optional<Robot> load_robot(const std::filesystem::path& model, const Reading& reading, Diagnostics& diagnostics) {

@@ -46,6 +46,7 @@ struct Reading {
   import::UrdfOptions urdf;                      // for models in URDF
 };
 
+// By the ending `.urdf`, or by content: a URDF may be called otherwise.
 bool is_urdf(const std::filesystem::path& model);
 
 // nullopt when an error was reported.

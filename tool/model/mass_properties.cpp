@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "model/plausibility.h"
 
@@ -13,8 +14,9 @@ namespace {
 // A moment may miss the triangle inequality or positivity by this part of the largest one: documents round their
 // numbers, and rods and plates lie exactly on the limit.
 constexpr double kMomentTolerance = 1e-6;
-// Rounding of the subtraction of m |c|^2, relative to what it is subtracted from.
-constexpr double kShiftTolerance = 1e-14;
+// Rounding of the subtraction of m |c|^2, by whoever wrote the moments and here: relative to the moments that are given
+// and to that of the link's mass at its reach. Point masses have no others to compare with.
+constexpr double kNoise = 1e-12;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
@@ -84,20 +86,42 @@ void check_mass(const DescribedLink& link, Diagnostics& diagnostics) {
 enum class Verdict { plausible, not_positive, unequal };
 
 // `moments` in ascending order.
-Verdict judge(const std::array<double, 3>& moments, double largest_given) {
+Verdict judge(const std::array<double, 3>& moments, double noise) {
   const auto& [low, middle, high] = moments;
-  const double tolerance =
-      kMomentTolerance * std::max(std::abs(low), std::abs(high)) + kShiftTolerance * std::abs(largest_given);
+  const double tolerance = kMomentTolerance * std::max(std::abs(low), std::abs(high)) + noise;
   if (low < -tolerance) return Verdict::not_positive;
   return high > low + middle + tolerance ? Verdict::unequal : Verdict::plausible;
 }
 
-void check_moments(const DescribedLink& link, Diagnostics& diagnostics) {
+// The length of a constant vector; zero for what depends on parameters.
+double length(const std::array<Quantity, 3>& v) {
+  for (const Quantity& component : v)
+    if (!component.is_constant()) return 0.0;
+  return std::hypot(evaluate(v[0]), evaluate(v[1]), evaluate(v[2]));
+}
+
+// By joint: how far from the origin of its parent's frame it is.
+using Distances = std::map<std::string, double>;
+
+// How far from the origin of its frame a link's centre of mass, its frames and the joints that it carries are, and how
+// far it is from its parent's.
+double reach_of(const DescribedLink& link, const Distances& distances, double from_parent) {
+  double reach = std::max(from_parent, length(link.inertia->com));
+  for (const DescribedFrame& frame : link.frames) reach = std::max(reach, length(frame.placement.translation));
+  for (const DescribedChild& child : link.children)
+    if (const auto found = distances.find(child.joint); found != distances.end())
+      reach = std::max(reach, found->second);
+  return reach;
+}
+
+void check_moments(const DescribedLink& link, double reach, Diagnostics& diagnostics) {
   const Inertia& inertia = *link.inertia;
-  if (!is_constant(inertia) || evaluate(inertia.mass) < 0.0) return;
+  const double mass = is_constant(inertia) ? evaluate(inertia.mass) : -1.0;
+  if (mass < 0.0) return;
   const std::array<double, 3> given = eigenvalues(given_tensor(inertia));
   const std::array<double, 3> central = eigenvalues(central_tensor(inertia));
-  const Verdict verdict = judge(central, given[2]);
+  const double noise = kNoise * (std::abs(given[2]) + mass * reach * reach);
+  const Verdict verdict = judge(central, noise);
   if (verdict == Verdict::plausible) return;
 
   const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g} kg m^2", central[0], central[1], central[2]);
@@ -114,7 +138,7 @@ void check_moments(const DescribedLink& link, Diagnostics& diagnostics) {
                     "no body has the inertia of link '{}': of its principal moments about the centre of mass, {}, the "
                     "largest exceeds the sum of the others",
                     link.name, moments));
-  if (judge(given, given[2]) == Verdict::plausible) {
+  if (judge(given, noise) == Verdict::plausible) {
     warning.hint = "moments are those about the origin of the frame; were these meant about the centre of mass?";
   }
 }
@@ -122,12 +146,20 @@ void check_moments(const DescribedLink& link, Diagnostics& diagnostics) {
 }  // namespace
 
 void check_mass_properties(const Description& description, Diagnostics& diagnostics) {
+  Distances distances, from_parent;  // the latter by link
+  for (const DescribedJoint& joint : description.joints)
+    distances.insert({joint.name, length(joint.placement.translation)});
+  for (std::size_t i = 0; i <= description.links.size(); ++i)
+    for (const DescribedChild& child : described_link(description, i).children)
+      if (const auto found = distances.find(child.joint); found != distances.end())
+        from_parent.insert({child.link, found->second});
   for (std::size_t i = 0; i <= description.links.size(); ++i) {
     const DescribedLink& link = described_link(description, i);
     const bool is_used = i > 0 || description.floating_base;
     if (!link.inertia || !is_used) continue;
     check_mass(link, diagnostics);
-    check_moments(link, diagnostics);
+    const auto distance = from_parent.find(link.name);
+    check_moments(link, reach_of(link, distances, distance == from_parent.end() ? 0.0 : distance->second), diagnostics);
   }
 }
 

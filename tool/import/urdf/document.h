@@ -73,6 +73,10 @@ struct Document {
   std::map<std::string, int> ignored;  // elements that say nothing of mechanics, by name
 };
 
+// Whether xacro has expanded the document. Reports the first of its instructions that are left in what is read here, or
+// warns of the first elsewhere.
+bool check_expanded(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
+
 // Reports what is missing, malformed or given twice. The document is of use only when nothing was.
 Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 

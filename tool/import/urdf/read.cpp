@@ -153,9 +153,7 @@ class DocumentReader {
     const std::string shown = word.text.size() > kShown ? word.text.substr(0, kShown) + "…" : word.text;
     Diagnostic& error =
         diagnostics_.error("not-a-number", place(word.span), fmt::format("'{}' is no finite decimal number", shown));
-    if (word.text.find("${") != std::string::npos || word.text.find("$(") != std::string::npos) {
-      error.hint = "this is a xacro template: expand it first, as in `xacro robot.urdf.xacro > robot.urdf`";
-    } else if (word.text.find(',') != std::string::npos) {
+    if (word.text.find(',') != std::string::npos) {
       error.hint = "a decimal point is '.', and blanks stand between numbers";
     }
   }
@@ -208,26 +206,49 @@ class DocumentReader {
     const auto own = parts(element, {"inertial"});
     const auto inertial_element = own.find("inertial");
     if (inertial_element == own.end()) return result;
-    const Inertial read = inertial(*inertial_element->second);
+    const Inertial read = inertial(*inertial_element->second, result.name.text);
     if (is_inertia(read)) result.inertial = read;
     return result;
   }
 
-  Inertial inertial(const Element& element) {
+  Inertial inertial(const Element& element, const std::string& link) {
     Inertial result;
     result.place = place(element.span);
     const auto own = parts(element, {"origin", "mass", "inertia"});
     result.origin = origin(own);
-    if (const Element* mass = require_part(element, own, "mass")) result.mass = scalar(*mass, "value");
-    if (const Element* inertia = require_part(element, own, "inertia")) {
-      result.ixx = scalar(*inertia, "ixx");
-      result.ixy = scalar(*inertia, "ixy");
-      result.ixz = scalar(*inertia, "ixz");
-      result.iyy = scalar(*inertia, "iyy");
-      result.iyz = scalar(*inertia, "iyz");
-      result.izz = scalar(*inertia, "izz");
+    const auto mass = own.find("mass");
+    if (mass != own.end()) {
+      result.mass = scalar(*mass->second, "value");
+    } else {
+      diagnostics_.error("missing-element", result.place, fmt::format("the inertial of link '{}' has no mass", link))
+          .hint = "give it <mass value=\"...\"/>; a link without mass has no 'inertial'";
+    }
+    if (const auto inertia = own.find("inertia"); inertia != own.end()) {
+      read_moments(*inertia->second, link, result);
+    } else if (mass != own.end()) {
+      diagnostics_.warning(
+          "missing-inertia", result.place,
+          fmt::format("the inertial of link '{}' has no 'inertia': it is taken for a point mass", link));
     }
     return result;
+  }
+
+  void read_moments(const Element& element, const std::string& link, Inertial& inertial) {
+    inertial.ixx = scalar(element, "ixx");
+    inertial.iyy = scalar(element, "iyy");
+    inertial.izz = scalar(element, "izz");
+    std::string missing;
+    for (const auto& [attribute, product] :
+         {std::pair("ixy", &inertial.ixy), std::pair("ixz", &inertial.ixz), std::pair("iyz", &inertial.iyz)}) {
+      if (find(element, attribute) != nullptr)
+        *product = scalar(element, attribute);
+      else
+        missing += fmt::format("{}'{}'", missing.empty() ? "" : ", ", attribute);
+    }
+    if (missing.empty()) return;
+    diagnostics_.warning(
+        "missing-product", place(element.span),
+        fmt::format("the inertia of link '{}' has no {}: taken to be zero", link, missing));
   }
 
   Joint joint(const Element& element) {
@@ -324,8 +345,8 @@ const char* name_of(JointType type) {
 Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
   if (root.name == "robot") return DocumentReader(std::move(source), diagnostics).read(root);
   diagnostics.error(
-      "no-robot", {std::move(source), root.span},
-      fmt::format("this is no URDF: its element is '{}', not 'robot'", root.name));
+      "other-format", {std::move(source), root.span},
+      fmt::format("this is XML, and no URDF: its root element is '{}', not 'robot'", root.name));
   return {};
 }
 

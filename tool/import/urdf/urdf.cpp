@@ -6,6 +6,7 @@
 
 #include "import/urdf/describe.h"
 #include "import/urdf/mass.h"
+#include "language/common/content.h"
 
 namespace robcogen::import {
 
@@ -47,11 +48,13 @@ std::optional<model::KinematicTree> urdf(
   const std::size_t errors_before = diagnostics.error_count();
   const auto failed = [&] { return diagnostics.error_count() > errors_before; };
 
+  if (language::refuse_foreign(source, diagnostics)) return std::nullopt;
   const std::optional<Element> root = read_xml(source, diagnostics);
-  if (!root) return std::nullopt;
+  if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
-  if (!options.allow_implausible) check_inertials(document, diagnostics);
+  if (!options.allow_implausible)
+    check_inertials(document, topology ? &*topology : nullptr, options.floating_base, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (topology) check_joints(document, *topology, options.free_mimic_joints, diagnostics);
   if (failed()) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "language/common/content.h"
 #include "language/common/cursor.h"
 #include "language/desired/document.h"
 #include "language/desired/keywords.h"
@@ -13,7 +14,7 @@ namespace {
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), cursor_(tokenize(source_, diagnostics), keywords(), diagnostics) {
+      : source_(std::move(source)), cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
     document_.source = source_;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "language/common/content.h"
 #include "language/common/parse_expression.h"
 #include "language/kinematics/document.h"
 #include "language/kinematics/keywords.h"
@@ -29,7 +30,7 @@ using Words = std::vector<Token>;
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), cursor_(tokenize(source_, diagnostics), keywords(), diagnostics) {
+      : source_(std::move(source)), cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
     document_.source = source_;
   }
 

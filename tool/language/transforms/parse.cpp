@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "language/common/content.h"
 #include "language/transforms/document.h"
 
 namespace robcogen::language::transforms {
@@ -9,7 +10,7 @@ namespace {
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), cursor_(tokenize(source_, diagnostics), keywords(), diagnostics) {
+      : source_(std::move(source)), cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
     document_.source = source_;
   }
 

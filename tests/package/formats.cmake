@@ -1,0 +1,63 @@
+# The tool with files of other formats and names, and what it says of what it converts.
+#
+# cmake -D TOOL=robcogen -D WORK_DIR=dir -P formats.cmake
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+set(work_dir ${WORK_DIR}/formats)
+file(REMOVE_RECURSE ${work_dir})
+
+# The hand is declared before the arm that carries it.
+set(body "<inertial><origin xyz='0.1 0 0'/><mass value='1'/>\
+<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>")
+set(urdf
+    "<?xml version='1.0'?>
+<!-- A robot in any file. -->
+<robot name='arm'>
+  <link name='base'>${body}</link><link name='hand'>${body}</link><link name='upper'>${body}</link>
+  <joint name='wrist' type='continuous'><parent link='upper'/><child link='hand'/><axis xyz='0 0 1'/></joint>
+  <joint name='shoulder' type='continuous'><parent link='base'/><child link='upper'/><axis xyz='0 0 1'/></joint>
+</robot>")
+foreach(name arm.xml arm arm.urdf arm.kindsl)
+  file(WRITE ${work_dir}/${name} "${urdf}")
+  run(output ${TOOL} check --floating-base ${work_dir}/${name})
+  expect_equal("${name}: messages" "${output}" "")
+endforeach()
+
+# From standard input, and to a robot document with parents first.
+execute_process(
+  COMMAND ${TOOL} convert - ${work_dir}/converted.kindsl
+  INPUT_FILE ${work_dir}/arm.xml
+  ERROR_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+expect_words("order of q" "${output}" "so that the order of q changes: it is shoulder, wrist [joint-order]")
+run(output ${TOOL} check ${work_dir}/converted.kindsl)
+expect_equal("what was converted: messages" "${output}" "")
+file(READ ${work_dir}/converted.kindsl document)
+foreach(earlier_and_later "link upper;link hand" "id = 1;id = 2" "r_joint shoulder;r_joint wrist")
+  list(GET earlier_and_later 0 earlier)
+  list(GET earlier_and_later 1 later)
+  string(FIND "${document}" "${earlier}" first)
+  string(FIND "${document}" "${later}" second)
+  if(first EQUAL -1 OR NOT first LESS second)
+    message("${document}")
+    message(FATAL_ERROR "'${earlier}' must stand before '${later}'")
+  endif()
+endforeach()
+
+# One message for what is not read, from a file of whatever name.
+file(WRITE ${work_dir}/arm.sdf "<sdf version='1.6'><model name='arm'/></sdf>")
+file(WRITE ${work_dir}/arm.motdsl "${urdf}")
+file(WRITE ${work_dir}/arm.json "{ \"robot\": \"arm\" }")
+foreach(name arm.sdf arm.motdsl arm.json)
+  run_failing(output ${TOOL} check ${work_dir}/${name})
+  string(REGEX MATCHALL "error: " errors "${output}")
+  expect_equal("${name}: errors" "${errors}" "error: ")
+  expect_words("${name}" "${output}" "[other-format]")
+endforeach()
+
+# What no body has is written as it is, and that nothing will read it is said.
+string(REPLACE "Ix = 1.0" "Ix = -1.0" document "${document}")
+file(WRITE ${work_dir}/implausible.kindsl "${document}")
+run(output ${TOOL} convert ${work_dir}/implausible.kindsl ${work_dir}/implausible.urdf)
+expect_words("implausible" "${output}" "[implausible-urdf]")
+run(output ${TOOL} check --allow-implausible ${work_dir}/implausible.urdf)

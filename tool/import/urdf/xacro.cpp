@@ -1,0 +1,82 @@
+// What is left of xacro's instructions in a URDF: the robot would lack what they stand for.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "import/urdf/document.h"
+
+namespace robcogen::import::from_urdf {
+
+namespace {
+
+struct Instruction {
+  Span span;
+  std::string text;  // what it is, for a message
+};
+
+// In what is read, and in what nothing here reads: meshes, simulators, transmissions.
+struct Instructions {
+  std::vector<Instruction> read, ignored;
+};
+
+bool is_expression(const std::string& value) {
+  return value.find("${") != std::string::npos || value.find("$(") != std::string::npos;
+}
+
+// Older versions had their instructions in no namespace.
+bool is_instruction(const Element& element, bool is_top_level) {
+  return element.name.starts_with("xacro:") || (is_top_level && (element.name == "macro" || element.name == "include"));
+}
+
+void collect(const Element& element, bool is_read, Instructions& found) {
+  for (const Attribute& attribute : element.attributes) {
+    if (!is_expression(attribute.value)) continue;
+    (is_read ? found.read : found.ignored)
+        .push_back({attribute.span, fmt::format("attribute '{}' of this '{}'", attribute.name, element.name)});
+  }
+  const bool is_robot = element.name == "robot";
+  for (const Element& child : element.children) {
+    if (is_instruction(child, is_robot)) {
+      found.read.push_back({child.span, fmt::format("element '{}'", child.name)});
+      continue;  // what is in it belongs to it
+    }
+    const auto names = is_robot                  ? std::vector{"link", "joint"}
+                       : element.name == "link"  ? std::vector{"inertial"}
+                       : element.name == "joint" ? std::vector{"origin", "parent", "child", "axis", "limit", "mimic"}
+                                                 : std::vector{"origin", "mass", "inertia"};
+    collect(child, is_read && std::find(names.begin(), names.end(), child.name) != names.end(), found);
+  }
+}
+
+std::string others(const std::vector<Instruction>& all) {
+  if (all.size() == 1) return "";
+  return fmt::format(" ({} more follow{})", all.size() - 1, all.size() == 2 ? "s" : "");
+}
+
+}  // namespace
+
+bool check_expanded(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
+  Instructions found;
+  collect(root, true, found);
+  if (!found.read.empty()) {
+    const Instruction& first = found.read.front();
+    diagnostics
+        .error(
+            "unexpanded-xacro", {source, first.span},
+            fmt::format("{} is for xacro, which has not expanded this file{}", first.text, others(found.read)))
+        .hint =
+        "expand it first: `xacro robot.urdf.xacro > robot.urdf`; robcogen_add_robot does so where MODEL is a .xacro";
+    return false;
+  }
+  if (!found.ignored.empty()) {
+    const Instruction& first = found.ignored.front();
+    diagnostics.warning(
+        "unexpanded-xacro", {source, first.span},
+        fmt::format(
+            "{} is for xacro, which has not expanded this file{}; nothing of the kind is in what is read here",
+            first.text, others(found.ignored)));
+  }
+  return true;
+}
+
+}  // namespace robcogen::import::from_urdf
