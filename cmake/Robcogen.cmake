@@ -291,9 +291,11 @@ function(_robcogen_add_library target)
   # it wins; the generator packs where it pays. Registers renamed at the end save copies: one instruction in forty. What
   # is left out else takes gcc a sixth of its time and changes nothing that is executed: it looks for dead stores, of
   # which there are none, and sorts instructions, which processors do themselves.
-  # gcc takes the processor's own instructions for calls that may throw, and refers to what handles that.
+  # gcc takes the processor's own instructions for calls that may throw, and refers to what handles that, as clang does
+  # where assertions are on.
   set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-exceptions)
-  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>" ${library_COMPILE_OPTIONS})
+  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>"
+                                            "$<$<CXX_COMPILER_ID:Clang,AppleClang>:-fno-exceptions>" ${library_COMPILE_OPTIONS})
   # One unit an algorithm is what keeps rebuilds small and parallel.
   set_target_properties(
     ${target}

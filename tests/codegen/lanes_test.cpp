@@ -166,7 +166,8 @@ TYPED_TEST(LanesOf, LargeAnglesAndNoNumbersStayInTheirLane) {
 TYPED_TEST(LanesOf, SinesOfSmallAnglesAreTheSame) {
   using Scalar = typename TypeParam::Scalar;
   constexpr int kSize = TypeParam::kSize;
-  for (const Scalar to : {Scalar(1), Scalar(100), Scalar(9000)}) {
+  const Scalar limit = std::is_same_v<Scalar, float> ? Scalar(39) : Scalar(9000);
+  for (const Scalar to : {Scalar(1), Scalar(10), limit}) {
     const Lanes<Scalar, kSize> x = Random<Scalar, kSize>(1).lanes() * Lanes<Scalar, kSize>(to);
     const auto expected = robcogen::sincos(x), found = sincos_of_small(x);
     for (int i = 0; i < kSize; ++i) {
@@ -179,7 +180,8 @@ TYPED_TEST(LanesOf, SinesOfSmallAnglesAreTheSame) {
 // Of as many angles as lanes, and of one more: blocks, and one with elements of the block before, that count twice.
 template <int kCount, class Scalar>
 void expect_judged() {
-  constexpr Scalar kSmall = Scalar(2.1e4), kLarge = Scalar(3.01e4);
+  constexpr bool kSingle = std::is_same_v<Scalar, float>;
+  constexpr Scalar kSmall = kSingle ? Scalar(84) : Scalar(2.1e4), kLarge = kSingle ? Scalar(121) : Scalar(3.01e4);
   const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN(), infinity = std::numeric_limits<Scalar>::infinity();
   for (int place = 0; place < kCount; ++place) {
     Scalar angles[kCount] = {};

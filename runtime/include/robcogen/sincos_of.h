@@ -22,14 +22,13 @@ namespace robcogen {
 namespace {  // each file's own, as lanes are
 namespace lanes {
 
-// What is out of the range of the polynomials, or no number.
+// Angles out of the range of the polynomials, and NaN.
 template <class Scalar>
 ROBCOGEN_RARE void replace_large(const Scalar* x, int count, Scalar* sine, Scalar* cosine) noexcept {
   for (int i = 0; i < count; ++i) {
-    const double angle = x[i];
-    if (bits_of_integer(quarter_turns(angle)) < kBeyond) continue;
-    sine[i] = static_cast<Scalar>(std::sin(angle));
-    cosine[i] = static_cast<Scalar>(std::cos(angle));
+    if (bits_of_integer(quarter_turns(x[i])) < kBeyond<Scalar>) continue;
+    sine[i] = std::sin(x[i]);
+    cosine[i] = std::cos(x[i]);
   }
 }
 
@@ -48,88 +47,89 @@ ROBCOGEN_RARE SinCos<Lanes<Scalar, kSize>> replaced_large(
 }
 
 // Four lanes at most: putting eight angles into one vector costs more than computing two vectors.
-constexpr int kTogether = kInRegister<double> < 4 ? kInRegister<double> : 4;
-using Together = Vector<double, kTogether>;
+template <class Scalar>
+constexpr int kTogether = kInRegister<Scalar> < 4 ? kInRegister<Scalar> : 4;
+template <class Scalar>
+using Together = Vector<Scalar, kTogether<Scalar>>;
 
 // Lanes beyond the first kUsed are zero.
 template <int kUsed, class Scalar, int... kLane>
-ROBCOGEN_INLINE Together gathered(const Scalar* x, std::integer_sequence<int, kLane...>) noexcept {
-  return Together{(kLane < kUsed ? static_cast<double>(x[kLane < kUsed ? kLane : 0]) : 0.0)...};
+ROBCOGEN_INLINE Together<Scalar> gathered(const Scalar* x, std::integer_sequence<int, kLane...>) noexcept {
+  return Together<Scalar>{(kLane < kUsed ? x[kLane < kUsed ? kLane : 0] : Scalar(0))...};
 }
 
 // From and to the first kUsed elements.
 template <int kUsed, class Scalar>
-ROBCOGEN_INLINE void sincos_together(const Scalar* x, Scalar* sine, Scalar* cosine, Bits<Together>& beyond) noexcept {
-  Together angles, s, c;
-  if constexpr (kUsed == kTogether && std::is_same_v<Scalar, double>) {
+ROBCOGEN_INLINE void sincos_together(
+    const Scalar* x,
+    Scalar* sine,
+    Scalar* cosine,
+    Bits<Together<Scalar>>& beyond) noexcept {
+  Together<Scalar> angles, s, c;
+  if constexpr (kUsed == kTogether<Scalar>) {
     // As a block: gcc would move element by element.
     std::memcpy(&angles, x, sizeof(angles));
     polynomials(angles, s, c, beyond);
     std::memcpy(sine, &s, sizeof(s));
     std::memcpy(cosine, &c, sizeof(c));
   } else {
-    angles = gathered<kUsed>(x, std::make_integer_sequence<int, kTogether>());
+    angles = gathered<kUsed>(x, std::make_integer_sequence<int, kTogether<Scalar>>());
     polynomials(angles, s, c, beyond);
-    double sines[kTogether], cosines[kTogether];
+    Scalar sines[kTogether<Scalar>], cosines[kTogether<Scalar>];
     std::memcpy(sines, &s, sizeof(s));
     std::memcpy(cosines, &c, sizeof(c));
     for (int i = 0; i < kUsed; ++i) {
-      sine[i] = static_cast<Scalar>(sines[i]);
-      cosine[i] = static_cast<Scalar>(cosines[i]);
+      sine[i] = sines[i];
+      cosine[i] = cosines[i];
     }
   }
 }
 
-// Scalar: double or float. All angles are computed as double, which for float leaves 0.51 ulp.
+// Scalar: double or float.
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) noexcept {
-  constexpr int kWhole = kCount / kTogether * kTogether;
-  Bits<Together> beyond = {};
-  for (int i = 0; i < kWhole; i += kTogether) sincos_together<kTogether>(x + i, sine + i, cosine + i, beyond);
+  constexpr int kSize = kTogether<Scalar>, kWhole = kCount / kSize * kSize;
+  Bits<Together<Scalar>> beyond = {};
+  for (int i = 0; i < kWhole; i += kSize) sincos_together<kSize>(x + i, sine + i, cosine + i, beyond);
   // The last ones with some before them once more, where there are as many, for a whole vector moves as a block.
-  constexpr int kLast = kCount < kTogether ? kCount : kTogether, kFrom = kCount - kLast;
+  constexpr int kLast = kCount < kSize ? kCount : kSize, kFrom = kCount - kLast;
   if constexpr (kWhole < kCount) sincos_together<kLast>(x + kFrom, sine + kFrom, cosine + kFrom, beyond);
-  if (any_beyond(beyond)) replace_large(x, kCount, sine, cosine);
+  if (any_beyond<Scalar>(beyond)) replace_large(x, kCount, sine, cosine);
 }
 
-// Of lanes: the vectors that they are made of.
-template <int kSize>
-using LeafOf = Vector<double, (kSize < kInRegister<double> ? kSize : kInRegister<double>)>;
+// Of lanes: the vectors that they are made of. Registers of SSE hold four floats, and two of them become four.
+template <class Scalar, int kSize>
+constexpr int kLeaf = kSize < kInRegister<Scalar> ? kSize : kInRegister<Scalar>;
+#if defined(__SSE2__) && ROBCOGEN_HAS_VECTORS
+template <>
+constexpr int kLeaf<float, 2> = 4;
+#endif
+template <class Scalar, int kSize>
+using LeafOf = Vector<Scalar, kLeaf<Scalar, kSize>>;
 
-template <int kSize, class Beyond>
+template <class Scalar, int kSize, class Beyond>
 ROBCOGEN_INLINE void sincos(
-    const Lanes<double, kSize>& x,
-    Lanes<double, kSize>& sine,
-    Lanes<double, kSize>& cosine,
+    const Lanes<Scalar, kSize>& x,
+    Lanes<Scalar, kSize>& sine,
+    Lanes<Scalar, kSize>& cosine,
     Beyond& beyond) noexcept {
-  if constexpr (kSize <= kInRegister<double>) {
-    LeafOf<kSize> s, c;
+  if constexpr (kSize < kLeaf<Scalar, kSize>) {
+    Lanes<Scalar, 2 * kSize> s, c;
+    sincos(joined(x, x), s, c, beyond);
+    sine = half<0>(s);
+    cosine = half<0>(c);
+  } else if constexpr (kSize <= kInRegister<Scalar>) {
+    LeafOf<Scalar, kSize> s, c;
     polynomials(x.vector(), s, c, beyond);
-    sine = Lanes<double, kSize>::of_vector(s);
-    cosine = Lanes<double, kSize>::of_vector(c);
+    sine = Lanes<Scalar, kSize>::of_vector(s);
+    cosine = Lanes<Scalar, kSize>::of_vector(c);
   } else {
-    Lanes<double, kSize / 2> low_sine, low_cosine, high_sine, high_cosine;
+    Lanes<Scalar, kSize / 2> low_sine, low_cosine, high_sine, high_cosine;
     sincos(x.low(), low_sine, low_cosine, beyond);
     sincos(x.high(), high_sine, high_cosine, beyond);
     sine = {low_sine, high_sine};
     cosine = {low_cosine, high_cosine};
   }
-}
-
-template <int kSize, class Beyond>
-ROBCOGEN_INLINE void sincos(
-    const Lanes<float, kSize>& x,
-    Lanes<float, kSize>& sine,
-    Lanes<float, kSize>& cosine,
-    Beyond& beyond) noexcept {
-  float numbers[kSize];
-  x.store(numbers);
-  Lanes<double, kSize> s, c;
-  sincos(Lanes<double, kSize>::load(numbers), s, c, beyond);
-  s.store(numbers);
-  sine = Lanes<float, kSize>::load(numbers);
-  c.store(numbers);
-  cosine = Lanes<float, kSize>::load(numbers);
 }
 
 // Of lanes that fill no more than half of a register, two values at a time; the last one may be alone.
@@ -156,13 +156,13 @@ ROBCOGEN_INLINE void sincos_of(
     const Lanes<Scalar, kSize>* x,
     Lanes<Scalar, kSize>* sine,
     Lanes<Scalar, kSize>* cosine) noexcept {
-  constexpr bool kInPairs = kCount > 1 && 2 * kSize <= kTogether;
-  Bits<LeafOf<kInPairs ? 2 * kSize : kSize>> beyond = {};
+  constexpr bool kInPairs = kCount > 1 && 2 * kSize <= kTogether<Scalar>;
+  Bits<LeafOf<Scalar, kInPairs ? 2 * kSize : kSize>> beyond = {};
   if constexpr (kInPairs)
     sincos_in_pairs<kCount>(x, sine, cosine, beyond);
   else
     for (int i = 0; i < kCount; ++i) sincos(x[i], sine[i], cosine[i], beyond);
-  if (!any_beyond(beyond)) return;
+  if (!any_beyond<Scalar>(beyond)) return;
   for (int i = 0; i < kCount; ++i) {
     const auto both = replaced_large(x[i], sine[i], cosine[i]);
     sine[i] = both.sin;
@@ -184,9 +184,9 @@ template <class Scalar, int kSize>
 ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (lanes::kIsComputed<Lanes<Scalar, kSize>>) {
     SinCos<Lanes<Scalar, kSize>> both;
-    lanes::Bits<lanes::LeafOf<kSize>> beyond = {};
+    lanes::Bits<lanes::LeafOf<Scalar, kSize>> beyond = {};
     lanes::sincos(x, both.sin, both.cos, beyond);
-    return lanes::any_beyond(beyond) ? lanes::replaced_large(x, both.sin, both.cos) : both;
+    return lanes::any_beyond<Scalar>(beyond) ? lanes::replaced_large(x, both.sin, both.cos) : both;
   } else {
     Scalar sines[kSize], cosines[kSize];
     for (int i = 0; i < kSize; ++i) {
@@ -201,10 +201,11 @@ ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& 
 namespace {
 
 // Whether all are so small that sincos_of_small has the sines and cosines of each, and of sums of three of them. Judged
-// by the sum of their squares, of which those in two blocks count twice: no more than 3e4^2, and a number.
+// by the sum of their squares, of which those in two blocks count twice: no more than 3e4^2 (of float 120^2), and not
+// NaN. (Under -ffast-math a NaN may pass: its sine and cosine are NaN either way.)
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE bool are_small(const Scalar* angles) noexcept {
-  constexpr Scalar kLimit = static_cast<Scalar>(lanes::kSmall * lanes::kSmall);
+  constexpr Scalar kLimit = lanes::kSmall<Scalar> * lanes::kSmall<Scalar>;
   constexpr int kSize = kCount < lanes::kInRegister<Scalar> ? 1 : lanes::kInRegister<Scalar>;
   using Block = Lanes<Scalar, kSize>;
   Block sum = Block::load(angles) * Block::load(angles);
@@ -250,7 +251,7 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) noexcept
 template <int kCount, class Scalar>
 constexpr bool kPays = lanes::kIsComputed<Scalar> && (kCount >= 4 || !std::is_floating_point_v<Scalar>);
 template <int kCount>
-constexpr bool kPays<kCount, double> = kCount == 2 || kCount >= 4 || (kCount == 3 && lanes::kTogether > 2);
+constexpr bool kPays<kCount, double> = kCount == 2 || kCount >= 4 || (kCount == 3 && lanes::kTogether<double> > 2);
 
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
@@ -260,10 +261,10 @@ ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosi
   }
 }
 
-// Sines and cosines of kCount angles (rad). For double and float, and lanes of them, within 1 ulp below 1e5 rad, as the
-// C library has them beyond, for infinities and for what is no number; the rounding mode must be to nearest. For any
-// other scalar its own sin and cos, found by argument-dependent lookup. To be compiled without -ffast-math, as all
-// generated code.
+// Sines and cosines of kCount angles (rad), computed in the scalar's own precision, also in lanes: for double within
+// 1 ulp below 1e5 rad, for float within 1.5 ulp below 400 rad. Beyond, for infinities and for NaN, those of the C
+// library. The rounding mode must be to nearest. Under -ffast-math the errors are up to twice these, or 1e-20 where
+// that is more. For any other scalar its own sin and cos, found by argument-dependent lookup.
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   if constexpr (kPays<kCount, Scalar>) {

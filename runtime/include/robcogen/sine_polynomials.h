@@ -1,9 +1,12 @@
-// Sine and cosine of each element of a vector of doubles: reduction to a quarter turn, and polynomials.
+// Sine and cosine of each element of a vector of doubles or floats: reduction to a quarter turn, and polynomials.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
+#include "robcogen/as_rounded.h"
 #include "robcogen/lanes.h"
 
 #if defined(__GNUC__)
@@ -18,15 +21,13 @@
 #if __has_builtin(__builtin_elementwise_fma)
 #undef ROBCOGEN_FUSES
 #define ROBCOGEN_FUSES 1
-#define ROBCOGEN_FMA128(a, b, c) __builtin_elementwise_fma(a, b, c)
-#define ROBCOGEN_FMA256(a, b, c) __builtin_elementwise_fma(a, b, c)
-#define ROBCOGEN_FMA512(a, b, c) __builtin_elementwise_fma(a, b, c)
+#define ROBCOGEN_FMA(suffix, a, b, c) __builtin_elementwise_fma(a, b, c)
+#define ROBCOGEN_FMA512(suffix, mask, a, b, c) __builtin_elementwise_fma(a, b, c)
 #elif __has_builtin(__builtin_ia32_vfmaddpd) && __has_builtin(__builtin_ia32_vfmaddpd256)
 #undef ROBCOGEN_FUSES
 #define ROBCOGEN_FUSES 1
-#define ROBCOGEN_FMA128(a, b, c) __builtin_ia32_vfmaddpd(a, b, c)
-#define ROBCOGEN_FMA256(a, b, c) __builtin_ia32_vfmaddpd256(a, b, c)
-#define ROBCOGEN_FMA512(a, b, c) __builtin_ia32_vfmaddpd512_mask(a, b, c, 0xff, 4)
+#define ROBCOGEN_FMA(suffix, a, b, c) __builtin_ia32_vfmadd##suffix(a, b, c)
+#define ROBCOGEN_FMA512(suffix, mask, a, b, c) __builtin_ia32_vfmadd##suffix##512_mask(a, b, c, mask, 4)
 #endif
 #endif
 
@@ -34,198 +35,264 @@ namespace robcogen {
 namespace {  // each file's own, as lanes are
 namespace lanes {
 
-// The bits of each. `Doubles` is a vector of doubles, or a double.
-template <class Doubles>
-using Bits = Vector<std::uint64_t, static_cast<int>(sizeof(Doubles) / sizeof(double))>;
+// `Numbers` is a vector of doubles or of floats, or one of them.
+template <class Numbers, bool kIsOne = std::is_floating_point_v<Numbers>>
+struct ElementOf {
+  using type = std::remove_cv_t<std::remove_reference_t<decltype(std::declval<const Numbers&>()[0])>>;
+};
+template <class Numbers>
+struct ElementOf<Numbers, true> {
+  using type = Numbers;
+};
+template <class Numbers>
+using Element = typename ElementOf<Numbers>::type;
+template <class Numbers>
+constexpr bool kIsSingle = std::is_same_v<Element<Numbers>, float>;
 
-template <class Doubles>
-ROBCOGEN_INLINE Bits<Doubles> bits(const Doubles& x) noexcept {
-  Bits<Doubles> b;
+// A constant of each precision.
+template <class Scalar>
+constexpr Scalar constant(float of_float, double of_double) noexcept {
+  if constexpr (std::is_same_v<Scalar, float>)
+    return of_float;
+  else
+    return of_double;
+}
+
+// The bits of each.
+template <class Scalar>
+using BitsOfOne = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
+template <class Numbers>
+using Bits = Vector<BitsOfOne<Element<Numbers>>, static_cast<int>(sizeof(Numbers) / sizeof(Element<Numbers>))>;
+
+template <class Numbers>
+ROBCOGEN_INLINE Bits<Numbers> bits(const Numbers& x) noexcept {
+  Bits<Numbers> b;
   std::memcpy(&b, &x, sizeof(b));
   return b;
 }
 
-template <class Doubles>
-ROBCOGEN_INLINE Doubles doubles(const Bits<Doubles>& b) noexcept {
-  Doubles x;
+template <class Numbers>
+ROBCOGEN_INLINE Numbers numbers(const Bits<Numbers>& b) noexcept {
+  Numbers x;
   std::memcpy(&x, &b, sizeof(x));
   return x;
 }
 
-// Minimax polynomials in z = r^2, of relative error 2^-57 and absolute error 2^-59 for r in [-pi/4, pi/4] (Remez
-// exchange, coefficients rounded to double): sin r = r - r z s(z), cos r = 1 - z / 2 + z^2 c(z).
-template <class Doubles>
-ROBCOGEN_INLINE Doubles rest_of_sine(const Doubles& z) noexcept {
-  return 0.16666666666666632 -
-         z * (0.008333333333322413 -
-              z * (0.00019841269829807808 -
-                   z * (2.755731369191808e-06 - z * (2.5050758115276912e-08 - z * 1.5896795653837948e-10))));
+// Minimax polynomials in z = r^2 for r in [-pi/4, pi/4] (Remez exchange, coefficients rounded): sin r = r - r z s(z),
+// cos r = 1 - z / 2 + z^2 c(z). Of double the relative error of the sine is 2^-57 and the error of the cosine 2^-59, of
+// float 2^-27 and 2^-31.
+template <class Numbers>
+ROBCOGEN_INLINE Numbers rest_of_sine(const Numbers& z) noexcept {
+  if constexpr (kIsSingle<Numbers>)
+    return 0x1.555546p-3f - z * (0x1.11074p-7f - z * 0x1.994374p-13f);
+  else
+    return 0.16666666666666632 -
+           z * (0.008333333333322413 -
+                z * (0.00019841269829807808 -
+                     z * (2.755731369191808e-06 - z * (2.5050758115276912e-08 - z * 1.5896795653837948e-10))));
 }
-template <class Doubles>
-ROBCOGEN_INLINE Doubles rest_of_cosine(const Doubles& z) noexcept {
-  return 0.0416666666666666 +
-         z * (-0.0013888888888874125 +
-              z * (2.4801587289482194e-05 +
-                   z * (-2.7557314352335047e-07 + z * (2.087572327348275e-09 + z * -1.1359647814765908e-11))));
+template <class Numbers>
+ROBCOGEN_INLINE Numbers rest_of_cosine(const Numbers& z) noexcept {
+  if constexpr (kIsSingle<Numbers>)
+    return 0x1.55554ap-5f + z * (-0x1.6c0c84p-10f + z * 0x1.9a01f8p-16f);
+  else
+    return 0.0416666666666666 +
+           z * (-0.0013888888888874125 +
+                z * (2.4801587289482194e-05 +
+                     z * (-2.7557314352335047e-07 + z * (2.087572327348275e-09 + z * -1.1359647814765908e-11))));
 }
 
 #if ROBCOGEN_FUSES
 // a b + c, rounded once.
-ROBCOGEN_INLINE double fused(double a, double b, double c) noexcept {
-  return __builtin_fma(a, b, c);
-}
-ROBCOGEN_INLINE Vector<double, 2> fused(
-    const Vector<double, 2>& a,
-    const Vector<double, 2>& b,
-    const Vector<double, 2>& c) noexcept {
-  return ROBCOGEN_FMA128(a, b, c);
-}
-ROBCOGEN_INLINE Vector<double, 4> fused(
-    const Vector<double, 4>& a,
-    const Vector<double, 4>& b,
-    const Vector<double, 4>& c) noexcept {
-  return ROBCOGEN_FMA256(a, b, c);
-}
+template <class Numbers>
+ROBCOGEN_INLINE Numbers fused(const Numbers& a, const Numbers& b, const Numbers& c) noexcept {
+  if constexpr (std::is_same_v<Numbers, double>) {
+    return __builtin_fma(a, b, c);
+  } else if constexpr (std::is_same_v<Numbers, float>) {
+    return __builtin_fmaf(a, b, c);
+  } else if constexpr (kIsSingle<Numbers>) {
+    if constexpr (sizeof(Numbers) == 16) return ROBCOGEN_FMA(ps, a, b, c);
+    if constexpr (sizeof(Numbers) == 32) return ROBCOGEN_FMA(ps256, a, b, c);
 #if defined(__AVX512F__)
-ROBCOGEN_INLINE Vector<double, 8> fused(
-    const Vector<double, 8>& a,
-    const Vector<double, 8>& b,
-    const Vector<double, 8>& c) noexcept {
-  return ROBCOGEN_FMA512(a, b, c);
-}
+    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(ps, 0xffff, a, b, c);
 #endif
+  } else {
+    if constexpr (sizeof(Numbers) == 16) return ROBCOGEN_FMA(pd, a, b, c);
+    if constexpr (sizeof(Numbers) == 32) return ROBCOGEN_FMA(pd256, a, b, c);
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(pd, 0xff, a, b, c);
+#endif
+  }
+}
 
 // The same in all elements.
-template <class Doubles>
-ROBCOGEN_INLINE Doubles all(double x) noexcept {
-  return x - Doubles{};
+template <class Numbers>
+ROBCOGEN_INLINE Numbers all(Element<Numbers> x) noexcept {
+  return x - Numbers{};
 }
 
-// x - k pi / 2 is r - rest, with r its nearest double, or near it. For |k| <= 2^16.
+// x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16.
 //
-// pi / 2 in parts of 53, 33 and 53 bits. The first difference is exact: it is below 1 and a multiple of 2^-53. The
-// second is exact where it is below 2^-34, for it is a multiple of 2^-86; where it is larger, r - first and what
-// rounding took off r are, for they have less than 53 bits.
-template <class Doubles>
-ROBCOGEN_INLINE void reduce(const Doubles& x, const Doubles& k, Doubles& r, Doubles& rest) noexcept {
-  const Doubles first = fused(k, all<Doubles>(-0x1.921fb54442d18p+0), x);
-  r = fused(k, all<Doubles>(-0x1.1a62633100000p-54), first);
-  rest = fused(k, all<Doubles>(0x1.1701b839a2520p-88), fused(k, all<Doubles>(0x1.1a62633100000p-54), r - first));
+// Of double, pi / 2 in parts of 53, 33 and 53 bits. The first difference is exact: it is below 1 and a multiple of
+// 2^-53. The second is exact where it is below 2^-34, for it is a multiple of 2^-86; where it is larger, r - first and
+// what rounding took off r are, for they have less than 53 bits. Of float the same with parts of 24, 16 and 24 bits:
+// multiples of 2^-24 and 2^-40, exact below 2^-16.
+template <class Numbers>
+ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numbers& rest) noexcept {
+  using Scalar = Element<Numbers>;
+  constexpr auto kPart1 = constant<Scalar>(0x1.921fb6p+0f, 0x1.921fb54442d18p+0);
+  constexpr auto kPart2 = constant<Scalar>(-0x1.777ap-25f, 0x1.1a62633100000p-54);
+  constexpr auto kPart3 = constant<Scalar>(-0x1.73dcb4p-43f, 0x1.1701b839a2520p-88);
+  const Numbers first = fused(k, all<Numbers>(-kPart1), x);
+  r = fused(k, all<Numbers>(-kPart2), first);
+  rest = fused(k, all<Numbers>(kPart3), fused(k, all<Numbers>(kPart2), r - first));
 }
 
 // Of r - rest, |r| <= pi / 4, within 0.9 ulp. The cosine gets the rest by way of the square, before that is rounded;
 // the sine gets it without the cosine that belongs there, at most 0.15 ulp. The polynomials need not wait for the rest.
-template <class Doubles>
-ROBCOGEN_INLINE void of_reduced(const Doubles& r, const Doubles& rest, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles z = r * r, square = fused(r, r, -((r + r) * rest));
+template <class Numbers>
+ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& sine, Numbers& cosine) noexcept {
+  const Numbers z = r * r, square = fused(r, r, -((r + r) * rest));
   sine = r - fused(z * r, rest_of_sine(z), rest);
-  cosine = fused(square, fused(square, rest_of_cosine(z), all<Doubles>(-0.5)), all<Doubles>(1.0));
+  cosine = fused(
+      square, fused(square, rest_of_cosine(z), all<Numbers>(Element<Numbers>(-0.5))),
+      all<Numbers>(Element<Numbers>(1.0)));
 }
 #else
 // a - t and what rounding added to it (Dekker 1971), where |a| is not smaller than |t| or nothing is added. Exact also
 // where the compiler fuses t = k p, which is exact by itself.
-template <class Doubles>
-ROBCOGEN_INLINE Doubles difference(const Doubles& a, const Doubles& t, Doubles& excess) noexcept {
-  const Doubles result = a - t;
-  excess = t - (a - result);
+template <class Numbers>
+ROBCOGEN_INLINE Numbers difference(const Numbers& a, const Numbers& t, Numbers& excess) noexcept {
+  const Numbers result = as_rounded(a - t);
+  excess = t - as_rounded(a - result);
   return result;
 }
 
-// x - k pi / 2 is r - rest, with r its nearest double, or near it. For |k| <= 2^16.
+// x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16, of float 2^8.
 //
-// pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody, Waite 1980): where a difference is smaller
-// than what it is taken from, it has few enough bits to be exact.
-template <class Doubles>
-ROBCOGEN_INLINE void reduce(const Doubles& x, const Doubles& k, Doubles& r, Doubles& rest) noexcept {
-  Doubles excess1, excess2;
-  const Doubles first = x - k * 0x1.921fb54400000p+0;  // exact
-  const Doubles second = difference(first, k * 0x1.0b4611a600000p-34, excess1);
-  r = difference(second, k * 0x1.3198a2e000000p-69, excess2);
-  rest = k * 0x1.b839a252049c1p-104 + (excess1 + excess2);
+// Of double, pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody, Waite 1980): where a difference
+// is smaller than what it is taken from, it has few enough bits to be exact. Of float, in parts of 16 bits and a last
+// one of 24: its multiple, below 2^-25, is rounded by 2^-50 at most, and no float in this range is nearer to a multiple
+// of pi / 2 than 2^-27.9.
+template <class Numbers>
+ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numbers& rest) noexcept {
+  if constexpr (kIsSingle<Numbers>) {
+    Numbers excess;
+    const Numbers first = as_rounded(x - k * 0x1.921ep+0f);  // exact
+    r = difference<Numbers>(first, k * 0x1.b544p-16f, excess);
+    rest = k * 0x1.0b4612p-34f + as_rounded(excess);
+  } else {
+    Numbers excess1, excess2;
+    const Numbers first = as_rounded(x - k * 0x1.921fb54400000p+0);  // exact
+    const Numbers second = difference<Numbers>(first, k * 0x1.0b4611a600000p-34, excess1);
+    r = difference<Numbers>(second, k * 0x1.3198a2e000000p-69, excess2);
+    rest = k * 0x1.b839a252049c1p-104 + (excess1 + excess2);
+  }
 }
 
-// Of r - rest, |r| <= pi / 4, within 0.8 ulp. What rounding takes off 1 - z / 2 is added again.
-template <class Doubles>
-ROBCOGEN_INLINE void of_reduced(const Doubles& r, const Doubles& rest, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles z = r * r, half = 0.5 * z, one_less = 1.0 - half;
+// Of r - rest, |r| <= pi / 4, of double within 0.8 ulp: what rounding takes off 1 - z / 2 is added again. Of float it
+// is not, which leaves the cosine within 1.2 ulp.
+template <class Numbers>
+ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& sine, Numbers& cosine) noexcept {
+  constexpr Element<Numbers> kHalf = 0.5, kOne = 1.0;
+  const Numbers z = r * r, half = kHalf * z, one_less = as_rounded(kOne - half);
   sine = r - (z * r * rest_of_sine(z) + one_less * rest);
-  cosine = one_less + (((1.0 - one_less) - half + r * rest) + z * z * rest_of_cosine(z));
+  if constexpr (kIsSingle<Numbers>)
+    cosine = one_less + (r * rest + z * z * rest_of_cosine(z));
+  else
+    cosine = one_less + (((as_rounded(kOne - one_less) - half) + r * rest) + z * z * rest_of_cosine(z));
 }
 #endif
 
 // Adding it rounds to an integer k, whose last bits then stand in the last bits.
-constexpr double kRound = 0x1.8p52 + 0x1p16;
+template <class Scalar>
+constexpr auto kRound = constant<Scalar>(0x1.8p23f + 0x1p8f, 0x1.8p52 + 0x1p16);
 
-// Of |k| <= 2^16 the bits are below kBeyond, of any other, and of what is no number, not.
-constexpr std::uint64_t kBeyond = 1 << 17;
-template <class Doubles>
-ROBCOGEN_INLINE Bits<Doubles> bits_of_integer(const Doubles& rounded) noexcept {
-  constexpr std::uint64_t kNone = 0x4338000000000000;  // of 0x1.8p52
+// Of |k| <= 2^16 the bits are below kBeyond, of any other, and of NaN, not. Of float |k| <= 2^8.
+template <class Scalar>
+constexpr BitsOfOne<Scalar> kBeyond = 1 << (std::is_same_v<Scalar, float> ? 9 : 17);
+template <class Numbers>
+ROBCOGEN_INLINE Bits<Numbers> bits_of_integer(const Numbers& rounded) noexcept {
+  // Of 0x1.8p23f and 0x1.8p52.
+  constexpr BitsOfOne<Element<Numbers>> kNone = kIsSingle<Numbers> ? 0x4b400000 : 0x4338000000000000;
   return bits(rounded) ^ kNone;
 }
 
-template <class Doubles>
-ROBCOGEN_INLINE Doubles quarter_turns(const Doubles& x) noexcept {
-  return x * 0x1.45f306dc9c883p-1 + kRound;
+template <class Numbers>
+ROBCOGEN_INLINE Numbers quarter_turns(const Numbers& x) noexcept {
+  constexpr auto kTwoByPi = constant<Element<Numbers>>(0x1.45f306p-1f, 0x1.45f306dc9c883p-1);
+  return as_rounded(x * kTwoByPi + kRound<Element<Numbers>>);
 }
 
-// Of what is beyond the range of the polynomials, |x| of about 1e5, `beyond` gets bits from kBeyond on. The last bits
-// are those of the integer.
-template <class Doubles>
-ROBCOGEN_INLINE Bits<Doubles> noted(const Doubles& rounded, Bits<Doubles>& beyond) noexcept {
-  const Bits<Doubles> k = bits_of_integer(rounded);
+// Of what is beyond the range of the polynomials, |x| of about 1e5, of float 400, `beyond` gets bits from kBeyond on.
+// The last bits are those of the integer.
+template <class Numbers>
+ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, Bits<Numbers>& beyond) noexcept {
+  const Bits<Numbers> k = bits_of_integer(rounded);
   beyond |= k;
   return k;
 }
 
 // Where nothing is.
 struct NoneBeyond {};
-template <class Doubles>
-ROBCOGEN_INLINE Bits<Doubles> noted(const Doubles& rounded, NoneBeyond&) noexcept {
+template <class Numbers>
+ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, NoneBeyond&) noexcept {
   return bits(rounded);
 }
 
 // b where the highest bit of `where` is set, else a.
-template <class Doubles>
-ROBCOGEN_INLINE Doubles chosen(const Bits<Doubles>& where, const Doubles& a, const Doubles& b) noexcept {
+template <class Numbers>
+ROBCOGEN_INLINE Numbers chosen(const Bits<Numbers>& where, const Numbers& a, const Numbers& b) noexcept {
 #if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
-  if constexpr (sizeof(Doubles) == 32) return __builtin_ia32_blendvpd256(a, b, doubles<Doubles>(where));
+  if constexpr (sizeof(Numbers) == 32) {
+    if constexpr (kIsSingle<Numbers>)
+      return __builtin_ia32_blendvps256(a, b, numbers<Numbers>(where));
+    else
+      return __builtin_ia32_blendvpd256(a, b, numbers<Numbers>(where));
+  }
 #endif
-  return doubles<Doubles>(bits(a) ^ ((bits(a) ^ bits(b)) & -(where >> 63)));
+  constexpr int kHighest = 8 * static_cast<int>(sizeof(Element<Numbers>)) - 1;
+  return numbers<Numbers>(bits(a) ^ ((bits(a) ^ bits(b)) & -(where >> kHighest)));
 }
 
 // The results have the sign of a zero.
-template <class Doubles, class Beyond>
-ROBCOGEN_INLINE void polynomials(const Doubles& x, Doubles& sine, Doubles& cosine, Beyond& beyond) noexcept {
-  const Doubles rounded = quarter_turns(x);
-  const Bits<Doubles> k = noted(rounded, beyond);
-  Doubles r, rest, sin_r, cos_r;
-  reduce<Doubles>(x, rounded - kRound, r, rest);
-  of_reduced<Doubles>(r, rest, sin_r, cos_r);
+template <class Numbers, class Beyond>
+ROBCOGEN_INLINE void polynomials(const Numbers& x, Numbers& sine, Numbers& cosine, Beyond& beyond) noexcept {
+  const Numbers rounded = quarter_turns(x);
+  const Bits<Numbers> k = noted(rounded, beyond);
+  Numbers r, rest, sin_r, cos_r;
+  reduce<Numbers>(x, rounded - kRound<Element<Numbers>>, r, rest);
+  of_reduced<Numbers>(r, rest, sin_r, cos_r);
 
   // In odd quadrants sine and cosine are exchanged: of the two, each gets what the other has not.
-  const Bits<Doubles> odd = k << 63, half_turn = k >> 1 << 63;
-  const Bits<Doubles> sine_bits = bits(chosen(odd, sin_r, cos_r)) ^ half_turn;
-  sine = doubles<Doubles>(sine_bits);
-  cosine = doubles<Doubles>((bits(sin_r) ^ bits(cos_r) ^ odd) ^ sine_bits);
+  constexpr int kHighest = 8 * static_cast<int>(sizeof(Element<Numbers>)) - 1;
+  const Bits<Numbers> odd = k << kHighest, half_turn = k >> 1 << kHighest;
+  const Bits<Numbers> sine_bits = bits(chosen(odd, sin_r, cos_r)) ^ half_turn;
+  sine = numbers<Numbers>(sine_bits);
+  cosine = numbers<Numbers>((bits(sin_r) ^ bits(cos_r) ^ odd) ^ sine_bits);
 }
 
 // The largest root of a sum of squares of angles for which the polynomials hold: for each angle, and for sums of three.
-constexpr double kSmall = 3e4;
+template <class Scalar>
+constexpr auto kSmall = constant<Scalar>(120, 3e4);
 
-// Whether any has a bit from kBeyond on.
-template <class Integers>
+// Whether any has a bit from kBeyond<Scalar> on.
+template <class Scalar, class Integers>
 ROBCOGEN_INLINE bool any_beyond(const Integers& b) noexcept {
 #if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
   if constexpr (sizeof(b) == 32) {
     typedef long long Signed __attribute__((vector_size(32)));
-    return !__builtin_ia32_ptestz256((Signed)b, (Signed)(b ^ b ^ ~(kBeyond - 1)));
+    return !__builtin_ia32_ptestz256((Signed)b, (Signed)(b ^ b ^ ~(kBeyond<Scalar> - 1)));
   }
 #endif
-  std::uint64_t elements[sizeof(b) / sizeof(std::uint64_t)], all = 0;
-  std::memcpy(elements, &b, sizeof(b));
-  for (const std::uint64_t element : elements) all |= element;
-  return all >= kBeyond;
+  // In parts of 64 bits, which have two of 32.
+  constexpr int kBits = 8 * static_cast<int>(sizeof(Scalar));
+  using Part = std::conditional_t<sizeof(b) % sizeof(std::uint64_t) == 0, std::uint64_t, BitsOfOne<Scalar>>;
+  Part parts[sizeof(b) / sizeof(Part)], any = 0;
+  std::memcpy(parts, &b, sizeof(b));
+  for (const Part part : parts) any |= part;
+  if constexpr (sizeof(Part) > sizeof(Scalar)) any = any >> kBits | (any & ((Part(1) << kBits) - 1));
+  return any >= kBeyond<Scalar>;
 }
 
 }  // namespace lanes
@@ -234,6 +301,5 @@ ROBCOGEN_INLINE bool any_beyond(const Integers& b) noexcept {
 
 #undef ROBCOGEN_INLINE
 #undef ROBCOGEN_FUSES
-#undef ROBCOGEN_FMA128
-#undef ROBCOGEN_FMA256
+#undef ROBCOGEN_FMA
 #undef ROBCOGEN_FMA512

@@ -39,6 +39,12 @@ TEST(SmallAngles, AreSumsOfAtMostThree) {
   EXPECT_FALSE(known("tmp t = u + v\ntmp w = t + q[0]\ntmp x = w + q[1]\n"));
 }
 
+// Small positions are below 120 rad in float, whose polynomials hold up to 400 rad.
+TEST(SmallAngles, AreSmallInFloatToo) {
+  EXPECT_TRUE(known("tmp x = u + 270\n"));
+  EXPECT_FALSE(known("tmp x = u + 290\n"));
+}
+
 TEST(SmallAngles, AreNoOtherValues) {
   EXPECT_FALSE(known("tmp x = u + parameters[0]\n"));
   EXPECT_FALSE(known("tmp x = u * 4\n"));

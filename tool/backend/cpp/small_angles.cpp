@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -15,16 +16,18 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-// What robcogen::are_small says of each position, and what the polynomials are for (rad).
-constexpr double kSmall = 3e4, kLargest = 1e5;
+// What robcogen::are_small says of each position, and what the polynomials are for (rad); in double, and in float.
+struct Range {
+  double small, largest;
+};
+constexpr Range kRanges[] = {{3e4, 1e5}, {120, 400}};
 
-// The largest magnitude that each statement can have, from small positions.
-std::vector<double> largest_values(const Program& p) {
+// The largest magnitude that each statement can have, from positions up to `small`.
+std::vector<double> largest_values(const Program& p, double small) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   std::vector<double> inputs, result;
   for (const symbolic::InputArray& array : p.inputs)
-    inputs.insert(
-        inputs.end(), array.elements.size(), array.role == symbolic::Role::joint_position ? kSmall : kUnknown);
+    inputs.insert(inputs.end(), array.elements.size(), array.role == symbolic::Role::joint_position ? small : kUnknown);
   const auto largest = [&](const Operand& o) {
     if (is_constant(o)) return std::abs(p.constants[at(o.index)].value());
     return o.kind == Operand::Kind::input ? inputs[at(o.index)] : result[at(o.index)];
@@ -53,10 +56,12 @@ bool has_small_angles(const Program& program, const Kernel& kernel) {
   if (std::none_of(kernel.lines.begin(), kernel.lines.end(), is_angle_in_lanes) ||
       std::any_of(kernel.lines.begin(), kernel.lines.end(), is_block))
     return false;
-  const std::vector<double> largest = largest_values(program);
-  return std::all_of(program.statements.begin(), program.statements.end(), [&](const Statement& s) {
-    const bool is_angle_function = s.op == Op::sine || s.op == Op::cosine;
-    return !is_angle_function || s.width == 1 || largest[at(s.a.index)] <= kLargest;
+  return std::all_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
+    const std::vector<double> largest = largest_values(program, range.small);
+    return std::all_of(program.statements.begin(), program.statements.end(), [&](const Statement& s) {
+      const bool is_angle_function = s.op == Op::sine || s.op == Op::cosine;
+      return !is_angle_function || s.width == 1 || largest[at(s.a.index)] <= range.largest;
+    });
   });
 }
 

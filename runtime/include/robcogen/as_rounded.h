@@ -1,0 +1,115 @@
+// Values that a compiler must take as they were rounded, also under -ffast-math.
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#if defined(__GNUC__)
+#define ROBCOGEN_INLINE static inline __attribute__((always_inline))
+#else
+#define ROBCOGEN_INLINE static inline
+#endif
+
+// Whether sums may be taken apart and put together in another order, as far as the compiler says so: gcc does since
+// version 12, clang does not.
+#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
+#if !defined(__ASSOCIATIVE_MATH__)
+#define ROBCOGEN_KEEPS_ORDER 1
+#endif
+#elif defined(_MSC_VER) && !defined(__clang__) && !defined(_M_FP_FAST)
+#define ROBCOGEN_KEEPS_ORDER 1
+#endif
+
+// The registers of numbers, by the constraint that assembly names them with, and whether vectors of the compiler's
+// stand in them whole, from so many bytes on. "m" is memory: right on any processor.
+#if defined(__AVX512F__)
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+v"
+#define ROBCOGEN_REGISTER_OF_FLOAT "+v"
+#define ROBCOGEN_REGISTER_OF_VECTOR "+v"
+#define ROBCOGEN_SMALLEST_VECTOR 16
+#elif defined(__SSE2__)
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+x"
+#define ROBCOGEN_REGISTER_OF_FLOAT "+x"
+#define ROBCOGEN_REGISTER_OF_VECTOR "+x"
+#define ROBCOGEN_SMALLEST_VECTOR 16
+#elif defined(__aarch64__)
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+w"
+#define ROBCOGEN_REGISTER_OF_FLOAT "+w"
+#define ROBCOGEN_REGISTER_OF_VECTOR "+w"
+#define ROBCOGEN_SMALLEST_VECTOR 8
+#elif defined(__arm__)
+#if defined(__ARM_FP) && (__ARM_FP & 8)
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+w"
+#else
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+r"
+#endif
+#if defined(__ARM_FP) && (__ARM_FP & 4)
+#define ROBCOGEN_REGISTER_OF_FLOAT "+t"
+#else
+#define ROBCOGEN_REGISTER_OF_FLOAT "+r"
+#endif
+#elif defined(__riscv_flen) && __riscv_flen >= 64
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+f"
+#define ROBCOGEN_REGISTER_OF_FLOAT "+f"
+#else
+#define ROBCOGEN_REGISTER_OF_DOUBLE "+m"
+#define ROBCOGEN_REGISTER_OF_FLOAT "+m"
+#endif
+
+namespace robcogen {
+namespace {  // each file's own, as lanes are
+namespace lanes {
+
+// x, of which the compiler does not see how it was computed: with -ffast-math, -Ofast or -funsafe-math-optimizations it
+// would take (a + b) - b for a, and lose what rounding did on purpose. Takes no instruction.
+#if defined(ROBCOGEN_KEEPS_ORDER)
+template <class Numbers>
+ROBCOGEN_INLINE Numbers as_rounded(const Numbers& x) noexcept {
+  return x;
+}
+#elif defined(__GNUC__)
+ROBCOGEN_INLINE double as_rounded(double x) noexcept {
+  __asm__("" : ROBCOGEN_REGISTER_OF_DOUBLE(x));
+  return x;
+}
+ROBCOGEN_INLINE float as_rounded(float x) noexcept {
+  __asm__("" : ROBCOGEN_REGISTER_OF_FLOAT(x));
+  return x;
+}
+
+template <class Vector, int... kElement>
+ROBCOGEN_INLINE Vector each_as_rounded(const Vector& x, std::integer_sequence<int, kElement...>) noexcept {
+  return Vector{as_rounded(x[kElement])...};
+}
+
+template <class Vector>
+ROBCOGEN_INLINE Vector as_rounded(const Vector& x) noexcept {
+#if defined(ROBCOGEN_REGISTER_OF_VECTOR)
+  if constexpr (sizeof(Vector) >= ROBCOGEN_SMALLEST_VECTOR) {
+    Vector result = x;
+    __asm__("" : ROBCOGEN_REGISTER_OF_VECTOR(result));
+    return result;
+  }
+#endif
+  constexpr int kSize = static_cast<int>(sizeof(Vector) / sizeof(x[0]));
+  return each_as_rounded(x, std::make_integer_sequence<int, kSize>());
+}
+#else  // through memory
+template <class Number>
+ROBCOGEN_INLINE Number as_rounded(Number x) noexcept {
+  volatile Number stored = x;
+  return stored;
+}
+#endif
+
+}  // namespace lanes
+}  // namespace
+}  // namespace robcogen
+
+#undef ROBCOGEN_INLINE
+#undef ROBCOGEN_REGISTER_OF_DOUBLE
+#undef ROBCOGEN_REGISTER_OF_FLOAT
+#undef ROBCOGEN_REGISTER_OF_VECTOR
+#undef ROBCOGEN_SMALLEST_VECTOR
+#undef ROBCOGEN_KEEPS_ORDER
