@@ -69,6 +69,20 @@ TEST(Reassociate, ANamedSumIsNotTakenApart) {
   EXPECT_EQ(reassociated(statements), statements);
 }
 
+// A product enters a sum with its factors, so it comes before a sum that is known when the product would be.
+TEST(Reassociate, AProductIsReadyWithItsFactors) {
+  const Program before = test::small_program(
+      "in 0\n"
+      "let u = a[0] + a[1]\n"
+      "tmp m = a[2] * a[3]\n"
+      "tmp s = u + m\n"
+      "let t = s + a[0]\n"
+      "return out t u\n",
+      2);
+  EXPECT_EQ(symbolic::count(before).critical_path, 4 + 2 * 4);
+  EXPECT_EQ(symbolic::count(reassociate(before)).critical_path, 4 + 4);
+}
+
 TEST(Reassociate, ASumThatIsReadTwiceIsNotTakenApart) {
   const std::string statements =
       "in 0\n"

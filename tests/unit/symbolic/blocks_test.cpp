@@ -56,6 +56,28 @@ TEST(Stores, LanesOfLimbsThatFollowEachOtherAreOneBlock) {
   EXPECT_EQ(columns(p, found.blocks[0]), "x y");
 }
 
+// From the second limb to the first: a block goes forward only.
+TEST(Stores, LanesInTheOppositeOrderAreNoBlock) {
+  const Program p = limbs(kValues + "return out x@1 y@1 x@0 y@0\n", 4);
+  EXPECT_TRUE(stores(p).blocks.empty());
+}
+
+// Of one constant: together where that takes no more vectors, else by themselves.
+TEST(Stores, AFillGoesOnBehindAGapThatCostsNothing) {
+  const Program near = limbs(kValues + "return out 0 0 0 0 x@0 0 0 0 0\n", 9);
+  ASSERT_EQ(stores(near).fills.size(), 2U) << "three vectors in the place of two";
+  const Program in_a_vector = limbs(kValues + "return out 0 0 0 0 0 x@0 0 0 0 0\n", 10);
+  ASSERT_EQ(stores(in_a_vector).fills.size(), 1U) << "three vectors in the place of three";
+  EXPECT_EQ(stores(in_a_vector).fills[0].count, 10);
+  const Program far = limbs(kValues + "return out 0 0 0 0 x@0 y@0 x@0 y@0 x@0 y@0 0 0 0 0\n", 14);
+  const Stores found = stores(far);
+  ASSERT_EQ(found.fills.size(), 2U);
+  EXPECT_EQ(found.fills[0].first, 0);
+  EXPECT_EQ(found.fills[0].count, 4);
+  EXPECT_EQ(found.fills[1].first, 10);
+  EXPECT_EQ(found.fills[1].count, 4);
+}
+
 TEST(Stores, RowsAndColumnsOfASymmetricMatrixAreBlocksOfTheirOwn) {
   // x and y in the first column of a matrix of five rows, and in its first row.
   const Program p =

@@ -25,6 +25,13 @@ class ProgramOfGraph : public testing::Test {
   }
 };
 
+// The only operand whose sign no operation takes up.
+TEST_F(ProgramOfGraph, KeepsTheSignUnderARoot) {
+  graph.begin_section("link hip", "hip");
+  const std::string text = print(program({sqrt(-a), sqrt(a)}));
+  EXPECT_NE(text.find("tmp hip_t0 = sqrt -q[0]\ntmp hip_t1 = sqrt q[0]\n"), std::string::npos) << text;
+}
+
 TEST_F(ProgramOfGraph, HoldsWhatOutputsReachInTheOrderOfItsMaking) {
   const Expression dead = 0.5 * a * b;
   graph.begin_section("link hip", "hip");
