@@ -67,6 +67,19 @@ TEST(PackLanes, ASumOfLanesComesLast) {
   EXPECT_TRUE(is_sum_of_lanes(last.a) || is_sum_of_lanes(last.b)) << symbolic::print(lanes);
 }
 
+// Signs of single operands, in one limb or in both: of factors, dividends, divisors, angles.
+TEST(PackLanes, OperandsKeepTheirSigns) {
+  const Program program = with(
+      "tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * -q[3]\ntmp L_b = -L_a * q[0]\ntmp R_b = R_a * -q[2]\n"
+      "tmp L_c = L_b / -L_a\ntmp R_c = R_b / R_a\ntmp L_s = sin -L_c\ntmp R_s = sin R_c\n"
+      "tmp L_t = sin -L_s\ntmp R_t = sin -R_s\ntmp L_u = cos -L_t\ntmp R_u = cos R_t\n",
+      "L_b R_b L_c R_c L_s R_s L_t R_t L_u R_u", 10);
+  const Program lanes = packed(program, kLegs);
+  EXPECT_EQ(symbolic::verify(lanes), "");
+  EXPECT_TRUE(lanes.has_lanes());
+  EXPECT_EQ(run(lanes), run(program)) << symbolic::print(lanes);
+}
+
 // Numbers take up signs: a plus in one limb is a minus in the other, and no instruction changes a lane's sign.
 TEST(PackLanes, NumbersTakeTheSignsOfMirroredLimbs) {
   const Program program =
