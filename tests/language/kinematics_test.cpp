@@ -116,6 +116,17 @@ std::string text_of(const Vector& v) {
   return language::print(*v[0]) + " " + language::print(*v[1]) + " " + language::print(*v[2]);
 }
 
+TEST(Kinematics, TakesASectionOfNoFrames) {
+  const Document d = read_robot(
+      "Robot R { RobotBase b { children {} frames {} } link l { id = 1 children {} frames { /* none */ } { "
+      "f { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } {} } }");
+  EXPECT_TRUE(d.links[0].frames.empty());
+  ASSERT_EQ(d.links[1].frames.size(), 1u);
+  EXPECT_EQ(d.links[1].frames[0].name.text, "f");
+  EXPECT_EQ(print(d).find("frames"), print(d).rfind("frames"));  // those of the link alone
+  EXPECT_TRUE(equal(read_robot(print(d)), d));
+}
+
 TEST(Kinematics, ReadsADocument) {
   const Document d = read_robot(kLeg);
   EXPECT_EQ(d.robot.text, "Leg");

@@ -42,14 +42,16 @@ TEST(Lexer, KnowsNamesNumbersAndSymbols) {
 TEST(Lexer, ReadsEverySpellingOfANumber) {
   EXPECT_EQ(lex("1.0 .5 1. 1 1e-3 1.0E5 1.e+2 007").tokens, "1.0|.5|1.|1|1e-3|1.0E5|1.e+2|007");
   EXPECT_EQ(lex("-1.0 +0.5").tokens, "-|1.0|+|0.5");
-  EXPECT_EQ(lex("2.0a 2.0PI 2a 1.0e 1e+ 2.0e5x").tokens, "2.0|a|2.0|PI|2|a|1.0|e|1|e|+|2.0e5|x");
+  EXPECT_EQ(lex("2.0a 2.0PI 2a 2.0e5x 1.0ex 1.0d 1.0f2").tokens, "2.0|a|2.0|PI|2|a|2.0e5|x|1.0|ex|1.0|d|1.0|f2");
   Diagnostics none;
   const TokenList list = tokenize(test::source("1.50e1"), none);
   EXPECT_EQ(number_of(list.tokens[0]).value(), 15.0);
 }
 
 TEST(Lexer, RefusesWhatLooksLikeANumber) {
-  for (const char* text : {"0x1F", "0X1p3", "1.2.3", "1..2"}) {
+  for (const char* text :
+       {"0x1F", "0X1p3", "0b101", "1.2.3", "1..2", "1_000", "1.5_", "1e", "2.0E+", "1e-", "1e5e2", "1d0", "2.5D3",
+        "1.0f", "1_000e+5", "0x1E+2"}) {
     EXPECT_EQ(lex(text).codes, Codes{"bad-number"}) << text;
     EXPECT_EQ(lex(text).tokens, text);  // still one number for the parser
   }

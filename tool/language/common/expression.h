@@ -23,7 +23,7 @@ struct Expression {
     negate,
     add,
     subtract,
-    multiply,  // `*` or juxtaposition
+    multiply,  // `*`, or juxtaposition where `juxtaposed`
     divide,
     sine,
     cosine,
@@ -40,6 +40,7 @@ struct Expression {
   std::optional<Number> default_value;  // kind name: `m1[1]`
   ExpressionPtr left;                   // operand, or first operand
   ExpressionPtr right;                  // second operand
+  bool juxtaposed = false;              // kind multiply: `2.0 a`; the same as `2.0*a`, of which print prefers one
 };
 
 // Text that parses back to an equal tree (spans apart). Prefers the original's spelling: `PI/2.0`, `-PI/2.0`, `0.5 len`

@@ -120,7 +120,8 @@ class Lexer {
       error("name-too-long", begin, fmt::format("a name of more than {} characters", kLongestName));
   }
 
-  // Digits, point, exponent. What follows at once may be a name, which multiplies: `2.0a`.
+  // Digits, point, exponent. What follows at once may be a name, which multiplies: `2.0a`; unless it reads like a
+  // number of another language.
   void number() {
     const std::size_t begin = at_;
     digits();
@@ -128,21 +129,54 @@ class Lexer {
       ++at_;
       digits();
     }
+    const std::size_t mantissa_end = at_;
     const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
     if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) {
       at_ += 1 + sign;
       digits();
     }
-    const bool is_hexadecimal = text_from(begin) == "0" && (peek() == 'x' || peek() == 'X');
-    if (is_hexadecimal || peek() == '.') {
-      while (is_word(peek()) || peek() == '.') ++at_;
-      error("bad-number", begin, fmt::format("{} is no decimal number", quote(text_from(begin))));
+    const std::string hint = hint_to_malformed_number(begin, at_ > mantissa_end);
+    if (peek() == '.' || !hint.empty()) {
+      skip_malformed_number();
+      error("bad-number", begin, fmt::format("{} is not a decimal number", quote(text_from(begin)))).hint = hint;
       push(Token::Kind::number, begin, text_from(begin));
       return;
     }
     push(Token::Kind::number, begin, text_from(begin));
     if (!Number::parse(std::string(text_from(begin))))
       error("number-too-large", begin, fmt::format("{} is too large a number", quote(text_from(begin))));
+  }
+
+  // Letters, digits and points, and the sign of an exponent.
+  void skip_malformed_number() {
+    const auto at_sign = [&] {
+      const char before = text_[at_ - 1];
+      return (before == 'e' || before == 'E') && (peek() == '+' || peek() == '-');
+    };
+    while (is_word(peek()) || peek() == '.' || at_sign()) ++at_;
+  }
+
+  // What to write for a number that runs into letters as numbers of other languages do; empty where none follow, or
+  // they are a name.
+  std::string hint_to_malformed_number(std::size_t begin, bool has_exponent) const {
+    std::size_t end = at_;
+    while (end < text_.size() && is_word(text_[end])) ++end;
+    const std::string_view number = text_from(begin), word = text_.substr(at_, end - at_);
+    if (word.empty()) return "";
+    const std::string_view tail = word.substr(1);
+    const bool counts = !tail.empty() && std::all_of(tail.begin(), tail.end(), is_digit);
+    const auto begins_with = [&](char letter) { return (word[0] | 0x20) == letter; };
+    if (number == "0" && (begins_with('x') || (begins_with('b') && counts))) return "write the number in base ten";
+    const std::size_t not_underscore = std::min(word.find_first_not_of('_'), word.size());
+    if (not_underscore > 0 && (not_underscore == word.size() || is_digit(word[not_underscore])))
+      return "write digits without separators";
+    const std::string product = fmt::format("'{0} {1}' for {0} times '{1}'", number, word);
+    if (begins_with('e') && tail.empty()) return fmt::format("write digits behind the '{}', or {}", word, product);
+    if (begins_with('e') && counts && has_exponent) return "write one exponent";
+    if (begins_with('d') && counts)
+      return fmt::format("write '{}e{}' for a power of ten, or {}", number, tail, product);
+    if (begins_with('f') && tail.empty()) return fmt::format("write '{}', or {}", number, product);
+    return "";
   }
 
   void digits() {
@@ -168,6 +202,12 @@ class Lexer {
     list_.cut = true;
   }
 
+  // Nothing but blanks stands before it in its line.
+  bool begins_line(std::size_t at) const {
+    const std::size_t last = text_.substr(0, at).find_last_not_of(" \t");
+    return last == std::string_view::npos || text_[last] == '\n' || text_[last] == '\r';
+  }
+
   // A run of bytes that mean nothing is one error.
   void stray() {
     const std::size_t begin = at_;
@@ -179,9 +219,13 @@ class Lexer {
     if (byte >= 0x80) {
       error("stray-character", begin, "unexpected character outside ASCII").hint =
           "names consist of A-Z, a-z, 0-9 and '_'; any text may stand in a comment";
-    } else if (byte == '#') {
+    } else if (byte == '#' || (byte == ';' && begins_line(begin))) {
       at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
-      error("stray-character", begin, "unexpected character '#'").hint = "a comment begins with '//'";
+      error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin])).hint =
+          "a comment begins with '//'";
+    } else if (byte == ';') {
+      error("stray-character", begin, "unexpected character ';'").hint =
+          "leave it out: nothing stands between items, and a comment begins with '//'";
     } else if (byte > 0x20 && byte < 0x7f) {
       error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin]));
     } else {

@@ -31,7 +31,8 @@ struct TokenList {
   bool cut = false;  // the tokens end before the text does, which has been reported: nothing that is missing is news
 };
 
-// Reports bytes that belong to no token, numbers that are none, and names without end; goes on after each. What makes
+// Reports bytes that belong to no token, malformed numbers (`0x1F`, `1_000`, `1e`, `1d0`, `1.0f`), and names without
+// end; goes on after each. What makes
 // the rest of the text meaningless (a comment that does not end, a `${…}` of a template, UTF-16) is reported and ends
 // the list.
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics);

@@ -18,12 +18,18 @@ constexpr std::array kFunctions = {
     std::pair("sin", Kind::sine), std::pair("cos", Kind::cosine), std::pair("tan", Kind::tangent),
     std::pair("sqrt", Kind::square_root)};
 
-ExpressionPtr operation(Kind kind, Span span, ExpressionPtr left, ExpressionPtr right = nullptr) {
+ExpressionPtr operation(
+    Kind kind,
+    Span span,
+    ExpressionPtr left,
+    ExpressionPtr right = nullptr,
+    bool juxtaposed = false) {
   Expression e;
   e.kind = kind;
   e.span = span;
   e.left = std::move(left);
   e.right = std::move(right);
+  e.juxtaposed = juxtaposed;
   return std::make_shared<const Expression>(std::move(e));
 }
 
@@ -108,7 +114,7 @@ class ExpressionParser {
       if (!juxtaposed) cursor_.take();
       ExpressionPtr right = unary(ends_in_number);
       const Span span{left->span.begin, right->span.end};
-      left = operation(kind, span, std::move(left), std::move(right));
+      left = operation(kind, span, std::move(left), std::move(right), juxtaposed);
     }
   }
 

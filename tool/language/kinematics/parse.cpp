@@ -286,20 +286,16 @@ class Parser {
         });
   }
 
-  // One block, or several in a row.
+  // One block, or several in a row; blocks may be empty.
   void frames(Link& link) {
     do {
-      const Span open = cursor_.peek().span;
-      bool empty = true;
-      const bool sound = block(
+      block(
           "'frames'", [&] { return cursor_.at_name() && cursor_.at("{", 1); },
           [&] {
             const Name name = this->name("the name of a frame");
-            empty = false;
             const auto placement = this->placement(fmt::format("frame '{}'", name.text), name.span);
             if (placement) link.frames.push_back({name, *placement});
           });
-      if (sound && empty) cursor_.error_at(open, "empty-frames", "a 'frames' section without frames");
     } while (cursor_.at("{"));
   }
 

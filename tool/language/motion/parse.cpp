@@ -33,7 +33,7 @@ class Parser {
 
   void convention() {
     try {
-      if (!cursor_.at("Convention")) cursor_.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
+      if (!cursor_.at("Convention")) missing_convention();
       const Token word = cursor_.take();
       document_.convention_comments = cursor_.comments_before(word.span.begin);
       cursor_.expect("=", "after 'Convention'");
@@ -45,6 +45,18 @@ class Parser {
     } catch (const SyntaxError&) {
       skip_to_motion();
     }
+  }
+
+  // Where a motion stands, the line is forgotten; another word may be meant as its keyword.
+  [[noreturn]] void missing_convention() {
+    if (!at_motion()) cursor_.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
+    cursor_
+        .error(
+            "missing-convention",
+            "the line 'Convention = local' or 'Convention = fixed' is missing before the first motion")
+        .hint =
+        "local: each step is about the axes of the frame reached so far; fixed: axes stay parallel to the first frame";
+    throw SyntaxError{};
   }
 
   bool at_motion() const { return cursor_.at_name() && cursor_.at("->", 1); }

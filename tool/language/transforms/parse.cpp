@@ -33,8 +33,7 @@ class Parser {
 
   void position() {
     try {
-      if (!cursor_.at_any({"TransformedFramePos", "MovedFramePos"}))
-        cursor_.unexpected("'Frames', 'Params', 'MovedFramePos' or 'TransformedFramePos'", "in the header");
+      if (!cursor_.at_any({"TransformedFramePos", "MovedFramePos"})) missing_position();
       const Token word = cursor_.take();
       document_.position_comments = cursor_.comments_before(word.span.begin);
       cursor_.expect("=", fmt::format("after '{}'", word.text));
@@ -43,6 +42,20 @@ class Parser {
     } catch (const SyntaxError&) {
       skip_to_transform();
     }
+  }
+
+  // Where a transform stands, the line is forgotten; another word may be meant as its keyword.
+  [[noreturn]] void missing_position() {
+    if (!at_transform())
+      cursor_.unexpected("'Frames', 'Params', 'MovedFramePos' or 'TransformedFramePos'", "in the header");
+    cursor_
+        .error(
+            "missing-position",
+            "the line 'MovedFramePos = right' or 'MovedFramePos = left' is missing before the first transform")
+        .hint =
+        "right: Rx(a) maps coordinates of the frame rotated by +a to the original frame, the usual rotation matrix; "
+        "left: the inverse";
+    throw SyntaxError{};
   }
 
   bool at_transform() const { return cursor_.at("{") && cursor_.at("}", 2) && cursor_.at("_X_", 3); }
