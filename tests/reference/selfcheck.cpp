@@ -68,6 +68,26 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
 #endif
 }
 
+// The functions whose formulation is chosen, in single precision.
+template <class R>
+void check_single(
+    const Robot& robot,
+    const CompiledRobot<R>& subject,
+    std::mt19937_64& engine,
+    int samples,
+    Checks& checks) {
+  checks.in_single(true);
+  for (int i = 0; i < samples; ++i) {
+    const Sample sample = in_single(random_sample(engine, robot));
+    const Case c(robot, sample, i);
+    if constexpr (kHasInverseDynamics) check_inverse_dynamics(subject, c, checks);
+    if constexpr (kHasBiasForces) check_bias_forces(subject, c, checks);
+    if constexpr (kHasForwardDynamics) check_forward_dynamics(subject, c, checks);
+    if constexpr (kHasInertia) check_inertia_matrix(subject, c, checks);
+  }
+  checks.in_single(false);
+}
+
 constexpr int kSetsOfValues = 4;
 
 // Empty where no values were found.
@@ -88,7 +108,9 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
       before = values;
     }
   } else {
+    using Single = ROBCOGEN_ROBOT_NAMESPACE::f32::Robot;
     check<R>(robot, CompiledRobot<R>(robot), engine, samples, checks);
+    check_single<Single>(robot, CompiledRobot<Single>(robot), engine, samples, checks);
   }
   return checks;
 }

@@ -16,6 +16,11 @@ constexpr std::array kChoices = {
 
 }  // namespace
 
+Formulation plain_formulation() {
+  std::vector<std::string> none;
+  return take_formulation(none);
+}
+
 const std::vector<std::string>& choices() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> list;

@@ -26,6 +26,10 @@ struct Formulation {
   TypicalLinks typical = {};
 };
 
+// The one that chooses nothing: the algorithms of the textbook in the frames of the model. What the others are measured
+// by.
+Formulation plain_formulation();
+
 // Names of the choices, in the order of the fields.
 const std::vector<std::string>& choices();
 

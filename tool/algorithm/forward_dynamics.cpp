@@ -5,6 +5,7 @@
 #include "algorithm/inverse_dynamics.h"
 #include "algorithm/joint_space_inertia.h"
 #include "support/index.h"
+#include "symbolic/accuracy.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
@@ -95,7 +96,17 @@ ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, 
   ForwardDynamicsChoice bodies = cheapest(ForwardDynamicsMethod::articulated_bodies);
   if (!formulation.choose_forward_dynamics || !is_elimination_cheap(tree)) return bodies;
   ForwardDynamicsChoice matrix = cheapest(ForwardDynamicsMethod::inertia_matrix);
-  return time(matrix) < time(bodies) ? matrix : bodies;
+  if (time(matrix) >= time(bodies)) return bodies;
+  Formulation plain = plain_formulation();
+  plain.is_draft = true;
+  const symbolic::AccurateResults results(
+      traced(tree, "forward_dynamics", loads, plain, ForwardDynamicsMethod::articulated_bodies),
+      parameter_values(tree));
+  matrix.formulation.is_draft = true;
+  const bool keeps_digits =
+      results.are_kept_by(traced(tree, "forward_dynamics", loads, matrix.formulation, matrix.method));
+  matrix.formulation.is_draft = false;
+  return keeps_digits ? matrix : bodies;
 }
 
 Program forward_dynamics(

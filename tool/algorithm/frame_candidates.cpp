@@ -13,7 +13,7 @@ namespace {
 using model::Quantity;
 
 constexpr double kSame = 1e-9;     // rad, m: candidates closer than this are one
-constexpr double kNothing = 1e-9;  // shares of a vector or matrix smaller than this have no direction
+constexpr double kNothing = 1e-9;  // what is smaller than this share of what it could be has no direction
 constexpr double kQuarter = std::numbers::pi / 2;
 
 // Exact where it is a multiple of 90 degrees.
@@ -84,7 +84,7 @@ FrameCandidates::Axis FrameCandidates::axis_of(const model::Joint& joint) {
     if (!p.rotation && p.axis == model::Axis::z) axis.foot = p.amount;
   axis.along = placement.along;
   axis.sign = r(2, 2) < 0 ? -1.0 : 1.0;
-  axis.is_parallel = std::hypot(r(0, 2), r(1, 2)) < 1e-12;
+  axis.is_parallel = std::hypot(r(0, 2), r(1, 2)) < kParallel;
   if (axis.is_parallel) {
     axis.twist = std::atan2(axis.sign * r(1, 0), r(0, 0));
     const auto& t = joint.placement.translation;
@@ -105,7 +105,7 @@ FrameCandidates::Axis FrameCandidates::axis_of(const model::Joint& joint) {
 }
 
 FrameCandidates::FrameCandidates(const model::KinematicTree& tree, const Formulation& formulation)
-    : tree_(tree), masses_(tree.links.size()) {
+    : tree_(tree), masses_(tree.links.size()), extents_(model::extents(tree)) {
   for (const model::Joint& joint : tree.joints) axes_.push_back(axis_of(joint));
   Trace trace(tree);
   Formulation plain = formulation;
@@ -136,12 +136,13 @@ std::vector<Candidate> FrameCandidates::turns(int joint, const LinkFrames& frame
   const auto& mass = masses_[at(link)];
   const auto h = [&](std::size_t i) { return mass->first_moment[i].value(); };
   const auto s = [&](std::size_t i, std::size_t k) { return mass->pseudo_inertia[i][k].value(); };
+  const model::Extent& extent = extents_[at(link)];
   if (mass) {
-    direction(h(0) != 0 || h(1) != 0, h(0), h(1));
-    direction(s(0, 1) != 0, s(0, 0) - s(1, 1), 2 * s(0, 1), 2.0);
+    direction(std::hypot(h(0), h(1)) > kNothing * extent.mass * extent.length, h(0), h(1));
+    direction(std::abs(s(0, 1)) > kNothing * extent.inertia, s(0, 0) - s(1, 1), 2 * s(0, 1), 2.0);
     const double slide = now.slide.is_constant() ? now.slide.number().value() : 0.0;
     const double xz = s(0, 2) - slide * h(0), yz = s(1, 2) - slide * h(1);
-    direction(std::hypot(xz, yz) > kNothing * std::hypot(s(0, 2), s(1, 2)), xz, yz);
+    direction(std::hypot(xz, yz) > kNothing * extent.inertia, xz, yz);
   } else {
     turns.skip(6);
   }
@@ -165,8 +166,14 @@ std::vector<Candidate> FrameCandidates::turns(int joint, const LinkFrames& frame
 std::vector<Candidate> FrameCandidates::slides(int joint, const Quantity& turn, const LinkFrames& frames) const {
   const int link = tree_.joints[at(joint)].child;
   CandidateList slides;
-  slides.add(frames[at(joint)].slide);
-  slides.add(Quantity());
+  const auto add = [&](const Quantity& slide) {
+    if (slide.is_constant() && std::abs(slide.number().value()) > extents_[0].length)
+      slides.skip();
+    else
+      slides.add(slide);
+  };
+  add(frames[at(joint)].slide);
+  add(Quantity());
   const Axis& own = axes_[at(joint)];
   const int parent = tree_.parent_joint_of(joint);
   if (!own.is_known) {
@@ -174,9 +181,9 @@ std::vector<Candidate> FrameCandidates::slides(int joint, const Quantity& turn, 
   } else if (own.is_parallel) {
     const Quantity parents = parent >= 0 ? frames[at(parent)].slide : Quantity();
     const Quantity way = parents - own.foot;
-    slides.add(own.sign < 0 ? -way : way);
+    add(own.sign < 0 ? -way : way);
   } else {
-    slides.add(-own.along);
+    add(-own.along);
   }
   const auto& mass = masses_[at(link)];
   if (mass && turn.is_constant()) {
@@ -185,10 +192,11 @@ std::vector<Candidate> FrameCandidates::slides(int joint, const Quantity& turn, 
     const double zx = mass->pseudo_inertia[0][2].value(), zy = mass->pseudo_inertia[1][2].value();
     const double hx = c * x + s * y, hy = c * y - s * x;
     const double xz = c * zx + s * zy, yz = c * zy - s * zx;
-    const double least = kNothing * std::hypot(hx, hy);
+    const model::Extent& extent = extents_[at(link)];
+    const double least = kNothing * extent.mass * extent.length;
     const auto vanishing = [&](double product, double moment) {
       if (std::abs(moment) > least)
-        slides.add(length(product / moment));
+        add(length(product / moment));
       else
         slides.skip();
     };
@@ -199,7 +207,7 @@ std::vector<Candidate> FrameCandidates::slides(int joint, const Quantity& turn, 
   }
   for (const int child : tree_.links[at(link)].child_joints) {
     if (axes_[at(child)].is_known)
-      slides.add(axes_[at(child)].foot);
+      add(axes_[at(child)].foot);
     else
       slides.skip();
   }

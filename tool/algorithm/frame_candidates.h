@@ -1,4 +1,7 @@
-// Turns and slides of link frames that make something vanish.
+// Turns and slides of link frames that make something vanish, and move no frame further than the robot is long.
+//
+// What is parallel, zero or along an axis but for rounding of the model's numbers counts as such here. The numbers that
+// programs compute with stay what they are.
 #pragma once
 
 #include <memory>
@@ -6,6 +9,7 @@
 #include <vector>
 
 #include "algorithm/formulation.h"
+#include "model/reach.h"
 
 namespace robcogen::algorithm {
 
@@ -42,6 +46,7 @@ class FrameCandidates {
   const model::KinematicTree& tree_;
   std::vector<Axis> axes_;                          // by joint
   std::vector<std::optional<MassNumbers>> masses_;  // by link, in the model's frame; those that matter
+  std::vector<model::Extent> extents_;              // by link
 
   static Axis axis_of(const model::Joint& joint);
 };

@@ -6,8 +6,10 @@
 
 #include "algorithm/frame_candidates.h"
 #include "algorithm/limb_view.h"
+#include "algorithm/trace.h"
 #include "model/limbs.h"
 #include "support/index.h"
+#include "symbolic/accuracy.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
@@ -18,6 +20,14 @@ using model::KinematicTree;
 // Statements that may be traced at effort 1.
 constexpr long kStatements = 2'000'000;
 constexpr int kRounds = 3;
+// Constants of a choice may be larger than those before it by this factor.
+constexpr double kLarger = 16.0;
+
+double largest_constant(const symbolic::Program& program) {
+  double largest = 0.0;
+  for (const Number& n : program.constants) largest = std::max(largest, n.value());
+  return largest;
+}
 
 // An accepted change.
 struct Step {
@@ -42,17 +52,18 @@ class Search {
     for (int j = 0; j < tree.dof(); ++j) {
       LimbView view = limb_view(tree, j);
       std::shared_ptr<const LinkNumbers> of_view = numbers ? numbers_of(view, *numbers) : nullptr;
-      views_.push_back({std::move(view), std::move(of_view)});
+      views_.push_back({std::move(view), std::move(of_view), nullptr, 0.0});
     }
   }
 
   LinkFrames run() {
+    history_.push_back(frames_);
     for (int round = 0; round < kRounds; ++round) {
       taken_.clear();
       visit(0);
       if (taken_.empty()) break;
     }
-    return frames_;
+    return accurate_frames();
   }
 
  private:
@@ -60,6 +71,8 @@ class Search {
   struct View {
     LimbView limb;
     std::shared_ptr<const LinkNumbers> numbers;
+    std::shared_ptr<const symbolic::AccurateResults> results;  // once they were asked for
+    double largest_constant = 0.0;                             // that a choice may have
   };
 
   const KinematicTree& tree_;
@@ -70,7 +83,8 @@ class Search {
   std::vector<View> views_;  // by joint
   LinkFrames frames_;
   long left_;
-  std::vector<Step> taken_;  // in this round
+  std::vector<Step> taken_;          // in this round
+  std::vector<LinkFrames> history_;  // after each change
 
   // All limbs that hang on a link; one that is like an earlier one follows it.
   void visit(int link) {
@@ -107,7 +121,11 @@ class Search {
         return false;
       }
     }
-    if (cost(joint, frames_) == expected) return true;
+    const symbolic::Program program = traced(joint, frames_);
+    if (symbolic::work(program) == expected && (first == last || keeps_digits(joint, program))) {
+      if (first != last) history_.push_back(frames_);
+      return true;
+    }
     frames_ = before;
     return false;
   }
@@ -128,16 +146,52 @@ class Search {
   }
 
   // Of what the joint has to do with, in these frames.
-  int cost(int joint, const LinkFrames& frames) {
+  int cost(int joint, const LinkFrames& frames) { return symbolic::work(traced(joint, frames)); }
+
+  symbolic::Program traced(int joint, const LinkFrames& frames) {
     const View& view = views_[at(joint)];
     Formulation choice = formulation_;
     choice.is_draft = true;
     choice.numbers = view.numbers;
     choice.frames.clear();
     for (const int j : view.limb.joints) choice.frames.push_back(frames[at(j)]);
-    const symbolic::Program program = trace_(view.limb.tree, choice);
+    symbolic::Program program = trace_(view.limb.tree, choice);
     left_ -= static_cast<long>(program.statements.size());
-    return symbolic::work(program);
+    return program;
+  }
+
+  // Whether a trace of what the joint has to do with keeps the digits that it keeps in the frames of the model: with
+  // the same mass properties, which other limbs may have a share in.
+  bool keeps_digits(int joint, const symbolic::Program& program) {
+    View& view = views_[at(joint)];
+    if (!view.results) {
+      Formulation choice = formulation_;
+      choice.is_draft = true;
+      choice.numbers = view.numbers;
+      choice.frames.assign(view.limb.joints.size(), {});
+      view.results = results_of(view.limb.tree, choice);
+    }
+    return view.results->are_kept_by(program);
+  }
+
+  std::shared_ptr<const symbolic::AccurateResults> results_of(const KinematicTree& part, const Formulation& choice)
+      const {
+    return std::make_shared<const symbolic::AccurateResults>(trace_(part, choice), parameter_values(part));
+  }
+
+  // The last frames with which the whole robot keeps the digits that the plain formulation keeps: limbs are judged one
+  // by one while they change.
+  LinkFrames accurate_frames() const {
+    Formulation plain = plain_formulation();
+    plain.is_draft = true;
+    const std::shared_ptr<const symbolic::AccurateResults> results = results_of(tree_, plain);
+    Formulation choice = formulation_;
+    choice.is_draft = true;
+    for (std::size_t back = 1; back <= history_.size(); back *= 2) {
+      choice.frames = history_[history_.size() - back];
+      if (results->are_kept_by(trace_(tree_, choice))) return choice.frames;
+    }
+    return formulation_.frames;
   }
 
   // Of the view's joints and links.
@@ -153,16 +207,21 @@ class Search {
 
   // Turns, then slides at the best turn; each with and without the joint's turning.
   void improve(int joint) {
-    int best = cost(joint, frames_);
+    const symbolic::Program start = traced(joint, frames_);
+    int best = symbolic::work(start);
+    double& most = views_[at(joint)].largest_constant;
+    if (most == 0.0) most = kLarger * largest_constant(start);
     const auto attempt = [&](const LinkFrame& frame, Step step) {
       if (left_ <= 0) return;
       LinkFrames frames = frames_;
       frames[at(joint)] = frame;
       if (step.parent_turns) frames[at(tree_.parent_joint_of(joint))].turns_with_joint = *step.parent_turns;
-      const int c = cost(joint, frames);
-      if (c >= best) return;
+      const symbolic::Program program = traced(joint, frames);
+      const int c = symbolic::work(program);
+      if (c >= best || largest_constant(program) > most || !keeps_digits(joint, program)) return;
       best = c;
       frames_ = std::move(frames);
+      history_.push_back(frames_);
       step.joint = joint;
       step.turns = frame.turns_with_joint;
       taken_.push_back(step);

@@ -17,6 +17,9 @@ using TraceOf = std::function<symbolic::Program(const model::KinematicTree&, con
 // joint. The cost of a choice is that of the whole trace of the links between the base and the leaves beyond the link.
 // Limbs that correspond to each other (model/limbs.h) get corresponding frames.
 //
+// A choice that costs less is taken only if it keeps the digits of the plain formulation (symbolic/accuracy.h), and if
+// its constants are not much larger.
+//
 // Bounded by the number of statements that are traced, not by time: the same robot has the same frames everywhere.
 // `formulation.effort` scales that bound; its frames are where the search starts, and the result where there is nothing
 // to choose.

@@ -90,6 +90,17 @@ AxisPlacement split_numerically(const Placement& placement, const std::array<std
   return result;
 }
 
+// Whether the path over the foot of the common normal is much longer than the placement's own offset: its parts cancel.
+bool is_detour(const AxisPlacement& split, const Placement& placement) {
+  constexpr double kMost = 4.0;
+  const auto magnitude = [](const Quantity& q) { return std::abs(q.number().value()); };
+  double size = 0.0, longest = magnitude(split.along);
+  for (const Quantity& q : placement.translation) size += magnitude(q);
+  for (const PrimitiveTransform& p : split.to_axis)
+    if (!p.rotation) longest = std::max(longest, magnitude(p.amount));
+  return longest > kMost * size;
+}
+
 // Rz(rho) * pose.
 Pose turned(const PlaneRotation& rho, const Pose& pose) {
   Pose result = pose;
@@ -208,7 +219,13 @@ class Framing {
     drop_rounding(result.first_moment, moment);
     double second = moment * slide;
     for (const Vector3& row : mass.pseudo_inertia.row) second += magnitude(row);
+    const Expression x = result.pseudo_inertia[0][0], y = result.pseudo_inertia[1][1];
     for (Vector3& row : result.pseudo_inertia.row) drop_rounding(row, second);
+    // The inertia about the axis may be all that the joint moves, however small it is.
+    if (result.pseudo_inertia[0][0].is_zero() && result.pseudo_inertia[1][1].is_zero()) {
+      result.pseudo_inertia[0][0] = x;
+      result.pseudo_inertia[1][1] = y;
+    }
     return result;
   }
 
@@ -276,9 +293,9 @@ AxisPlacement axis_placement(const Placement& placement) {
   const bool exact = std::all_of(placement.rotation.begin(), placement.rotation.end(), is_quarter_turn);
   for (std::size_t i = 0; exact && i < 2; ++i)
     if (r[i][2] != 0.0) return split_at_right_angle(placement, i, r[i][2] < 0);
-  constexpr double kParallel = 1e-12;
   if (std::hypot(r[0][2], r[1][2]) < kParallel || !are_constant(placement.translation)) return whole;
-  return split_numerically(placement, r);
+  AxisPlacement split = split_numerically(placement, r);
+  return is_detour(split, placement) ? whole : split;
 }
 
 std::vector<AxisPlacement> axis_placements(const model::KinematicTree& tree) {

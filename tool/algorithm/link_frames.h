@@ -33,8 +33,12 @@ struct FramedLinks {
   std::vector<Pose> frames_of_model;   // by link: the model's link frame in the frame of the recursions
 };
 
+// Axes that are tilted by less (rad) are parallel but for the digits that documents write of PI.
+inline constexpr double kParallel = 1e-5;
+
 // A joint's placement, split where its axis is not parallel to that of the parent: what leads to the common normal's
-// foot on the joint's axis, and the rest of the way along that axis, which commutes with the joint's own motion.
+// foot on the joint's axis, and the rest of the path along that axis, which commutes with the joint's own motion. Whole
+// where the foot is so far away that the detour would lose digits.
 struct AxisPlacement {
   std::vector<model::PrimitiveTransform> to_axis;
   model::Quantity along;

@@ -79,6 +79,17 @@ std::vector<RobotFunction> functions(
   return found->dynamics ? found->dynamics(tree, formulations) : found->kinematics(tree, desired);
 }
 
+std::vector<symbolic::Program> plain_programs(const KinematicTree& tree, const std::string& group) {
+  const Group* found = group_of(group);
+  if (!found || !found->dynamics) return {};
+  Formulation plain = plain_formulation();
+  plain.is_draft = true;
+  Formulations formulations(tree, plain);
+  std::vector<symbolic::Program> programs;
+  for (RobotFunction& f : found->dynamics(tree, formulations)) programs.push_back(std::move(f.program));
+  return programs;
+}
+
 std::vector<std::optional<symbolic::Program>> alike_programs(
     const KinematicTree& tree,
     const std::string& group,

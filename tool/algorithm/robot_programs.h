@@ -7,6 +7,7 @@
 
 #include "algorithm/formulations.h"
 #include "model/kinematic_tree.h"
+#include "symbolic/accuracy.h"
 #include "symbolic/program.h"
 
 namespace robcogen::algorithm {
@@ -21,6 +22,7 @@ struct RobotFunction {
   model::FramePair frames;           // of what is about two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
   std::string method = {};           // how it is computed, where there was a choice; a line of the summary too
+  std::optional<symbolic::RoundingError> error = {};  // once it was measured
 };
 
 // In canonical order.
@@ -41,6 +43,10 @@ std::vector<RobotFunction> functions(
     const model::DesiredTransforms& desired,
     const std::string& group,
     const Formulation& formulation = {});
+
+// The programs of these functions by the plain formulation, without names; nothing for groups that no formulation has a
+// part in.
+std::vector<symbolic::Program> plain_programs(const model::KinematicTree& tree, const std::string& group);
 
 // The programs of these functions with equal limbs that fold alike, for lanes, by Formulations::with_typical_limbs;
 // nullopt where these are the same, and nothing for groups that no limbs have a part in.

@@ -26,6 +26,15 @@ Trace::Trace(const model::KinematicTree& robot) : tree(robot) {
   parameter_input(tree.parameters);
 }
 
+std::vector<double> parameter_values(const model::KinematicTree& tree) {
+  std::vector<double> values;
+  for (const model::Parameter& p : tree.parameters) {
+    const double number = static_cast<double>(values.size());
+    values.push_back(p.default_value.value_or(1.0 + 0.5 / (2.0 + number)));
+  }
+  return values;
+}
+
 void ProgramTrace::parameter_input(const std::vector<model::Parameter>& parameters) {
   if (parameters.empty()) return;
   std::vector<std::string> names;

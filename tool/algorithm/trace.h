@@ -48,6 +48,9 @@ class ProgramTrace {
   int input_elements_ = 0;
 };
 
+// Values that a robot's parameters may have: their defaults, or numbers near one.
+std::vector<double> parameter_values(const model::KinematicTree& tree);
+
 // A program in the making over a robot.
 class Trace : public ProgramTrace {
  public:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/files.h"
+#include "symbolic/accuracy.h"
 #include "symbolic/angle_parts.h"
 #include "symbolic/count.h"
 #include "symbolic/program.h"
@@ -104,7 +105,8 @@ struct Function {
   std::vector<int> columns;               // jacobians: joint index of each column
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
-  std::string method = {};  // how it is computed, where there was a choice
+  std::string method = {};                            // how it is computed, where there was a choice
+  std::optional<symbolic::RoundingError> error = {};  // where it was measured
   // For languages whose functions take given sines and cosines, where the program reads some.
   std::optional<symbolic::AngleParts> parts = {};
   // For languages with vectors: the same program where equal limbs share lanes, if some do; and which, a text a class.
@@ -139,8 +141,8 @@ struct Library {
   std::vector<Function> updates;
   // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
   std::vector<Function> numbers;
-  // Of a robot, for languages whose functions take given sines and cosines: those of all angles, first an angle for each
-  // joint, its position, then sums. Empty otherwise.
+  // Of a robot, for languages whose functions take given sines and cosines: those of all angles, first an angle for
+  // each joint, its position, then sums. Empty otherwise.
   struct Trigonometry {
     int angle_count = 0;
     symbolic::Program angles;  // [parameters,] q -> all of them

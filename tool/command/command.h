@@ -24,7 +24,8 @@ std::string dotted(const std::string& scope, const std::string& name);
 struct NamedProgram {
   std::string name;
   symbolic::Program program;
-  std::string method = {};  // how it is computed, where there was a choice
+  std::string method = {};                            // how it is computed, where there was a choice
+  std::optional<symbolic::RoundingError> error = {};  // where it was measured
 };
 
 // All functions of a robot, or of a document of motions or transforms; overloads in the order of their arguments.

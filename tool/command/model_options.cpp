@@ -145,11 +145,11 @@ std::optional<Programs> ModelOptions::load_programs(const std::vector<std::strin
       for (backend::Function& f : *functions)
         programs.list.push_back(
             {dotted(f.scope, f.name), lanes && f.in_lanes ? std::move(*f.in_lanes) : std::move(f.program),
-             std::move(f.method)});
+             std::move(f.method), f.error});
     return programs;
   }
   for (algorithm::RobotFunction& f : trace(*robot, ordered_groups(groups), steps))
-    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program), std::move(f.method)});
+    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program), std::move(f.method), f.error});
   return programs;
 }
 

@@ -20,6 +20,7 @@ struct Row {
   std::string name;
   symbolic::OperationCount count;
   std::string method;
+  std::optional<symbolic::RoundingError> error;
 };
 
 // Of the overloads of a function the first: default gravity, no external forces.
@@ -27,7 +28,7 @@ std::vector<Row> rows(const Programs& programs) {
   std::vector<Row> result;
   std::set<std::string> seen;
   for (const NamedProgram& f : programs.list)
-    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::count(f.program), f.method});
+    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::count(f.program), f.method, f.error});
   return result;
 }
 
@@ -36,19 +37,23 @@ void print_table(const Programs& programs, const std::vector<Row>& table) {
   for (const Row& row : table) width = std::max(width, row.name.size());
   fmt::print("{}: {}\n", programs.model, programs.about);
   fmt::print(
-      "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14}\n", "function", width, "mul", "add", "div", "sqrt", "sincos",
-      "instructions", "critical path");
-  for (const auto& [name, c, method] : table)
+      "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14} {:>13} {:>13}\n", "function", width, "mul", "add", "div",
+      "sqrt", "sincos", "instructions", "critical path", "double error", "float error");
+  const auto text = [](const auto& error, double symbolic::RoundingError::*precision) {
+    return error ? symbolic::print_error(*error.*precision) : std::string();
+  };
+  for (const auto& [name, c, method, error] : table)
     fmt::print(
-        "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14}\n", name, width, c.mul, c.add, c.div, c.sqrt, c.sincos,
-        c.instructions, c.critical_path);
-  for (const auto& [name, c, method] : table)
+        "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14} {:>13} {:>13}\n", name, width, c.mul, c.add, c.div, c.sqrt,
+        c.sincos, c.instructions, c.critical_path, text(error, &symbolic::RoundingError::in_double),
+        text(error, &symbolic::RoundingError::in_float));
+  for (const auto& [name, c, method, error] : table)
     if (!method.empty()) fmt::print("\n{}: {}\n", name, method);
 }
 
 void print_json(const Programs& programs, const std::vector<Row>& table) {
   nlohmann::ordered_json functions = nlohmann::ordered_json::array();
-  for (const auto& [name, c, method] : table) {
+  for (const auto& [name, c, method, error] : table) {
     functions.push_back(
         {{"name", name},
          {"mul", c.mul},
@@ -58,6 +63,7 @@ void print_json(const Programs& programs, const std::vector<Row>& table) {
          {"sincos", c.sincos},
          {"instructions", c.instructions},
          {"critical_path", c.critical_path}});
+    if (error) functions.back()["rounding"] = {{"double", error->in_double}, {"float", error->in_float}};
     if (!method.empty()) functions.back()["method"] = method;
   }
   const nlohmann::ordered_json report = {{programs.kind, programs.model}, {"functions", functions}};

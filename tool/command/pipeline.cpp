@@ -9,6 +9,7 @@
 #include "algorithm/limb_inputs.h"
 #include "algorithm/model_numbers.h"
 #include "algorithm/primitive_product.h"
+#include "command/accurate_functions.h"
 #include "command/model_data.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
@@ -146,16 +147,18 @@ SplitSteps split(const Steps& steps) {
 
 namespace {
 
-// Computes equal limbs in lanes where the function gets faster by it. `alike`: the same program with equal limbs that
-// fold alike, where that is another one.
+// Computes equal limbs in lanes where the function gets faster by it and keeps its digits. `alike`: the same program
+// with equal limbs that fold alike, where that is another one.
 void bring_into_lanes(
     backend::Function& function,
     const model::KinematicTree& tree,
     const std::vector<algorithm::LimbsInLanes>& limbs,
-    const std::optional<symbolic::Program>& alike) {
+    const std::optional<symbolic::Program>& alike,
+    const symbolic::AccurateResults* results) {
   std::vector<pass::InputTuples> classes;
   for (const algorithm::LimbsInLanes& c : limbs) classes.push_back(algorithm::limb_inputs(tree, c, function.program));
   pass::Packed packed = pass::pack_lanes(function.program, classes, alike);
+  if (results && packed.program.has_lanes() && !results->are_kept_by(packed.program)) return;
   for (std::size_t c = 0; c < classes.size(); ++c)
     if (packed.in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
   if (!function.limbs_in_lanes.empty()) function.in_lanes = std::move(packed.program);
@@ -165,12 +168,13 @@ void bring_into_lanes(
 struct Traced {
   std::vector<algorithm::RobotFunction> functions;
   std::vector<std::optional<symbolic::Program>> alike;
+  std::vector<std::shared_ptr<const symbolic::AccurateResults>> results;
 };
 
 Traced trace(const Robot& robot, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes) {
   require_traceable(robot);
-  const auto [formulation, passes] = split(steps);
-  algorithm::Formulations formulations(robot.tree, formulation);
+  const SplitSteps choices = split(steps);
+  algorithm::Formulations formulations(robot.tree, choices.formulation);
   std::vector<std::vector<algorithm::RobotFunction>> of_groups(groups.size());
   for_each_index(groups.size(), [&](std::size_t g) {
     of_groups[g] = algorithm::functions(robot.tree, robot.desired, groups[g], formulations);
@@ -184,15 +188,19 @@ Traced trace(const Robot& robot, const std::vector<std::string>& groups, const S
   }
   Traced result;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    std::move(of_groups[g].begin(), of_groups[g].end(), std::back_inserter(result.functions));
+    alike_of_groups[g].resize(of_groups[g].size());
     std::move(alike_of_groups[g].begin(), alike_of_groups[g].end(), std::back_inserter(result.alike));
-    result.alike.resize(result.functions.size());
   }
-  for_each_index(result.functions.size(), [&](std::size_t i) {
-    symbolic::Program& program = result.functions[i].program;
-    program = pass::run(std::move(program), passes);
-    if (result.alike[i]) result.alike[i] = pass::run(std::move(*result.alike[i]), passes);
+  std::vector<AccurateFunction> list =
+      accurate_functions(robot.tree, robot.desired, groups, std::move(of_groups), choices.formulation, choices.passes);
+  for_each_index(list.size(), [&](std::size_t i) {
+    if (!list[i].is_as_traced) result.alike[i].reset();
+    if (result.alike[i]) result.alike[i] = pass::run(std::move(*result.alike[i]), choices.passes);
   });
+  for (AccurateFunction& f : list) {
+    result.functions.push_back(std::move(f.function));
+    result.results.push_back(std::move(f.results));
+  }
   return result;
 }
 
@@ -249,6 +257,7 @@ backend::Library library_of(
     function.right_frame = frame_index(frames, f.frames.right);
     function.program = std::move(f.program);
     function.method = std::move(f.method);
+    function.error = f.error;
     if (primitives && function.scope == "transforms::homogeneous")
       add_product(algorithm::primitive_product(robot.tree, f.frames, *primitives), function);
     result.functions.push_back(std::move(function));
@@ -324,20 +333,23 @@ backend::Library library_for_vectors(
     const Steps& steps) {
   const bool has_lanes = std::count(steps.names.begin(), steps.names.end(), kLanesStep) > 0;
   std::vector<std::optional<symbolic::Program>> alike;
+  std::vector<std::shared_ptr<const symbolic::AccurateResults>> results;
   backend::Library result;
   if (robot.tree.parameters.empty()) {
     Traced traced = trace(robot, groups, steps, has_lanes);
     alike = std::move(traced.alike);
+    results = std::move(traced.results);
     result = library_of(robot, names, groups, std::move(traced.functions), std::nullopt);
   } else {
     result = split_library(robot, names, groups, steps);
     alike.resize(result.functions.size());
+    results.resize(result.functions.size());
   }
   if (!has_lanes) return result;
   const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
   if (limbs.empty()) return result;
   for_each_index(result.functions.size(), [&](std::size_t i) {
-    bring_into_lanes(result.functions[i], robot.tree, limbs, alike[i]);
+    bring_into_lanes(result.functions[i], robot.tree, limbs, alike[i], results[i].get());
   });
   return result;
 }

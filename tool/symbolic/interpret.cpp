@@ -87,6 +87,7 @@ Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs) {
   return result;
 }
 
+template Arrays<float> interpret(const Program&, const Arrays<float>&);
 template Arrays<double> interpret(const Program&, const Arrays<double>&);
 template Arrays<long double> interpret(const Program&, const Arrays<long double>&);
 

@@ -14,10 +14,11 @@ template <class Real>
 using Arrays = std::map<std::string, std::vector<Real>>;
 
 // Missing input arrays count as zero; an array of the wrong length or an unknown name is an internal fault
-// (std::logic_error): callers check user input first. Real is double or long double.
+// (std::logic_error): callers check user input first. Real is float, double or long double.
 template <class Real>
 Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs);
 
+extern template Arrays<float> interpret(const Program&, const Arrays<float>&);
 extern template Arrays<double> interpret(const Program&, const Arrays<double>&);
 extern template Arrays<long double> interpret(const Program&, const Arrays<long double>&);
 

@@ -126,7 +126,11 @@ std::string arrays(const Library& library, const symbolic::Program& program) {
 
 std::string summary(const Callable& callable) {
   std::string result;
-  for (const std::string& line : callable.function->summary) result += comment(line);
+  const Function& function = *callable.function;
+  for (const std::string& line : function.summary) result += comment(line);
+  // Of a transform that is a few products nobody asks.
+  if (function.error && function.group != "transforms")
+    result += comment("Rounding errors: " + symbolic::print(*function.error) + ", in units of one rounding.");
   return result;
 }
 

@@ -19,11 +19,22 @@ struct Tolerance {
   const char* reason;
 };
 
+// How the checks of single precision are told from the others, and how much larger their tolerances are. These are
+// relative to the terms of the sums, and to what the inverse of H makes of them: they follow from the robot's
+// condition.
+inline constexpr const char* kInSingle = "float: ";
+inline constexpr double kSingle = 0x1p25;
+
 class Checks {
  public:
+  // From here on, records are of results in single precision, or in double.
+  void in_single(bool single) { single_ = single; }
+
   // Keeps the largest error of the check `name`; one that is not a number is the largest of all.
   void record(const std::string& name, const Tolerance& tolerance, Real error, int sample) {
-    Entry& entry = entry_of(name, tolerance);
+    Tolerance own = tolerance;
+    if (single_) own.value *= kSingle;
+    Entry& entry = entry_of((single_ ? kInSingle : "") + name, own);
     if (entry.sample < 0 || (!std::isnan(entry.error) && !(error <= entry.error))) {
       entry.error = error;
       entry.sample = sample;
@@ -79,6 +90,7 @@ class Checks {
   }
 
   std::vector<Entry> entries_;  // in the order of their first record
+  bool single_ = false;
 };
 
 // The largest of some errors; one that is not a number is the largest of all.

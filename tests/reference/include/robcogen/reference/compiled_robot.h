@@ -1,5 +1,5 @@
-// A generated library as the subject of checks. `R` is the library's `Robot`; include its header before. A robot with
-// parameters carries their values.
+// A generated library as the subject of checks. `R` is the library's `Robot`, in double or in single precision; include
+// its header before. A robot with parameters carries their values.
 #pragma once
 
 #include <type_traits>
@@ -30,6 +30,7 @@ template <class R>
 class CompiledRobot {
  public:
   using State = Motion<double>;
+  using Scalar = typename R::Scalar;
 
   explicit CompiledRobot(const Robot& tables, const R& robot = R()) : tables_(&tables), robot_(robot) {}
 
@@ -47,7 +48,7 @@ class CompiledRobot {
     return with(arguments, [&](const auto&... extra) {
       const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
       if constexpr (R::kFloatingBase) {
-        const auto result = robot_.inverse_dynamics(q, qd, qdd, spatial<Twist>(m.base_velocity), extra...);
+        const auto result = robot_.inverse_dynamics(q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
         return stacked(vector(result.base_acceleration.vector()), vector(result.tau));
       } else {
         return vector(robot_.inverse_dynamics(q, qd, qdd, extra...));
@@ -60,8 +61,8 @@ class CompiledRobot {
     if constexpr (R::kFloatingBase) {
       return with(arguments, [&](const auto&... extra) {
         const auto result = robot_.inverse_dynamics_fully_actuated(
-            joints(m.q), joints(m.qd), joints(m.qdd), spatial<Twist>(m.base_velocity),
-            spatial<SpatialAcceleration>(m.base_acceleration), extra...);
+            joints(m.q), joints(m.qd), joints(m.qdd), spatial<BasicTwist<Scalar>>(m.base_velocity),
+            spatial<BasicSpatialAcceleration<Scalar>>(m.base_acceleration), extra...);
         return stacked(vector(result.base_wrench.vector()), vector(result.tau));
       });
     } else {
@@ -73,8 +74,8 @@ class CompiledRobot {
   Vector<double> forward_dynamics(const State& m, const Vector<double>& tau, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
-        const auto result =
-            robot_.forward_dynamics(joints(m.q), joints(m.qd), joints(tau), spatial<Twist>(m.base_velocity), extra...);
+        const auto result = robot_.forward_dynamics(
+            joints(m.q), joints(m.qd), joints(tau), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
         return stacked(vector(result.base_acceleration.vector()), vector(result.qdd));
       } else {
         return vector(robot_.forward_dynamics(joints(m.q), joints(m.qd), joints(tau), extra...));
@@ -86,7 +87,8 @@ class CompiledRobot {
   Vector<double> bias_forces(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
-        return forces(robot_.bias_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity), extra...));
+        return forces(
+            robot_.bias_forces(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...));
       } else {
         return forces(robot_.bias_forces(joints(m.q), joints(m.qd), extra...));
       }
@@ -102,7 +104,7 @@ class CompiledRobot {
   // (base wrench, tau).
   Vector<double> coriolis_forces(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
+      return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
     } else {
       return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd)));
     }
@@ -122,7 +124,7 @@ class CompiledRobot {
   // For (base twist, qd), as H.
   Matrix<double> coriolis_matrix(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity)));
+      return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
     } else {
       return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd)));
     }
@@ -140,7 +142,7 @@ class CompiledRobot {
 
   double kinetic_energy(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return robot_.kinetic_energy(joints(m.q), joints(m.qd), spatial<Twist>(m.base_velocity));
+      return robot_.kinetic_energy(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity));
     } else {
       return robot_.kinetic_energy(joints(m.q), joints(m.qd));
     }
@@ -184,23 +186,25 @@ class CompiledRobot {
 
   static JointState joints(const Vector<double>& v) {
     JointState result;
-    std::copy(v.data(), v.data() + v.rows(), result.data());
+    for (int i = 0; i < v.rows(); ++i) result.data()[i] = static_cast<Scalar>(v(i));
     return result;
   }
 
   template <class Spatial>
   static Spatial spatial(const Vector<double>& v) {
     Spatial result;
-    std::copy(v.data(), v.data() + 6, result.data());
+    for (int i = 0; i < 6; ++i) result.data()[i] = static_cast<Scalar>(v(i));
     return result;
   }
 
-  static Gravity gravity(const Vector<double>& g) { return Gravity(g(0), g(1), g(2)); }
+  static BasicGravity<Scalar> gravity(const Vector<double>& g) {
+    return BasicGravity<Scalar>(static_cast<Scalar>(g(0)), static_cast<Scalar>(g(1)), static_cast<Scalar>(g(2)));
+  }
 
   // Links are indexed by each robot's own enumeration; here by number.
   template <class Link, int kLinkCount>
-  static void assign(LinkWrenches<double, Link, kLinkCount>& to, const std::vector<Vector<double>>& from) {
-    for (std::size_t i = 0; i < from.size(); ++i) to[static_cast<Link>(i)] = spatial<Wrench>(from[i]);
+  static void assign(LinkWrenches<Scalar, Link, kLinkCount>& to, const std::vector<Vector<double>>& from) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[static_cast<Link>(i)] = spatial<BasicWrench<Scalar>>(from[i]);
   }
 
   template <class EigenVector>
@@ -232,7 +236,7 @@ class CompiledRobot {
     typename R::LinkWrenches wrenches;
     if (arguments.external != nullptr) assign(wrenches, *arguments.external);
     if (arguments.gravity == nullptr) return arguments.external == nullptr ? call() : call(wrenches);
-    const Gravity g = gravity(*arguments.gravity);
+    const BasicGravity<Scalar> g = gravity(*arguments.gravity);
     return arguments.external == nullptr ? call(g) : call(g, wrenches);
   }
 

@@ -14,6 +14,17 @@ struct Sample {
   std::vector<Vector<double>> external;
 };
 
+// The same in numbers that single precision holds.
+inline Sample in_single(Sample sample) {
+  const auto round = [](Vector<double>& v) {
+    for (int i = 0; i < v.rows(); ++i) v(i) = static_cast<double>(static_cast<float>(v(i)));
+  };
+  Motion<double>& m = sample.motion;
+  for (Vector<double>* v : {&m.q, &m.qd, &m.qdd, &m.base_velocity, &m.base_acceleration, &sample.gravity}) round(*v);
+  for (Vector<double>& wrench : sample.external) round(wrench);
+  return sample;
+}
+
 // The bits of a 64-bit engine, not std::uniform_real_distribution: that one differs between standard libraries.
 inline double uniform(std::mt19937_64& engine, double limit) {
   const double unit = static_cast<double>(engine() >> 11) * 0x1p-53;

@@ -1,0 +1,137 @@
+#include "ill_robot.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+
+namespace robcogen::numeric {
+namespace {
+
+using model::Inertia;
+using model::Joint;
+using model::JointType;
+using model::KinematicTree;
+using model::Placement;
+using model::Quantity;
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+  bool chance(double probability) { return unit() < probability; }
+  double sign() { return chance(0.5) ? 1.0 : -1.0; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// As a document has it: a decimal.
+Quantity decimal(double value) {
+  return Quantity(*Number::parse(print_double(value)));
+}
+
+double power_of_ten(int exponent) {
+  return Number::parse("1e" + std::to_string(exponent))->value();
+}
+
+Quantity angle(Dice& dice) {
+  constexpr std::array kPiByDigits = {3.14159, 3.1416, 3.14159265, 3.1415926535, 3.14, 3.141592653589793};
+  switch (dice.below(6)) {
+    case 0:
+      return Quantity();
+    case 1:
+      return Quantity(Number::pi_multiple(dice.below(4) - 1, 2));
+    case 2:  // near zero
+      return decimal(dice.sign() * power_of_ten(-1 - dice.below(17)));
+    case 3: {  // near a multiple of a right angle
+      const double turns = 0.5 * (dice.below(4) - 1);
+      return decimal(dice.sign() * turns * kPiByDigits[static_cast<std::size_t>(dice.below(6))]);
+    }
+    case 4:
+      return decimal(std::round(dice.between(-3, 3) * 1e4) / 1e4);
+    default:
+      return Quantity(dice.between(-3.14, 3.14));
+  }
+}
+
+Quantity length(Dice& dice, double scale) {
+  if (dice.chance(0.4)) return Quantity();
+  if (dice.chance(0.1)) return decimal(dice.sign() * power_of_ten(dice.chance(0.5) ? -18 : -12));
+  return decimal(scale * std::round(dice.between(-0.5, 0.5) * 1e4) / 1e4);
+}
+
+Placement placement(Dice& dice, double scale) {
+  Placement p;
+  for (Quantity& t : p.translation) t = length(dice, scale);
+  for (Quantity& r : p.rotation) r = angle(dice);
+  return p;
+}
+
+// Noise of an exporter, or nothing.
+double crumb(Dice& dice) {
+  constexpr std::array kCrumbs = {0.0, 3e-18, -3.469446951953614e-18, 1e-12, -4e-12, 0.0};
+  return kCrumbs[static_cast<std::size_t>(dice.below(6))];
+}
+
+// An ellipsoid about its centre of mass, which lies on an axis of the link, in a plane, or anywhere.
+Inertia body(Dice& dice, double mass, double scale) {
+  std::array<double, 3> com{}, half{};
+  for (double& x : com) x = dice.chance(0.5) ? crumb(dice) * scale : scale * dice.between(-0.3, 0.3);
+  for (double& x : half) x = scale * dice.between(0.05, 0.3);
+  const auto square = [](double x) { return x * x; };
+  const auto central = [&](std::size_t i) { return mass * square(half[i]) / 5; };
+  const auto second = [&](std::size_t i) { return central(i) + mass * square(com[i]); };
+  Inertia result;
+  result.mass = Quantity(mass);
+  for (std::size_t k = 0; k < 3; ++k) result.com[k] = Quantity(com[k]);
+  result.ixx = Quantity(second(1) + second(2));
+  result.iyy = Quantity(second(0) + second(2));
+  result.izz = Quantity(second(0) + second(1));
+  const double noise = mass * square(scale);
+  const auto product = [&](std::size_t i, std::size_t k) {
+    return Quantity(mass * com[i] * com[k] + (dice.chance(0.3) ? crumb(dice) * noise : 0.0));
+  };
+  result.ixy = product(0, 1);
+  result.ixz = product(0, 2);
+  result.iyz = product(1, 2);
+  return result;
+}
+
+}  // namespace
+
+KinematicTree ill_robot(std::uint64_t seed) {
+  Dice dice(seed * 0x9e3779b97f4a7c15ULL + 1);
+  KinematicTree robot;
+  robot.name = "ill_" + std::to_string(seed);
+  robot.floating_base = dice.chance(0.5);
+  // Decades to either side of metres and kilogrammes.
+  const int decades = dice.chance(0.7) ? 0 : 1 + dice.below(6);
+  const auto scale = [&] { return power_of_ten(dice.below(2 * decades + 1) - decades); };
+  const double revolute = dice.chance(0.5) ? 1.0 : dice.unit();
+  const int joints = 1 + dice.below(dice.chance(0.5) ? 4 : 12);
+  const double chain = dice.between(0.5, 1.0);
+
+  robot.links.push_back({"base", {}, -1, {}, {}});
+  if (robot.floating_base) robot.links[0].inertia = body(dice, dice.between(1, 10), 1.0);
+  for (int k = 0; k < joints; ++k) {
+    const std::string number = std::to_string(k + 1);
+    const double mass = dice.between(0.5, 5) * scale();
+    robot.links.push_back({"link" + number, body(dice, mass, scale()), k, {}, {}});
+    Joint joint;
+    joint.name = "j" + number;
+    joint.type = dice.chance(revolute) ? JointType::revolute : JointType::prismatic;
+    joint.placement = placement(dice, scale());
+    joint.parent = dice.chance(chain) ? k : dice.below(k + 1);
+    joint.child = k + 1;
+    robot.links[static_cast<std::size_t>(joint.parent)].child_joints.push_back(k);
+    robot.joints.push_back(std::move(joint));
+  }
+  return robot;
+}
+
+}  // namespace robcogen::numeric

@@ -1,0 +1,52 @@
+// How many digits a program keeps: its results in double and in float, against another program of the same function
+// that is evaluated with 32 digits.
+//
+// Measured on a few states that are the same for all programs of a function, with nothing but the IEEE operations of
+// double and float: the same figures on every machine.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "symbolic/program.h"
+
+namespace robcogen::symbolic {
+
+// Rounding errors of a program, in units of the relative rounding error of one operation (2^-53, 2^-24): for each
+// output array the largest error of an element, relative to the largest element of that state, or to a quarter of what
+// that is on average; the root of the mean square over the states; of the output array where this is largest. Infinite
+// where a result is not finite that should be.
+struct RoundingError {
+  double in_double = 0.0;
+  double in_float = 0.0;
+};
+
+// Whether a program with these errors may take the place of a plain one with those.
+bool is_as_accurate(const RoundingError& error, const RoundingError& plain);
+
+// `3.1 in double, 2.9 in float`
+std::string print(const RoundingError& error);
+// Two digits.
+std::string print_error(double error);
+
+// The results that a function should have.
+class AccurateResults {
+ public:
+  // Of a scalar program. `parameters` are the values of its
+  // input of that role; ones where they are missing.
+  explicit AccurateResults(const Program& program, std::vector<double> parameters = {});
+  ~AccurateResults();
+
+  // Of the program that these are the results of.
+  const RoundingError& error_of_plain() const;
+  // Of another program of the same function, with lanes or without.
+  RoundingError error_of(const Program& program) const;
+  bool are_kept_by(const Program& program) const { return is_as_accurate(error_of(program), error_of_plain()); }
+
+ private:
+  struct Results;
+  std::unique_ptr<const Results> results_;
+};
+
+}  // namespace robcogen::symbolic

@@ -1,0 +1,44 @@
+#include "symbolic/double_double.h"
+
+#include <array>
+
+namespace robcogen::symbolic {
+namespace {
+
+// Of the power n stands 1 / n!; the series ends where it has no part in 32 digits.
+constexpr int kTerms = 28;
+
+std::array<DoubleDouble, kTerms> inverse_factorials() {
+  std::array<DoubleDouble, kTerms> list;
+  list[0] = {1.0, 0.0};
+  for (std::size_t n = 1; n < list.size(); ++n) list[n] = list[n - 1] / DoubleDouble{static_cast<double>(n), 0.0};
+  return list;
+}
+
+// Terms from `first` on, every second one, with alternating signs, of powers of `square`.
+DoubleDouble series(const DoubleDouble& square, std::size_t first) {
+  static const std::array<DoubleDouble, kTerms> factors = inverse_factorials();
+  DoubleDouble sum;
+  for (std::size_t k = kTerms / 2; k-- > 0;) sum = factors[first + 2 * k] - square * sum;
+  return sum;
+}
+
+}  // namespace
+
+SineCosine sine_cosine(const DoubleDouble& angle) {
+  // Quarter turns in three parts; their products with the number of turns are exact enough up to 1e5.
+  constexpr std::array<double, 3> kQuarter = {
+      1.570796326794896558e+00, 6.123233995736766036e-17, -1.497384904859169777e-33};
+  const double turns = std::floor(angle.high * 6.366197723675813431e-01 + 0.5);
+  DoubleDouble rest = angle;
+  for (const double part : kQuarter) rest = rest - two_product(turns, part);
+  const DoubleDouble square = rest * rest;
+  const DoubleDouble sine = rest * series(square, 1), cosine = series(square, 0);
+  const double quarter = turns - 4.0 * std::floor(turns / 4.0);
+  if (quarter == 0.0) return {sine, cosine};
+  if (quarter == 1.0) return {cosine, -sine};
+  if (quarter == 2.0) return {-sine, -cosine};
+  return {-cosine, sine};
+}
+
+}  // namespace robcogen::symbolic
