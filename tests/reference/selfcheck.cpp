@@ -108,7 +108,8 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
       before = values;
     }
   } else {
-    using Single = ROBCOGEN_ROBOT_NAMESPACE::f32::Robot;
+    // Depends on R: nothing is made of it where the robot has parameters.
+    using Single = std::conditional_t<kIsParametric<R>, void, ROBCOGEN_ROBOT_NAMESPACE::f32::Robot>;
     check<R>(robot, CompiledRobot<R>(robot), engine, samples, checks);
     check_single<Single>(robot, CompiledRobot<Single>(robot), engine, samples, checks);
   }

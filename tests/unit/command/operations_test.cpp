@@ -33,6 +33,28 @@ void expect_within(const std::filesystem::path& model, const std::vector<Bound>&
   }
 }
 
+std::filesystem::path ill(const std::string& name) {
+  return std::filesystem::path(TEST_SOURCE_DIR) / "../../numeric/ill" / (name + ".kindsl");
+}
+
+TEST(Operations, RoundingErrorsStandBesideThem) {
+  const Outcome run = run_tool("ops --algorithms inverse_dynamics --json " + quoted(ill("near_parallel")));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  for (const nlohmann::json& f : nlohmann::json::parse(run.output)["functions"]) {
+    EXPECT_LT(f["rounding"]["double"].get<double>(), 50) << f["name"];
+    EXPECT_LT(f["rounding"]["float"].get<double>(), 50) << f["name"];
+  }
+  const Outcome table = run_tool("ops " + quoted(ill("near_parallel")));
+  EXPECT_NE(table.output.find("double error"), std::string::npos) << table.output;
+}
+
+TEST(Operations, OfEachChoiceAloneOfNearlyParallelAxes) {
+  for (const char* choice : {"regroup", "choose-fd", "frames", "turn-inertia"}) {
+    const Outcome run = run_tool(std::string("ops --passes ") + choice + " " + quoted(ill("nearly_planar")));
+    EXPECT_EQ(run.status, 0) << choice << "\n" << run.errors;
+  }
+}
+
 std::filesystem::path corpus(const std::string& name) {
   return std::filesystem::path(ROBCOGEN_CORPUS_DIR) / name;
 }

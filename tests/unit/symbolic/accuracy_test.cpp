@@ -1,0 +1,90 @@
+#include "symbolic/accuracy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "symbolic/double_double.h"
+#include "symbolic/text.h"
+
+namespace robcogen::symbolic {
+namespace {
+
+Program program(const std::string& text) {
+  std::string error;
+  const std::optional<Program> p = parse(text, error);
+  EXPECT_TRUE(p.has_value()) << error;
+  return *p;
+}
+
+// x + y, by way of a number that is in and out.
+std::string detour(const std::string& number) {
+  return "program detour\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] + " + number +
+         "\ntmp t1 = t0 + x[1]\ntmp t2 = t1 - " + number + "\nreturn y t2\n";
+}
+
+const std::string kSum =
+    "program sum\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] + x[1]\nreturn y t0\n";
+
+double sum_of(const DoubleDouble& x) {
+  return x.high + x.low;
+}
+
+TEST(DoubleDoubles, KeepThirtyDigits) {
+  const DoubleDouble third = DoubleDouble{1, 0} / DoubleDouble{3, 0};
+  const DoubleDouble one = third + third + third;
+  EXPECT_LT(std::abs((one.high - 1.0) + one.low), 1e-31);
+  const DoubleDouble root = sqrt(DoubleDouble{2, 0});
+  EXPECT_LT(std::abs(sum_of(root * root - DoubleDouble{2, 0})), 1e-31);
+  const DoubleDouble tiny{1.0, 1e-25};
+  EXPECT_EQ(sum_of(tiny - DoubleDouble{1.0, 0.0}), 1e-25);
+}
+
+TEST(DoubleDoubles, SinesAgreeWithTheLibraryAndWithEachOther) {
+  for (int k = -400; k <= 400; ++k) {
+    const double angle = 0.37 * k;
+    const SineCosine both = sine_cosine({angle, 0.0});
+    EXPECT_LT(std::abs(both.sine.high - std::sin(angle)), 3e-16) << angle;
+    EXPECT_LT(std::abs(both.cosine.high - std::cos(angle)), 3e-16) << angle;
+    const DoubleDouble one = both.sine * both.sine + both.cosine * both.cosine;
+    EXPECT_LT(std::abs((one.high - 1.0) + one.low), 1e-30) << angle;
+  }
+}
+
+// sin(a + b) by the addition theorem.
+TEST(DoubleDoubles, SinesOfSums) {
+  for (int k = 1; k <= 50; ++k) {
+    const DoubleDouble a{0.11 * k, 0.0}, b{1.7 - 0.05 * k, 0.0};
+    const SineCosine of_a = sine_cosine(a), of_b = sine_cosine(b), of_sum = sine_cosine(a + b);
+    const DoubleDouble expected = of_a.sine * of_b.cosine + of_a.cosine * of_b.sine;
+    EXPECT_LT(std::abs(sum_of(of_sum.sine - expected)), 1e-30) << k;
+  }
+}
+
+TEST(Accuracy, OfASumIsARounding) {
+  const AccurateResults results(program(kSum));
+  EXPECT_LE(results.error_of_plain().in_double, 1.0);
+  EXPECT_LE(results.error_of_plain().in_float, 1.0);
+}
+
+TEST(Accuracy, DigitsLostOnADetourAreCounted) {
+  const AccurateResults results(program(kSum));
+  const RoundingError far = results.error_of(program(detour("1048576.0")));
+  EXPECT_GT(far.in_float, 1e4);
+  EXPECT_FALSE(results.are_kept_by(program(detour("1048576.0"))));
+  EXPECT_FALSE(results.are_kept_by(program(detour("1e12"))));
+  EXPECT_TRUE(results.are_kept_by(program(detour("2.0"))));
+}
+
+TEST(Accuracy, WhatOverflowsHasLostAll) {
+  const AccurateResults results(program(kSum));
+  EXPECT_TRUE(std::isinf(results.error_of(program(detour("1e300"))).in_float));
+}
+
+TEST(Accuracy, IsPrintedWithFewDigits) {
+  EXPECT_EQ(print({1.26, 12.3}), "1.3 in double, 12 in float");
+  EXPECT_EQ(print({123456, std::numeric_limits<double>::infinity()}), "1.2e+05 in double, inf in float");
+}
+
+}  // namespace
+}  // namespace robcogen::symbolic
