@@ -183,7 +183,7 @@ constexpr int kShards = 10;
 class IllRobots : public testing::TestWithParam<int> {};
 
 TEST_P(IllRobots, LoseNoMoreDigitsThanThePlainRecursions) {
-  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 60);
+  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 40);
   for (int i = GetParam(); i < count; i += kShards)
     expect_digits(ill_robot(static_cast<std::uint64_t>(i)), static_cast<std::uint64_t>(i));
 }
