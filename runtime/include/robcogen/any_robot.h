@@ -16,6 +16,8 @@
 // of threads may use one.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
+
 #include <Eigen/Core>
 #include <cstdio>
 #include <memory>
@@ -347,3 +349,7 @@ AnyRobot make_any(const reflection::Robot& tables, const R& robot = R()) {
 }
 
 }  // namespace robcogen
+
+#else
+#error "robcogen/any_robot.h needs C++20: compile with -std=c++20"
+#endif

@@ -10,6 +10,8 @@
 // robcogen/generic/inverse_kinematics.h for how generic code receives them.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
+
 #include <Eigen/Core>
 #include <concepts>
 
@@ -188,3 +190,7 @@ template <class R>
 concept FloatingBaseRobot = FloatingBase<R> && HasDynamics<R>;
 
 }  // namespace robcogen
+
+#else
+#error "robcogen/concepts.h needs C++20: compile with -std=c++20"
+#endif

@@ -1,6 +1,8 @@
 // Computed torque: joints that follow a trajectory as masses on springs would, whatever the robot. Needs C++20.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
+
 #include "robcogen/generic/state.h"
 
 namespace robcogen {
@@ -40,3 +42,7 @@ typename R::JointState computed_torque(
 }
 
 }  // namespace robcogen
+
+#else
+#error "robcogen/generic/computed_torque.h needs C++20: compile with -std=c++20"
+#endif

@@ -13,6 +13,8 @@
 // Nothing allocates.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <concepts>
@@ -65,3 +67,7 @@ typename C::JointState inverse_kinematics_step(
 }
 
 }  // namespace robcogen
+
+#else
+#error "robcogen/generic/inverse_kinematics.h needs C++20: compile with -std=c++20"
+#endif

@@ -8,6 +8,8 @@
 // Nothing allocates.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
+
 #include <cmath>
 
 #include "robcogen/generic/state.h"
@@ -106,3 +108,7 @@ State<R> runge_kutta_step(const State<R>& state, typename R::Scalar h, const Acc
 }
 
 }  // namespace robcogen
+
+#else
+#error "robcogen/generic/simulation.h needs C++20: compile with -std=c++20"
+#endif

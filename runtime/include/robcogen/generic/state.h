@@ -2,6 +2,8 @@
 // and nowhere else. Needs C++20.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
+
 #include <Eigen/Geometry>
 
 #include "robcogen/concepts.h"
@@ -54,3 +56,7 @@ typename R::JointState joint_forces(const R& robot, const State<R>& state, const
 }
 
 }  // namespace robcogen
+
+#else
+#error "robcogen/generic/state.h needs C++20: compile with -std=c++20"
+#endif
