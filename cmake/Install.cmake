@@ -34,4 +34,6 @@ install(
         cmake/RobcogenTransforms.cmake
         cmake/RobcogenXacro.cmake
         cmake/RobcogenExpandXacro.cmake
+        tool/backend/cpp/macros.inc
+        tool/backend/cpp/globals.inc
   DESTINATION ${package_dir})

@@ -15,6 +15,12 @@ TEST_F(MaximaWords, ReservedOnesAreNamesToo) {
   }
 }
 
+TEST_F(MaximaWords, OfSystemHeadersAreNamesToo) {
+  const backend::Library library =
+      library_of(std::filesystem::path(TEST_SOURCE_DIR) / "../../codegen/names.kindsl", "I");
+  EXPECT_EQ(differences(library, maxima_text(library)), "");
+}
+
 TEST_F(MaximaWords, NoneEndsAComment) {
   backend::Library library = library_of(kDocument, "words");
   library.model_file = "a*/b/*c*/*d\n.kindsl";

@@ -17,8 +17,27 @@ TEST(Names, ReservedWordsGetAnUnderscore) {
 }
 
 TEST(Names, MacrosOfSystemHeadersGetAnUnderscore) {
-  for (const std::string macro : {"I", "M_PI", "major", "minor", "linux", "unix", "NULL", "errno", "min", "far", "PI"})
+  for (const std::string macro :
+       {"I",      "M_PI", "major",  "minor", "linux",    "unix",     "NULL",     "errno",  "min",       "far",
+        "PI",     "EOF",  "ERANGE", "EIO",   "SIZE_MAX", "INFINITY", "BUFSIZ",   "assert", "signbit",   "isnan",
+        "SIGINT", "B0",   "stdin",  "NAN",   "PRId64",   "INT8_C",   "PATH_MAX", "i386",   "CLOCK_TAI", "offsetof"})
     EXPECT_EQ(identifier(macro), macro + "_");
+}
+
+TEST(Names, TypesAndVariablesOfSystemHeadersGetAnUnderscore) {
+  for (const std::string name : {"uint", "ulong", "time_t", "environ", "optarg", "signgam"})
+    EXPECT_EQ(identifier(name), name + "_");
+}
+
+// They stay names of functions, members and enumerators.
+TEST(Names, FunctionsOfSystemHeadersAreNotNamesOfNamespaces) {
+  for (const std::string name : {"sincos", "exp", "index", "y0", "stat", "div", "tm"}) {
+    EXPECT_FALSE(is_reserved(name)) << name;
+    EXPECT_TRUE(is_reserved_namespace(name)) << name;
+  }
+  for (const std::string name : {"std", "Eigen", "robcogen", "linux", "double"})
+    EXPECT_TRUE(is_reserved_namespace(name)) << name;
+  for (const std::string name : {"hyl", "leg", "left", "hopper"}) EXPECT_FALSE(is_reserved_namespace(name)) << name;
 }
 
 TEST(Names, LeadingAndDoubleUnderscoresVanish) {

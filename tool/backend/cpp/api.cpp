@@ -19,10 +19,9 @@ using symbolic::Role;
 // The array of what Parameters holds.
 const char* const kParameterValues = "parameter_values";
 
-// A namespace keeps its name as it was asked for, unless C++ refuses it or it would hide one that generated text needs.
+// A namespace keeps its name as it was asked for, unless C++ or a system header keeps that to itself.
 std::string namespace_name(const std::string& wanted) {
-  const bool hides = wanted == "std" || wanted == "Eigen" || wanted == "robcogen";
-  return hides || is_reserved(wanted) ? wanted + "_" : wanted;
+  return is_reserved_namespace(wanted) ? wanted + "_" : wanted;
 }
 
 std::string whole_namespace(const Library& library) {

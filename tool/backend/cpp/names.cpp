@@ -1,6 +1,7 @@
 #include "backend/cpp/names.h"
 
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <unordered_set>
 
@@ -24,30 +25,21 @@ constexpr auto kKeywords = std::to_array<std::string_view>({
     "xor",         "xor_eq",
 });
 
-// Macros of C and POSIX headers, and the few global variables that a local name would shadow. Names with a leading
-// underscore need no entry: no identifier of ours has one.
-constexpr auto kStandardMacros = std::to_array<std::string_view>({
-    "BUFSIZ",         "CHAR_BIT",    "CHAR_MAX",  "CHAR_MIN",     "DBL_DIG",
-    "DBL_EPSILON",    "DBL_MAX",     "DBL_MIN",   "DOMAIN",       "ECHO",
-    "EDOM",           "EINTR",       "EINVAL",    "EIO",          "ENOENT",
-    "ENOMEM",         "EOF",         "EPERM",     "ERANGE",       "EXIT_FAILURE",
-    "EXIT_SUCCESS",   "FLT_EPSILON", "FLT_MAX",   "FLT_MIN",      "FP_FAST_FMA",
-    "FP_INFINITE",    "FP_NAN",      "FP_NORMAL", "FP_SUBNORMAL", "FP_ZERO",
-    "HUGE",           "HUGE_VAL",    "HUGE_VALF", "HUGE_VALL",    "I",
-    "INFINITY",       "INT_MAX",     "INT_MIN",   "LONG_MAX",     "LONG_MIN",
-    "MATH_ERREXCEPT", "MATH_ERRNO",  "MAXFLOAT",  "M_1_PI",       "M_2_PI",
-    "M_2_SQRTPI",     "M_E",         "M_LN10",    "M_LN2",        "M_LOG10E",
-    "M_LOG2E",        "M_PI",        "M_PI_2",    "M_PI_4",       "M_SQRT1_2",
-    "M_SQRT2",        "NAN",         "NDEBUG",    "NULL",         "OVERFLOW",
-    "PLOSS",          "RAND_MAX",    "SEEK_CUR",  "SEEK_END",     "SEEK_SET",
-    "SIGABRT",        "SIGFPE",      "SIGILL",    "SIGINT",       "SIGKILL",
-    "SIGSEGV",        "SIGTERM",     "SING",      "SNAN",         "SNANF",
-    "SNANL",          "TLOSS",       "UNDERFLOW", "X_TLOSS",      "assert",
-    "complex",        "daylight",    "environ",   "errno",        "i386",
-    "imaginary",      "linux",       "major",     "makedev",      "math_errhandling",
-    "minor",          "offsetof",    "setjmp",    "signgam",      "sparc",
-    "stderr",         "stdin",       "stdout",    "timezone",     "unix",
-});
+// Macros of system headers and of compilers, and the types and variables of headers that a local name would shadow.
+// Names with a leading underscore need no entry: no identifier of ours has one.
+constexpr std::string_view kSystemNames[] = {
+#include "backend/cpp/macros.inc"
+};
+
+// Functions, structures and enumerators outside of namespaces: scopes of their own may have such names.
+constexpr std::string_view kGlobalNames[] = {
+#include "backend/cpp/globals.inc"
+};
+
+// Macros of other versions of these headers, and of other processors.
+constexpr auto kOtherMacros = std::to_array<std::string_view>(
+    {"DOMAIN", "FP_FAST_FMA", "HUGE", "NDEBUG", "OVERFLOW", "PLOSS", "SING", "TLOSS", "UNDERFLOW", "X_TLOSS", "i386",
+     "imaginary", "sparc"});
 
 // Windows, macOS, X11, Qt, Arduino.
 constexpr auto kPlatformMacros = std::to_array<std::string_view>({
@@ -61,7 +53,8 @@ constexpr auto kPlatformMacros = std::to_array<std::string_view>({
 const std::unordered_set<std::string_view>& reserved() {
   static const std::unordered_set<std::string_view> names = [] {
     std::unordered_set<std::string_view> all(kKeywords.begin(), kKeywords.end());
-    all.insert(kStandardMacros.begin(), kStandardMacros.end());
+    all.insert(std::begin(kSystemNames), std::end(kSystemNames));
+    all.insert(kOtherMacros.begin(), kOtherMacros.end());
     all.insert(kPlatformMacros.begin(), kPlatformMacros.end());
     return all;
   }();
@@ -72,6 +65,11 @@ const std::unordered_set<std::string_view>& reserved() {
 
 bool is_reserved(const std::string& name) {
   return reserved().count(name) > 0;
+}
+
+bool is_reserved_namespace(const std::string& name) {
+  static const std::unordered_set<std::string_view> globals(std::begin(kGlobalNames), std::end(kGlobalNames));
+  return name == "std" || name == "Eigen" || name == "robcogen" || is_reserved(name) || globals.count(name) > 0;
 }
 
 }  // namespace robcogen::backend::cpp

@@ -1,4 +1,4 @@
-// Identifiers of generated C++: free of its reserved words and of well-known macros.
+// Identifiers of generated C++: free of its reserved words and of names that system headers keep to themselves.
 #pragma once
 
 #include <string>
@@ -8,8 +8,13 @@
 
 namespace robcogen::backend::cpp {
 
-// Keywords, and macros of standard and system headers that would eat the name (`I`, `major`, `linux`, `M_PI`, …).
+// Keywords, and macros of compilers and of standard and system headers that would eat the name (`I`, `major`, `linux`,
+// `SIZE_MAX`, …). macros.inc lists them.
 bool is_reserved(const std::string& name);
+
+// These, and what stands beside a namespace at the outermost level: functions and structures of system headers
+// (`sincos`, `index`, `stat`, …), which globals.inc lists, and namespaces that generated code names.
+bool is_reserved_namespace(const std::string& name);
 
 inline std::string identifier(const std::string& wanted) {
   return backend::identifier(wanted, is_reserved);
