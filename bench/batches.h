@@ -103,7 +103,7 @@ void inverse_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
     };
     call(
         function, *a.robot, n, q, qd, qdd, a.base_velocity.template from<Twist>(begin),
-        a.base_acceleration.template from<SpatialAcceleration>(begin), a.joint_result.to(begin),
+        a.base_acceleration.template from<SpatialAcceleration>(begin), kStandardGravity, a.joint_result.to(begin),
         a.base_result.template to<Wrench>(begin));
   } else {
     const auto function = [](const auto&... x) { generated::batch::inverse_dynamics(x...); };
@@ -120,8 +120,8 @@ void forward_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
   const auto q = a.q.from(begin), qd = a.qd.from(begin), tau = a.tau.from(begin);
   if constexpr (R::kFloatingBase) {
     call(
-        function, *a.robot, n, q, qd, tau, a.base_velocity.template from<Twist>(begin), a.joint_result.to(begin),
-        a.base_result.template to<SpatialAcceleration>(begin));
+        function, *a.robot, n, q, qd, tau, a.base_velocity.template from<Twist>(begin), kStandardGravity,
+        a.joint_result.to(begin), a.base_result.template to<SpatialAcceleration>(begin));
   } else {
     call(function, *a.robot, n, q, qd, tau, a.joint_result.to(begin));
   }

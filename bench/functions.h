@@ -87,7 +87,8 @@ void add_with_trigonometry(
 template <class R, class Positions>
 auto inverse_dynamics(const State<R>& s, const Positions& q) {
   if constexpr (R::kFloatingBase) {
-    return s.robot->inverse_dynamics_fully_actuated(q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
+    return s.robot->inverse_dynamics_fully_actuated(
+        q, s.qd, s.qdd, s.base_velocity, s.base_acceleration, kStandardGravity);
   } else {
     return s.robot->inverse_dynamics(q, s.qd, s.qdd);
   }
@@ -96,7 +97,7 @@ auto inverse_dynamics(const State<R>& s, const Positions& q) {
 template <class R, class Positions>
 auto forward_dynamics(const State<R>& s, const Positions& q) {
   if constexpr (R::kFloatingBase) {
-    return s.robot->forward_dynamics(q, s.qd, s.tau, s.base_velocity);
+    return s.robot->forward_dynamics(q, s.qd, s.tau, s.base_velocity, kStandardGravity);
   } else {
     return s.robot->forward_dynamics(q, s.qd, s.tau);
   }
@@ -111,8 +112,9 @@ void add_inverse_dynamics(const Robot& robot, const std::vector<State<R>>& state
   benchmark::AddCustomContext("compared/inverse_dynamics", compared);
   if constexpr (R::kFloatingBase) {
     add_with_trigonometry<R>(
-        robot, states, "inverse_dynamics", "inverse_dynamics",
-        [](const State<R>& s, const auto& q) { return s.robot->inverse_dynamics(q, s.qd, s.qdd, s.base_velocity); });
+        robot, states, "inverse_dynamics", "inverse_dynamics", [](const State<R>& s, const auto& q) {
+          return s.robot->inverse_dynamics(q, s.qd, s.qdd, s.base_velocity, kStandardGravity);
+        });
   }
   add_with_trigonometry<R>(
       robot, states, compared, compared, [](const State<R>& s, const auto& q) { return inverse_dynamics<R>(s, q); });
@@ -167,7 +169,7 @@ template <class R>
 void add_bias_forces(const Robot& robot, const std::vector<State<R>>& states) {
   add_with_trigonometry<R>(robot, states, "bias_forces", "bias_forces", [](const State<R>& s, const auto& q) {
     if constexpr (R::kFloatingBase) {
-      return s.robot->bias_forces(q, s.qd, s.base_velocity);
+      return s.robot->bias_forces(q, s.qd, s.base_velocity, kStandardGravity);
     } else {
       return s.robot->bias_forces(q, s.qd);
     }

@@ -53,19 +53,22 @@ bool run(const std::string& function, int calls) {
   if (function == "inverse_dynamics") {
     repeat(calls, [](const State& s) {
       if constexpr (R::kFloatingBase) {
-        return R::inverse_dynamics_fully_actuated(s.q, s.qd, s.qdd, s.base_velocity, s.base_acceleration);
+        return R::inverse_dynamics_fully_actuated(
+            s.q, s.qd, s.qdd, s.base_velocity, s.base_acceleration, robcogen::kStandardGravity);
       } else {
         return R::inverse_dynamics(s.q, s.qd, s.qdd);
       }
     });
   } else if (function == "inverse_dynamics_base_free") {
     if constexpr (R::kFloatingBase)
-      repeat(calls, [](const State& s) { return R::inverse_dynamics(s.q, s.qd, s.qdd, s.base_velocity); });
+      repeat(calls, [](const State& s) {
+        return R::inverse_dynamics(s.q, s.qd, s.qdd, s.base_velocity, robcogen::kStandardGravity);
+      });
     return R::kFloatingBase;
   } else if (function == "forward_dynamics") {
     repeat(calls, [](const State& s) {
       if constexpr (R::kFloatingBase) {
-        return R::forward_dynamics(s.q, s.qd, s.tau, s.base_velocity);
+        return R::forward_dynamics(s.q, s.qd, s.tau, s.base_velocity, robcogen::kStandardGravity);
       } else {
         return R::forward_dynamics(s.q, s.qd, s.tau);
       }

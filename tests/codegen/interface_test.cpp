@@ -37,9 +37,11 @@ TEST(Interface, SwappedArgumentsDoNotCompile) {
   EXPECT_FALSE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration, Eigen::Vector3d>));
 }
 
-TEST(Interface, GravityAndExternalWrenchesAreOptional) {
-  EXPECT_TRUE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration>));
-  EXPECT_TRUE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration, Wrenches>));
+// A default in base coordinates would be wrong for a tilted base.
+TEST(Interface, AFloatingBaseTakesGravity) {
+  EXPECT_FALSE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration>));
+  EXPECT_FALSE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration, Wrenches>));
+  EXPECT_TRUE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration, Gravity>));
   EXPECT_TRUE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration, Gravity, Wrenches>));
   EXPECT_FALSE((kInverseDynamics<State, State, State, Twist, SpatialAcceleration, Wrenches, Gravity>));
 }
@@ -57,7 +59,8 @@ TEST(Interface, ResultsHaveTheirTypes) {
   double* output = nullptr;
   static_assert(noexcept(kernel::inverse_dynamics(input, input, input, output)));
   static_assert(noexcept(cart_pole::Robot::forward_dynamics(q, q, q, Gravity::standard())));
-  const auto [tau, base_acceleration] = legs::floating::hopper::inverse_dynamics(State(1), State(2), State(3), Twist());
+  const auto [tau, base_acceleration] =
+      legs::floating::hopper::inverse_dynamics(State(1), State(2), State(3), Twist(), kStandardGravity);
   EXPECT_EQ(tau.size(), 1);
   EXPECT_EQ(base_acceleration.vector().size(), 6);
 }
@@ -128,7 +131,8 @@ TEST(Interface, RobotHasTheSameFunctions) {
       R::forward_dynamics(q, qd, tau, R::LinkWrenches()), cart_pole::forward_dynamics(q, qd, tau, R::LinkWrenches()));
   EXPECT_EQ(R::joint_space_inertia(q), cart_pole::joint_space_inertia(q));
   EXPECT_EQ(
-      Robot::gravity_forces(State(1)).tau, legs::floating::hopper::gravity_forces(State(1), kStandardGravity).tau);
+      Robot::gravity_forces(State(1), kStandardGravity).tau,
+      legs::floating::hopper::gravity_forces(State(1), kStandardGravity).tau);
 }
 
 TEST(Reflection, TablesHoldTheModel) {

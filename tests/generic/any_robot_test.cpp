@@ -105,8 +105,11 @@ TYPED_TEST(Any, GivesWhatTheLibraryGives) {
       return stacked<R>(function(x.q, x.qd()));
     }
   };
-  // With none that may be left out: standard gravity, nothing external.
-  robot.bias_forces(x.q, x.v, f);
+  // With none that may be left out: nothing external, and over a fixed base standard gravity.
+  if constexpr (R::kFloatingBase)
+    robot.bias_forces(x.q, x.v, f, kStandardGravity);
+  else
+    robot.bias_forces(x.q, x.v, f);
   EXPECT_EQ(f, with_velocity([&](const auto&... s) { return direct.bias_forces(s..., Gravity::standard()); }));
   robot.bias_forces(x.q, x.v, f, x.gravity, x.external);
   EXPECT_EQ(f, with_velocity([&](const auto&... s) { return direct.bias_forces(s..., x.gravity, x.wrenches); }));
@@ -131,11 +134,12 @@ TYPED_TEST(Any, DoesNotAllocate) {
     const NoAllocation during("AnyRobot");
     const AnyRobot copy = robot;
     copy.inverse_dynamics(x.q, x.v, qdd, tau, x.gravity, x.external);
-    copy.inverse_dynamics(x.q, x.v, x.a.tail(R::kDof), tau);  // a part that is contiguous
+    copy.inverse_dynamics(x.q, x.v, x.a.tail(R::kDof), tau, x.gravity);  // a part that is contiguous
     copy.inverse_dynamics_fully_actuated(x.q, x.v, x.a, f, x.gravity, x.external);
     copy.forward_dynamics(x.q, x.v, x.tau, a, x.gravity, x.external);
-    copy.bias_forces(x.q, x.v, f);
-    copy.gravity_forces(x.q, f);
+    copy.bias_forces(x.q, x.v, f, x.gravity);
+    copy.gravity_forces(x.q, f, x.gravity);
+    if constexpr (!R::kFloatingBase) copy.gravity_forces(x.q, f);
     copy.coriolis_forces(x.q, x.v, f);
     copy.joint_space_inertia(x.q, H);
     X = copy.homogeneous_transform(0, x.q);
@@ -189,6 +193,21 @@ TEST(AnyRobot, SaysWhichArgumentHasTheWrongSize) {
   EXPECT_EQ(
       message_of([&] { make_any<hyl::Robot>(puma560::reflection::robot); }),
       "AnyRobot: the tables are of another robot");
+}
+
+// Standard gravity is what a fixed base stands in. A default in base coordinates would be wrong for a tilted base.
+TEST(AnyRobot, AsksForGravityWhereTheBaseFloats) {
+  const AnyRobot robot = make_any<quadruped::Robot>(quadruped::reflection::robot);
+  const VectorXd q = VectorXd::Zero(12), v = VectorXd::Zero(18);
+  VectorXd tau(12), f(18);
+  const std::string end = " of Quadruped: the base floats, so gravity must be given, in base coordinates";
+  EXPECT_EQ(message_of([&] { robot.inverse_dynamics(q, v, q, tau); }), "inverse_dynamics" + end);
+  EXPECT_EQ(
+      message_of([&] { robot.inverse_dynamics_fully_actuated(q, v, v, f); }), "inverse_dynamics_fully_actuated" + end);
+  EXPECT_EQ(message_of([&] { robot.forward_dynamics(q, v, q, f); }), "forward_dynamics" + end);
+  EXPECT_EQ(message_of([&] { robot.bias_forces(q, v, f); }), "bias_forces" + end);
+  EXPECT_EQ(message_of([&] { robot.gravity_forces(q, f); }), "gravity_forces" + end);
+  EXPECT_EQ(message_of([&] { robot.gravity_forces(q, f, kStandardGravity); }), "no error");
 }
 
 TEST(AnyRobot, HasTransformsAndJacobiansByName) {

@@ -1,9 +1,11 @@
 // What must not compile: one case a run, chosen by a macro; without one, the rest compiles.
 #include <everywhere_fixed/everywhere_fixed.h>
+#include <everywhere_floating/everywhere_floating.h>
 #include <everywhere_undeclared/everywhere_undeclared.h>
 
 namespace defaults = everywhere_fixed;
 namespace none = everywhere_undeclared;
+namespace floating = everywhere_floating;
 
 // Values for all interfaces but one getter.
 class Incomplete : public defaults::DynamicsParameters {
@@ -34,6 +36,21 @@ double use() {
 #endif
 #ifdef VALUES_FOR_PARAMETERS
   sum += defaults::gravity_forces(defaults::ParameterValues(), q)(0);
+#endif
+  const floating::Parameters<> carried;
+  const robcogen::Twist velocity;
+  sum += floating::gravity_forces(carried, q, robcogen::kStandardGravity).tau(0);
+#ifdef NO_GRAVITY
+  sum += floating::forward_dynamics(carried, q, q, q, velocity).qdd(0);
+#endif
+#ifdef NO_GRAVITY_IN_ROBOT
+  sum += floating::Robot{carried}.bias_forces(q, q, velocity).tau(0);
+#endif
+#ifdef NO_GRAVITY_IN_SINGLE_PRECISION
+  sum += floating::f32::gravity_forces(floating::Parameters<float>(), q.cast<float>()).tau(0);
+#endif
+#ifdef WRENCHES_WITHOUT_GRAVITY
+  sum += floating::inverse_dynamics(carried, q, q, q, velocity, floating::LinkWrenches()).tau(0);
 #endif
 #ifdef WRONG_SIZE
   sum += defaults::gravity_forces(parameters, Eigen::Vector3d(Eigen::Vector3d::Zero()))(0);

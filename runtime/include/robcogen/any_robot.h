@@ -9,6 +9,9 @@
 // f have size() elements: with a floating base, its twist, spatial acceleration or wrench (angular first, base
 // coordinates), then the joints; otherwise the joints alone. All is SI.
 //
+// Gravity (m/s^2) is in base coordinates. With a fixed base it may be left out: then it is standard gravity. With a
+// floating base it says how the base is oriented, and std::invalid_argument says so when it is missing.
+//
 // The size of every argument is compared with what it must be, and std::invalid_argument says which one is wrong.
 // Nothing else throws, and nothing allocates after construction, as long as arguments are vectors or contiguous parts
 // of them: Eigen evaluates expressions such as q + dq, and rows of matrices, into memory of its own. Calls cost a
@@ -183,7 +186,7 @@ class AnyRobot {
   requires(FixedBaseRobot<R> || FloatingBaseRobot<R>) &&
       std::same_as<typename R::Scalar, double> AnyRobot(const R& robot, const reflection::Robot& tables)
       : tables_(&tables),
-  functions_(std::make_shared<const any::FunctionsOf<R>>(robot)) {
+  functions_(std::make_shared<const any::FunctionsOf<R> >(robot)) {
     if (tables.joints.size != R::kDof || tables.links.size != R::kLinkCount || tables.floating_base != R::kFloatingBase)
       throw std::invalid_argument("AnyRobot: the tables are of another robot");
   }
@@ -197,14 +200,12 @@ class AnyRobot {
   const reflection::Robot& tables() const noexcept { return *tables_; }
 
   // Joint forces for joint accelerations qdd (dof() elements). Returns the acceleration of a floating base, which
-  // nothing holds; of a fixed base, zero. Gravity (m/s^2) is in base coordinates, here as below.
-  SpatialAcceleration inverse_dynamics(
-      In q,
-      In v,
-      In qdd,
-      Out tau,
-      const Gravity& gravity = kStandardGravity,
-      External external = {}) const {
+  // nothing holds; of a fixed base, zero.
+  SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau) const {
+    return inverse_dynamics(q, v, qdd, tau, default_gravity("inverse_dynamics"));
+  }
+  SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau, const Gravity& gravity, External external = {})
+      const {
     constexpr const char* kFunction = "inverse_dynamics";
     expect(kFunction, "q", q.size(), dof());
     expect(kFunction, "v", v.size(), size());
@@ -215,13 +216,10 @@ class AnyRobot {
   }
 
   // Forces f, the wrench on a floating base first, for accelerations a of base and joints.
-  void inverse_dynamics_fully_actuated(
-      In q,
-      In v,
-      In a,
-      Out f,
-      const Gravity& gravity = kStandardGravity,
-      External external = {}) const {
+  void inverse_dynamics_fully_actuated(In q, In v, In a, Out f) const {
+    inverse_dynamics_fully_actuated(q, v, a, f, default_gravity("inverse_dynamics_fully_actuated"));
+  }
+  void inverse_dynamics_fully_actuated(In q, In v, In a, Out f, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "inverse_dynamics_fully_actuated";
     expect(kFunction, "q", q.size(), dof());
     expect(kFunction, "v", v.size(), size());
@@ -232,8 +230,10 @@ class AnyRobot {
   }
 
   // Accelerations a, of a floating base first, under joint forces tau (dof() elements).
-  void forward_dynamics(In q, In v, In tau, Out a, const Gravity& gravity = kStandardGravity, External external = {})
-      const {
+  void forward_dynamics(In q, In v, In tau, Out a) const {
+    forward_dynamics(q, v, tau, a, default_gravity("forward_dynamics"));
+  }
+  void forward_dynamics(In q, In v, In tau, Out a, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "forward_dynamics";
     expect(kFunction, "q", q.size(), dof());
     expect(kFunction, "v", v.size(), size());
@@ -243,14 +243,16 @@ class AnyRobot {
   }
 
   // f = coriolis_forces(q, v) + gravity_forces(q), less what external wrenches do.
-  void bias_forces(In q, In v, Out f, const Gravity& gravity = kStandardGravity, External external = {}) const {
+  void bias_forces(In q, In v, Out f) const { bias_forces(q, v, f, default_gravity("bias_forces")); }
+  void bias_forces(In q, In v, Out f, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "bias_forces";
     expect(kFunction, "q", q.size(), dof());
     expect(kFunction, "v", v.size(), size());
     expect(kFunction, "f", f.size(), size());
     functions_->bias_forces(q.data(), v.data(), f.data(), loads(kFunction, gravity, external));
   }
-  void gravity_forces(In q, Out f, const Gravity& gravity = kStandardGravity) const {
+  void gravity_forces(In q, Out f) const { gravity_forces(q, f, default_gravity("gravity_forces")); }
+  void gravity_forces(In q, Out f, const Gravity& gravity) const {
     constexpr const char* kFunction = "gravity_forces";
     expect(kFunction, "q", q.size(), dof());
     expect(kFunction, "f", f.size(), size());
@@ -314,6 +316,14 @@ class AnyRobot {
     if (index >= 0 && index < count) return;
     char message[200];
     std::snprintf(message, sizeof message, "%s of %s: there is no index %d", function, name(), index);
+    throw std::invalid_argument(message);
+  }
+  const Gravity& default_gravity(const char* function) const {
+    if (!floating_base()) return kStandardGravity;
+    char message[200];
+    std::snprintf(
+        message, sizeof message, "%s of %s: the base floats, so gravity must be given, in base coordinates", function,
+        name());
     throw std::invalid_argument(message);
   }
   any::Functions::Loads loads(const char* function, const Gravity& gravity, External external) const {

@@ -79,6 +79,32 @@ TEST_F(MaximaRobot, WithOneSignWrongIsFoundOut) {
   EXPECT_EQ(report.find("hyl_inverse"), std::string::npos) << report;
 }
 
+// It says how the base is oriented: the functions, which know no defaults, cannot be called without it.
+TEST_F(MaximaRobot, ThatFloatsTakesGravity) {
+  const backend::Library library =
+      library_of(std::filesystem::path(TEST_SOURCE_DIR) / "../octave/parametric.kindsl", "floating");
+  ASSERT_TRUE(library.floating_base);
+  std::string calls;
+  std::set<std::string> names;
+  for (const backend::Function& f : library.functions) {
+    std::string arguments;
+    for (const symbolic::InputArray& input : f.program.inputs) {
+      if (input.role == symbolic::Role::gravity) {
+        calls += fmt::format("print(\"=\", errcatch(floating_{}({})))$\n", f.kernel, arguments);
+        names.insert(f.name);
+      }
+      arguments += arguments.empty() ? "[]" : ", []";
+    }
+  }
+  EXPECT_EQ(
+      names, (std::set<std::string>{
+                 "bias_forces", "forward_dynamics", "gravity_forces", "inverse_dynamics",
+                 "inverse_dynamics_fully_actuated", "potential_energy"}));
+  const std::vector<std::string> lines = run_maxima({maxima_text(library), {"calls.mac", calls}});
+  EXPECT_EQ(lines.size(), 10U);
+  for (const std::string& line : lines) EXPECT_EQ(line, "[]");
+}
+
 // No variable, array, option or property but the functions themselves, and no way in for those of the user's.
 TEST_F(MaximaRobot, LeavesNoTraceAndTakesNoNotice) {
   const std::string state =

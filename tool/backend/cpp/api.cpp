@@ -277,6 +277,7 @@ std::vector<Overload> overloads(const Api& api, const std::vector<const Callable
   for (const Callable* callable : callables) {
     const Program& program = callable->function->program;
     result.push_back(overload(api, *callable, true));
+    if (api.library->floating_base) continue;
     const std::vector<Role> without = signature(program, false);
     const bool optional = std::none_of(callables.begin(), callables.end(), [&](const Callable* other) {
       return signature(other->function->program, true) == without;

@@ -71,8 +71,9 @@ struct Overload {
   std::vector<std::string> inputs = {};  // what the kernel gets, unless adds_standard_gravity
 };
 
-// The overloads that these functions make, all of one scope and name. Gravity may be left out wherever no function of
-// its own does without it: then it is standard gravity. Behind those that take joint positions come those that take
+// The overloads that these functions make, all of one scope and name. With a fixed base gravity may be left out wherever
+// no function of its own does without it: then it is standard gravity. With a floating base it says how the base is
+// oriented, and no overload does without it. Behind those that take joint positions come those that take
 // JointTrigonometry, where there is one.
 std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables);
 

@@ -97,8 +97,7 @@ class CompiledRobot {
 
   // (base wrench, tau); `external` does not enter.
   Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
-    if (arguments.gravity == nullptr) return forces(robot_.gravity_forces(joints(q)));
-    return forces(robot_.gravity_forces(joints(q), gravity(*arguments.gravity)));
+    return with_gravity(arguments, [&](const auto&... g) { return forces(robot_.gravity_forces(joints(q), g...)); });
   }
 
   // (base wrench, tau).
@@ -149,8 +148,7 @@ class CompiledRobot {
   }
   // `external` does not enter.
   double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
-    if (arguments.gravity == nullptr) return robot_.potential_energy(joints(q));
-    return robot_.potential_energy(joints(q), gravity(*arguments.gravity));
+    return with_gravity(arguments, [&](const auto&... g) { return robot_.potential_energy(joints(q), g...); });
   }
 
   // By index into the tables.
@@ -235,9 +233,19 @@ class CompiledRobot {
   static Vector<double> with(const Arguments& arguments, const Call& call) {
     typename R::LinkWrenches wrenches;
     if (arguments.external != nullptr) assign(wrenches, *arguments.external);
-    if (arguments.gravity == nullptr) return arguments.external == nullptr ? call() : call(wrenches);
-    const BasicGravity<Scalar> g = gravity(*arguments.gravity);
-    return arguments.external == nullptr ? call(g) : call(g, wrenches);
+    return with_gravity(
+        arguments, [&](const auto&... g) { return arguments.external == nullptr ? call(g...) : call(g..., wrenches); });
+  }
+
+  // Standard gravity where none is given: with a fixed base by the overload that does without.
+  template <class Call>
+  static auto with_gravity(const Arguments& arguments, const Call& call) {
+    if (arguments.gravity != nullptr) return call(gravity(*arguments.gravity));
+    if constexpr (R::kFloatingBase) {
+      return call(BasicGravity<Scalar>::standard());
+    } else {
+      return call();
+    }
   }
 
   const Robot* tables_;
