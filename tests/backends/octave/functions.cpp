@@ -70,6 +70,7 @@ std::optional<backend::Library> load(
 Call shape(const backend::Library& library, const backend::Function& function) {
   Call call;
   call.function = dotted(library.enclosing) + library.name + "." + dotted(function.scope) + function.name;
+  if (function.name == "inverse") call.function += "_H";  // `inverse` is a built-in function
   for (const InputArray& array : function.program.inputs) call.arguments.push_back(argument(library, array));
   for (const OutputArray& array : function.program.outputs)
     call.results.push_back({array.name, array.rows, array.columns});
@@ -86,7 +87,7 @@ std::optional<Call> shape_of_product(const backend::Library& library, const back
 
 bool may_omit_gravity(const backend::Library& library, const backend::Function& function) {
   const std::vector<InputArray>& inputs = function.program.inputs;
-  if (inputs.empty() || inputs.back().role != Role::gravity) return false;
+  if (library.floating_base || inputs.empty() || inputs.back().role != Role::gravity) return false;
   return std::none_of(library.functions.begin(), library.functions.end(), [&](const backend::Function& other) {
     return other.scope == function.scope && other.name == function.name && other.program.inputs.size() < inputs.size();
   });

@@ -27,7 +27,7 @@ Call shape(const backend::Library& library, const backend::Function& function);
 // The same for the product of primitives that a homogeneous transform is printed as, too; nullopt when it is not.
 std::optional<Call> shape_of_product(const backend::Library& library, const backend::Function& function);
 
-// Whether the last argument is gravity, and no overload does without it.
+// Whether the base is fixed, the last argument is gravity, and no overload does without it.
 bool may_omit_gravity(const backend::Library& library, const backend::Function& function);
 
 }  // namespace robcogen::octave

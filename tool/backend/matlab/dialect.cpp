@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+#include <unordered_set>
 
 #include "support/number.h"
 
 namespace robcogen::backend::matlab {
 namespace {
 
-constexpr auto kReserved = std::to_array<std::string_view>({
+constexpr auto kWords = std::to_array<std::string_view>({
     // keywords of both
     "break",
     "case",
@@ -87,6 +89,21 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "zeros",
 });
 
+// A file of such a name would shadow the function, and a variable hide it from the rest of its function.
+constexpr std::string_view kFunctions[] = {
+#include "backend/matlab/functions.inc"
+};
+
+// Functions that MATLAB has and Octave has not, where a model may have such a name.
+constexpr auto kMatlabFunctions = std::to_array<std::string_view>(
+    {"arguments", "categorical", "containers", "contains", "datetime", "digraph", "duration", "extract",
+     "graph",     "height",      "import",     "join",     "matlab",   "meta",    "missing",  "pad",
+     "replace",   "split",       "string",     "strings",  "table",    "tall",    "timer",    "width"});
+
+bool is_word(const std::string& name) {
+  return std::find(kWords.begin(), kWords.end(), name) != kWords.end();
+}
+
 std::string text(const Line& line) {
   if (line.kind == Line::Kind::section) return "% " + line.expression;
   return joined(line.targets, ", ") + " = " + line.expression + ";";
@@ -104,14 +121,20 @@ std::string element(const std::string& array, std::size_t k) {
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
+  static const std::unordered_set<std::string_view> functions = [] {
+    std::unordered_set<std::string_view> all(std::begin(kFunctions), std::end(kFunctions));
+    all.insert(kMatlabFunctions.begin(), kMatlabFunctions.end());
+    return all;
+  }();
+  return is_word(name) || functions.count(name) > 0;
 }
 
 const Dialect& dialect() {
   static const Dialect matlab = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"cos", "isempty", "nargin", "sin", "sqrt", "tril", "zeros"};
+    d.used_names = {"cos", "error", "isempty", "isstruct", "nargin", "names", "numel",
+                    "sin", "size",  "sqrt",    "strjoin",  "tril",   "zeros"};
     d.line_limit = kColumns - 2;
     d.name_limit = 26;  // three such operands and their operators fit in one line
     d.pairs_angles = false;
@@ -128,7 +151,7 @@ const Dialect& dialect() {
 }
 
 std::vector<std::string> fields(const std::vector<std::string>& parameters) {
-  NameScope scope(is_reserved);
+  NameScope scope(is_word);
   return claim_all(scope, parameters);
 }
 

@@ -10,12 +10,12 @@ namespace robcogen::backend::matlab {
 
 inline constexpr std::size_t kColumns = 100;
 
-// Keywords of MATLAB and Octave, and what generated text, or a reader of it, takes for a function or a constant.
+// Keywords of MATLAB and Octave, and their functions: names of packages, files and variables that would shadow one.
 bool is_reserved(const std::string& name);
 
 const Dialect& dialect();
 
-// The fields of the struct of parameters, by the names of all parameters.
+// The fields of the struct of parameters, by the names of all parameters. No function has to do with a field.
 std::vector<std::string> fields(const std::vector<std::string>& parameters);
 
 std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ");

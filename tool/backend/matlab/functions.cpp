@@ -27,22 +27,6 @@ std::string signature(const Program& program, const Kernel& kernel, const std::s
   return wrapped("function " + result + " = " + name + "(", arguments, ")");
 }
 
-// Values of the arguments that may be left out.
-std::string defaults(const Callable& callable, const Kernel& kernel) {
-  const std::vector<InputArray>& inputs = callable.longest().program.inputs;
-  std::string text;
-  for (std::size_t i = required_inputs(callable); i < inputs.size(); ++i) {
-    const std::string& name = kernel.parameters[i].name;
-    const std::size_t size = inputs[i].elements.size();
-    std::string value = "zeros(" + std::to_string(size) + ", 1)";
-    if (inputs[i].role == Role::gravity) value = "[0; 0; -9.81]";
-    if (inputs[i].role == Role::link_wrenches) value = "zeros(6, " + std::to_string(size / 6) + ")";
-    text += "  if nargin < " + std::to_string(i + 1) + " || isempty(" + name + ")\n    " + name + " = " + value +
-            ";\n  end\n";
-  }
-  return text;
-}
-
 std::string lines(const Kernel& kernel) {
   std::string text;
   for (const Line& line : kernel.lines) {
@@ -60,6 +44,10 @@ std::string blocks(const std::vector<std::string>& parts) {
   return text;
 }
 
+std::string whole_name(const Library& library, const std::string& scope, const Callable& callable) {
+  return joined(packages(library, scope), ".") + "." + callable.name;
+}
+
 }  // namespace
 
 std::string print_function(const Library& library, const Callable& callable) {
@@ -72,8 +60,10 @@ std::string print_function(const Library& library, const Callable& callable) {
   for (std::size_t p = 0; p < program.outputs.size(); ++p)
     results +=
         assemble(program.outputs[p], kernel.parameters[program.inputs.size() + p].name, kernel.results[p], joints);
+  const std::string checks = print_checks(
+      whole_name(library, callable.scope, callable), program.inputs, kernel, required_inputs(library, callable));
   return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
-         blocks({origin(library), defaults(callable, kernel), lines(kernel), results}) + "end\n";
+         blocks({origin(library), checks, lines(kernel), results}) + "end\n";
 }
 
 std::string print_product(const Library& library, const Callable& callable) {
@@ -88,10 +78,12 @@ std::string print_product(const Library& library, const Callable& callable) {
   }
   const std::vector<InputArray>& inputs = function.amounts.inputs;
   const std::string result = "  " + product.kernel.parameters.back().name + " =";
+  const std::string checks =
+      print_checks(whole_name(library, "transforms::product", callable), inputs, product.kernel, inputs.size());
   return signature(function.amounts, product.kernel, callable.name) +
          heading(callable.name, {convention_of_primitives(library)}) +
          describe_arguments(inputs, product.kernel, inputs.size()) + "\n" +
-         blocks({origin(library), lines(product.kernel), wrapped(result, factors, ";", " *")}) + "end\n";
+         blocks({origin(library), checks, lines(product.kernel), wrapped(result, factors, ";", " *")}) + "end\n";
 }
 
 }  // namespace robcogen::backend::matlab

@@ -102,10 +102,10 @@ std::vector<std::string> titled(const std::string& name, std::vector<std::string
 
 }  // namespace
 
-std::size_t required_inputs(const Callable& callable) {
+std::size_t required_inputs(const Library& library, const Callable& callable) {
   const std::vector<InputArray>& inputs = callable.overloads.front()->program.inputs;
-  const bool ends_with_gravity = !inputs.empty() && inputs.back().role == Role::gravity;
-  return inputs.size() - (ends_with_gravity ? 1 : 0);
+  const bool has_default = !library.floating_base && !inputs.empty() && inputs.back().role == Role::gravity;
+  return inputs.size() - (has_default ? 1 : 0);
 }
 
 std::string first_line(const Callable& callable) {
@@ -153,8 +153,8 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
 std::string help(const Library& library, const Callable& callable, const Kernel& kernel) {
   const Function& function = callable.longest();
   return heading(callable.name, summary(callable)) +
-         describe_arguments(function.program.inputs, kernel, required_inputs(callable)) + results(library, function) +
-         comment(counts(function.program));
+         describe_arguments(function.program.inputs, kernel, required_inputs(library, callable)) +
+         results(library, function) + comment(counts(function.program));
 }
 
 std::string origin(const Library& library) {

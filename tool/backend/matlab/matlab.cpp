@@ -13,6 +13,12 @@ namespace {
 // The longest name that MATLAB tells from others.
 constexpr std::size_t kLongestName = 63;
 
+// What a function is called here where its own name is that of a built-in function: one that says more.
+const std::map<std::string, std::string>& renamed() {
+  static const std::map<std::string, std::string> names = {{"inverse", "inverse_H"}};
+  return names;
+}
+
 // Names of one package. Files of names that differ by case alone would be one file on some systems.
 struct PackageNames {
   NameScope names = NameScope(is_reserved);
@@ -32,11 +38,13 @@ struct PackageNames {
 std::vector<Callable> callables(const Library& library) {
   std::vector<Callable> result;
   std::map<std::pair<std::string, std::string>, std::size_t> known;
-  std::map<std::string, PackageNames> packages;
-  for (const std::string name : {"contents", "model", "parameters"}) packages[""].claim(name);
+  std::map<std::string, PackageNames> taken;
+  for (const std::string name : {"contents", "model", "parameters"}) taken[""].claim(name);
   for (const Function& f : library.functions) {
     const auto [place, is_new] = known.insert({{f.scope, f.name}, result.size()});
-    if (is_new) result.push_back({f.scope, packages[f.scope].claim(f.name), {}});
+    const auto other = f.scope == "inertia_factor" ? renamed().find(f.name) : renamed().end();
+    const std::string& name = other == renamed().end() ? f.name : other->second;
+    if (is_new) result.push_back({f.scope, taken[f.scope].claim(name), {}});
     result[place->second].overloads.push_back(&f);
   }
   for (Callable& callable : result) {
@@ -50,18 +58,24 @@ std::vector<Callable> callables(const Library& library) {
 // `+a/+hyl/`, scopes below it.
 std::string package(const Library& library, const std::string& scope) {
   std::string path;
-  for (const std::string& names : {library.enclosing, library.name, scope}) {
-    std::string rest = names;
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find("::"), rest.size());
-      path += "+" + identifier(rest.substr(0, end), is_reserved) + "/";
-      rest.erase(0, std::min(end + 2, rest.size()));
-    }
-  }
+  for (const std::string& name : packages(library, scope)) path += "+" + name + "/";
   return path;
 }
 
 }  // namespace
+
+std::vector<std::string> packages(const Library& library, const std::string& scope) {
+  std::vector<std::string> result;
+  for (const std::string& names : {library.enclosing, library.name, scope}) {
+    std::string rest = names;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find("::"), rest.size());
+      result.push_back(identifier(rest.substr(0, end), is_reserved));
+      rest.erase(0, std::min(end + 2, rest.size()));
+    }
+  }
+  return result;
+}
 
 std::vector<OutputFile> print(const Library& library) {
   const std::vector<Callable> all = callables(library);

@@ -69,11 +69,7 @@ std::string frame_fields(const std::vector<FrameData>& frames) {
 
 // `hyl.transforms.homogeneous.`
 std::string dotted(const Library& library, const std::string& scope, const std::string& end = ".") {
-  std::string text;
-  for (const std::string& packages : {library.enclosing, library.name, scope})
-    if (!packages.empty()) text += (text.empty() ? "" : "::") + packages;
-  for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::")) text.replace(at, 2, ".");
-  return text + end;
+  return joined(packages(library, scope), ".") + end;
 }
 
 }  // namespace

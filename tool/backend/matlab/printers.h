@@ -19,8 +19,19 @@ struct Callable {
   const Function& longest() const { return *overloads.back(); }
 };
 
-// How many of the arguments must be given. Gravity, when it is the last of them, need not.
-std::size_t required_inputs(const Callable& callable);
+// The packages that functions of a scope stand in, from the outermost one: hyl, transforms, homogeneous.
+std::vector<std::string> packages(const Library& library, const std::string& scope);
+
+// How many of the arguments must be given. Gravity, when it is the last of them, need not, unless the base floats.
+std::size_t required_inputs(const Library& library, const Callable& callable);
+
+// The lines that refuse missing arguments and those of another shape. Arguments behind the first `required` ones have
+// defaults. `name` is the whole name of the function, with its packages.
+std::string print_checks(
+    const std::string& name,
+    const std::vector<symbolic::InputArray>& inputs,
+    const Kernel& kernel,
+    std::size_t required);
 
 // `% NAME  What it is.`, the first line of the help text and nothing more.
 std::string first_line(const Callable& callable);

@@ -1,0 +1,25 @@
+# Runs messages.m on generated packages, and looks at what Octave says when it reads the packages.
+#     OCTAVE  the program; when it is not there, the test is skipped, or fails where REQUIRED is set
+#     TEXTS   the folder of all generated packages: <test>.text/matlab/+<name>
+include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
+if(NOT OCTAVE)
+  if(REQUIRED)
+    message(FATAL_ERROR "there is no Octave")
+  endif()
+  message(NOTICE "skipped: there is no Octave")
+  return()
+endif()
+
+set(octave ${OCTAVE} --no-gui --norc --no-history)
+foreach(text hyl quadruped hyl_parametric.right motions.right names)
+  list(APPEND octave --path ${TEXTS}/${text}.text/matlab)
+endforeach()
+list(APPEND octave --path ${CMAKE_CURRENT_LIST_DIR} --eval messages)
+execute_process(COMMAND ${octave} OUTPUT_VARIABLE text ERROR_VARIABLE errors RESULT_VARIABLE result)
+message("${text}${errors}")
+if(NOT result EQUAL 0 OR NOT text MATCHES "all messages are as expected")
+  message(FATAL_ERROR "Octave fails")
+endif()
+if(errors MATCHES "shadow")
+  message(FATAL_ERROR "a generated file shadows a function of Octave")
+endif()
