@@ -42,7 +42,8 @@ concept FloatingBase = RobotTraits<R> && R::kFloatingBase;
 
 // inverse_dynamics(q, qd, qdd) returns the joint forces. With a floating base that nothing holds, it takes the velocity
 // of the base too and returns its acceleration beside them; inverse_dynamics_fully_actuated takes that acceleration and
-// returns the wrench that the base needs. All take gravity and external wrenches as further arguments.
+// returns the wrench that the base needs. All take gravity and external wrenches as further arguments; a fixed base may
+// do without gravity.
 template <class R>
 concept HasInverseDynamics = (FixedBase<R> &&
                               requires(
@@ -153,7 +154,7 @@ concept HasBiasForces = (FixedBase<R> &&
                           noexcept->std::same_as<typename R::GeneralizedForce>;
                         });
 
-// kinetic_energy(q, qd), with a floating base its velocity too; potential_energy(q).
+// kinetic_energy(q, qd), with a floating base its velocity too; potential_energy(q, gravity).
 template <class R>
 concept HasEnergy = ((FixedBase<R> &&
                       requires(const R& robot, const typename R::JointState& q) {

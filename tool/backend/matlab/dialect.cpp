@@ -104,6 +104,20 @@ bool is_word(const std::string& name) {
   return std::find(kWords.begin(), kWords.end(), name) != kWords.end();
 }
 
+bool is_function(const std::string& name) {
+  static const std::unordered_set<std::string_view> functions = [] {
+    std::unordered_set<std::string_view> all(std::begin(kFunctions), std::end(kFunctions));
+    all.insert(kMatlabFunctions.begin(), kMatlabFunctions.end());
+    return all;
+  }();
+  return functions.count(name) > 0;
+}
+
+// Results of ours, under names that readers expect, in functions that have no use for what Octave calls so.
+bool is_quantity(const std::string& name) {
+  return name == "J" || name == "inverse";
+}
+
 std::string text(const Line& line) {
   if (line.kind == Line::Kind::section) return "% " + line.expression;
   return joined(line.targets, ", ") + " = " + line.expression + ";";
@@ -120,13 +134,12 @@ std::string element(const std::string& array, std::size_t k) {
 
 }  // namespace
 
+bool is_reserved_file(const std::string& name) {
+  return is_word(name) || is_function(name);
+}
+
 bool is_reserved(const std::string& name) {
-  static const std::unordered_set<std::string_view> functions = [] {
-    std::unordered_set<std::string_view> all(std::begin(kFunctions), std::end(kFunctions));
-    all.insert(kMatlabFunctions.begin(), kMatlabFunctions.end());
-    return all;
-  }();
-  return is_word(name) || functions.count(name) > 0;
+  return is_reserved_file(name) && !is_quantity(name);
 }
 
 const Dialect& dialect() {

@@ -10,7 +10,10 @@ namespace robcogen::backend::matlab {
 
 inline constexpr std::size_t kColumns = 100;
 
-// Keywords of MATLAB and Octave, and their functions: names of packages, files and variables that would shadow one.
+// Keywords of MATLAB and Octave, and their functions: packages and files of such names would shadow one.
+bool is_reserved_file(const std::string& name);
+
+// The same for variables, but for a few names of results.
 bool is_reserved(const std::string& name);
 
 const Dialect& dialect();

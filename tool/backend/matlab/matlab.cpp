@@ -21,12 +21,12 @@ const std::map<std::string, std::string>& renamed() {
 
 // Names of one package. Files of names that differ by case alone would be one file on some systems.
 struct PackageNames {
-  NameScope names = NameScope(is_reserved);
+  NameScope names = NameScope(is_reserved_file);
   std::set<std::string> lower;
 
   std::string claim(const std::string& wanted) {
     while (true) {
-      std::string name = names.claim(shortened(wanted, kLongestName - 3, is_reserved));
+      std::string name = names.claim(shortened(wanted, kLongestName - 3, is_reserved_file));
       std::string key = name;
       for (char& c : key)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -70,7 +70,7 @@ std::vector<std::string> packages(const Library& library, const std::string& sco
     std::string rest = names;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find("::"), rest.size());
-      result.push_back(identifier(rest.substr(0, end), is_reserved));
+      result.push_back(identifier(rest.substr(0, end), is_reserved_file));
       rest.erase(0, std::min(end + 2, rest.size()));
     }
   }
