@@ -38,7 +38,7 @@ includes() {
 }
 includes $cpp_headers $c_headers >"$work/all.cpp"
 includes $c_headers >"$work/posix.cpp"
-includes complex.h stdalign.h stdatomic.h stdnoreturn.h threads.h >"$work/c_alone.c"
+includes complex.h math.h stdalign.h stdatomic.h stdnoreturn.h threads.h >"$work/c_alone.c"
 
 for compiler in g++ clang++; do
   command -v $compiler >"$work/which" || continue
