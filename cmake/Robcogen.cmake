@@ -20,7 +20,6 @@
 #                                   # compiler does unasked, to be chosen from when a program runs
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
-#       [IMPORT_DIRS dir…]          # where the documents' imports are looked for, before ROBCOGEN_IMPORT_DIRS
 #       [DEPENDS file|target…]      # when a rule of the build makes MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
@@ -62,7 +61,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists XACRO_ARGS ALGORITHMS LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists XACRO_ARGS ALGORITHMS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -256,9 +255,6 @@ function(_robcogen_generate_arguments result)
   endif()
   foreach(language IN LISTS library_LANGUAGES)
     list(APPEND arguments --language ${language})
-  endforeach()
-  foreach(directory IN LISTS library_IMPORT_DIRS)
-    list(APPEND arguments -I ${directory})
   endforeach()
   if(MSVC)
     list(APPEND arguments --error-format msvc)

@@ -6,7 +6,7 @@
 #       MOTIONS euler.motdsl        # relative poses of frames: each motion gives a transform and its inverse; or
 #       TRANSFORMS euler.ctdsl      # coordinate transforms as products of primitive ones
 #       [DESIRED euler.dtdsl]       # the transforms to generate, between any frames that the document connects
-#       [NAME ident] [NAMESPACE a::b] [LANGUAGES cpp …] [IMPORT_DIRS dir…] [DEPENDS file|target…]
+#       [NAME ident] [NAMESPACE a::b] [LANGUAGES cpp …] [DEPENDS file|target…]
 #       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable] [OPTIONS flag…])
 #
@@ -20,7 +20,7 @@ include_guard(GLOBAL)
 function(robcogen_add_transforms)
   set(flags NO_TESTS EXCLUDE_FROM_ALL)
   set(values TARGET MOTIONS TRANSFORMS DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
-  set(lists LANGUAGES IMPORT_DIRS DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
 
   set(library_CALL robcogen_add_transforms)

@@ -60,6 +60,12 @@ const std::vector<std::string>& default_groups() {
   return names;
 }
 
+const std::vector<std::string>& groups_between_frames() {
+  static const std::vector<std::string> names =
+      names_of_groups([](const Group& group) { return group.kinematics != nullptr; });
+  return names;
+}
+
 std::vector<RobotFunction> functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired,

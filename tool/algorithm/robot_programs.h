@@ -28,6 +28,9 @@ struct RobotFunction {
 // In canonical order.
 const std::vector<std::string>& groups();
 
+// Those whose functions are about two frames each: the pairs of the desired transforms.
+const std::vector<std::string>& groups_between_frames();
+
 // The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
 const std::vector<std::string>& default_groups();
 

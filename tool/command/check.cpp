@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "command/command.h"
+#include "command/output.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 
@@ -52,7 +51,7 @@ Status check(const Options& options) {
       language::desired::parse(read_source(list), diagnostics);
   }
   if (options.strict) promote_desired_warnings(diagnostics);
-  fmt::print(stderr, "{}", diagnostics.render(format_of(options.error_format)));
+  report(diagnostics.render(format_of(options.error_format)));
   return diagnostics.has_errors() ? wrong_input : ok;
 }
 

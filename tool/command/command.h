@@ -44,10 +44,11 @@ struct ModelOptions {
   import::UrdfOptions urdf;
   std::string error_format = "gnu";
   Steps steps;
+  bool quiet = false;  // no warnings and notes
   bool lanes = false;  // programs where equal limbs share lanes, if that is faster
 
   void declare(CLI::App& subcommand);
-  // Loads the robot and prints diagnostics to standard error; nullopt when there was an error.
+  // Loads the robot and reports diagnostics; nullopt when there was an error.
   std::optional<Robot> load() const;
   // The same for a document of motions or transforms.
   std::optional<Transforms> load_transforms() const;
@@ -57,6 +58,7 @@ struct ModelOptions {
 
  private:
   Reading reading() const;
+  void report_all(const Diagnostics& diagnostics) const;
 };
 
 // Groups of functions, none where the option is not given. Documents of motions and of transforms have one alone: a

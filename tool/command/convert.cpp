@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "command/command.h"
+#include "command/output.h"
+#include "command/usage.h"
 #include "export/frames.h"
 #include "export/kinematics.h"
 #include "export/urdf.h"
@@ -203,7 +204,7 @@ Status convert(const Options& options) {
   const std::optional<std::string> text = is_robot(language_of_input(options.from))
                                               ? convert_robot(options, diagnostics)
                                               : convert_motions(options, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.render(format_of(options.error_format)));
+  report(diagnostics.render(format_of(options.error_format)));
   if (!text) return wrong_input;
   const fs::path to = options.to;
   const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
@@ -226,7 +227,7 @@ Action declare_convert(CLI::App& application) {
       ->required();
   subcommand->add_option("--desired", options->desired, "Which transforms a .ctdsl gets (.dtdsl)");
   subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
-      ->check(CLI::IsMember({"left", "right"}));
+      ->check(one_of({"left", "right"}));
   subcommand->add_flag("--strict", options->strict, "Warnings of the desired-transforms document are errors");
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);

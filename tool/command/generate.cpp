@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "command/command.h"
+#include "command/output.h"
+#include "command/usage.h"
 #include "support/files.h"
 
 namespace robcogen::command {
@@ -21,7 +22,6 @@ struct Options {
   std::vector<std::string> groups;  // empty: the default ones, of those that a language offers
   std::vector<std::string> languages = {"cpp"};
   std::string primitives;  // convention; empty: no products
-  std::vector<std::string> import_dirs;
   std::string depfile, depfile_target, stamp;
   bool has_batches = false;
   bool list_outputs = false;
@@ -190,7 +190,7 @@ Status list_outputs(const Options& options) {
     const std::vector<std::string> groups =
         transforms ? std::vector<std::string>{kTransformsGroup} : groups_of(*language, options.groups);
     for (const std::string& file : backend::cpp::outputs(options.names.name, groups, !transforms, options.has_batches))
-      fmt::print("{}\n", file);
+      print_output("{}\n", file);
   }
   return ok;
 }
@@ -218,13 +218,12 @@ Action declare_generate(CLI::App& application) {
       "--batch", options->has_batches,
       "cpp: each function also over many states at once, compiled for several processors; robots only");
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
-      ->check(CLI::IsMember(language_names()));
+      ->check(one_of(language_names()));
   subcommand
       ->add_option(
           "--primitives", options->primitives,
           "matlab, maxima: transforms also as products of your own Rx, Tx, …; left or right: where the moved frame is")
-      ->check(CLI::IsMember({"left", "right"}));
-  subcommand->add_option("-I", options->import_dirs, "Folders of imported documents")->allow_extra_args(false);
+      ->check(one_of({"left", "right"}));
   subcommand->add_option("--depfile", options->depfile, "Write what was read as a dependency file");
   subcommand->add_option("--depfile-target", options->depfile_target, "Its target; default the stamp");
   subcommand->add_option("--stamp", options->stamp, "File to touch when all is written");

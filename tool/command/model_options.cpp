@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "command/command.h"
+#include "command/output.h"
+#include "command/usage.h"
 
 namespace robcogen::command {
 namespace {
@@ -14,6 +15,27 @@ std::vector<std::string> ordered_groups(const std::vector<std::string>& asked) {
   for (const std::string& group : algorithm::groups())
     if (asked.empty() || std::count(asked.begin(), asked.end(), group) > 0) ordered.push_back(group);
   return ordered;
+}
+
+Diagnostics errors_of(const Diagnostics& all) {
+  Diagnostics errors;
+  for (const Diagnostic& d : all.all())
+    if (d.severity == Severity::error) errors.error(d.code, d.place, d.message) = d;
+  return errors;
+}
+
+constexpr const char* kNoSteps = "none";
+
+std::vector<std::string> words_for_steps() {
+  std::vector<std::string> words = all_steps();
+  words.emplace_back(kNoSteps);
+  return words;
+}
+
+std::vector<std::string> chosen_steps(const std::vector<std::string>& words) {
+  if (std::count(words.begin(), words.end(), kNoSteps) == 0) return words;
+  if (words.size() > 1) throw CLI::ValidationError("--passes", "'none' excludes other steps");
+  return {};
 }
 
 }  // namespace
@@ -30,7 +52,7 @@ ErrorFormat format_of(const std::string& name) {
 
 void declare_error_format(CLI::App& subcommand, std::string& format) {
   subcommand.add_option("--error-format", format, "How messages name places: gnu or msvc")
-      ->check(CLI::IsMember({"gnu", "msvc"}));
+      ->check(one_of({"gnu", "msvc"}));
 }
 
 void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
@@ -56,7 +78,7 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
 }
 
 void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
-  subcommand.add_option("--algorithms", groups, description)->delimiter(',')->check(CLI::IsMember(algorithm::groups()));
+  subcommand.add_option("--algorithms", groups, description)->delimiter(',')->check(one_of(algorithm::groups()));
 }
 
 void require_groups_of_transforms(const std::vector<std::string>& asked) {
@@ -73,13 +95,13 @@ void ModelOptions::declare(CLI::App& subcommand) {
       ->required();
   subcommand.add_option("--desired", desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand.add_flag("--strict", strict, "Warnings of the desired-transforms document are errors");
-  subcommand.add_option("--passes", steps.names, "Which steps of optimisation run: a comma-separated list, or none")
+  subcommand
+      .add_option_function<std::vector<std::string>>(
+          "--passes", [this](const std::vector<std::string>& names) { steps.names = chosen_steps(names); },
+          "Which steps of optimisation run: a comma-separated list, or none")
       ->delimiter(',')
-      ->check(CLI::IsMember([] {
-        std::vector<std::string> names = all_steps();
-        names.push_back("none");
-        return names;
-      }()));
+      ->allow_extra_args(false)
+      ->check(one_of(words_for_steps()));
   subcommand
       .add_option(
           "--effort", steps.effort,
@@ -99,17 +121,21 @@ Reading ModelOptions::reading() const {
   return result;
 }
 
+void ModelOptions::report_all(const Diagnostics& diagnostics) const {
+  report((quiet ? errors_of(diagnostics) : diagnostics).render(format_of(error_format)));
+}
+
 std::optional<Robot> ModelOptions::load() const {
   Diagnostics diagnostics;
   std::optional<Robot> robot = load_robot(model, reading(), diagnostics);
-  fmt::print(stderr, "{}", diagnostics.render(format_of(error_format)));
+  report_all(diagnostics);
   return robot;
 }
 
 std::optional<Transforms> ModelOptions::load_transforms() const {
   Diagnostics diagnostics;
   std::optional<Transforms> transforms = command::load_transforms(model, reading(), diagnostics);
-  fmt::print(stderr, "{}", diagnostics.render(format_of(error_format)));
+  report_all(diagnostics);
   return transforms;
 }
 

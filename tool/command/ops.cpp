@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "command/command.h"
+#include "command/output.h"
 #include "symbolic/count.h"
 
 namespace robcogen::command {
@@ -35,20 +35,20 @@ std::vector<Row> rows(const Programs& programs) {
 void print_table(const Programs& programs, const std::vector<Row>& table) {
   std::size_t width = 8;
   for (const Row& row : table) width = std::max(width, row.name.size());
-  fmt::print("{}: {}\n", programs.model, programs.about);
-  fmt::print(
+  print_output("{}: {}\n", programs.model, programs.about);
+  print_output(
       "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14} {:>13} {:>13}\n", "function", width, "mul", "add", "div",
       "sqrt", "sincos", "instructions", "critical path", "double error", "float error");
   const auto text = [](const auto& error, double symbolic::RoundingError::*precision) {
     return error ? symbolic::print_error(*error.*precision) : std::string();
   };
   for (const auto& [name, c, method, error] : table)
-    fmt::print(
+    print_output(
         "{:<{}} {:>6} {:>6} {:>4} {:>5} {:>7} {:>13} {:>14} {:>13} {:>13}\n", name, width, c.mul, c.add, c.div, c.sqrt,
         c.sincos, c.instructions, c.critical_path, text(error, &symbolic::RoundingError::in_double),
         text(error, &symbolic::RoundingError::in_float));
   for (const auto& [name, c, method, error] : table)
-    if (!method.empty()) fmt::print("\n{}: {}\n", name, method);
+    if (!method.empty()) print_output("\n{}: {}\n", name, method);
 }
 
 void print_json(const Programs& programs, const std::vector<Row>& table) {
@@ -67,7 +67,7 @@ void print_json(const Programs& programs, const std::vector<Row>& table) {
     if (!method.empty()) functions.back()["method"] = method;
   }
   const nlohmann::ordered_json report = {{programs.kind, programs.model}, {"functions", functions}};
-  fmt::print("{}\n", report.dump(2));
+  print_output("{}\n", report.dump(2));
 }
 
 }  // namespace

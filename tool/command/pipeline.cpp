@@ -76,6 +76,17 @@ std::optional<Robot> load_model(
   return robot;
 }
 
+// A Failure for binary files and for UTF-16: their every second byte would be an error of its own.
+void require_text(const Source& source) {
+  const std::size_t at = source.text().find('\0');
+  if (at == std::string_view::npos) return;
+  const LineColumn place = source.locate(at);
+  throw Failure{
+      wrong_input, fmt::format(
+                       "{}:{}:{}: error: not a text file: byte {} is zero [not-text]\nhint: documents are UTF-8",
+                       source.name(), place.line, place.column, at + 1)};
+}
+
 }  // namespace
 
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
@@ -88,6 +99,7 @@ std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
   std::optional<std::string> text = read_file(path, error);
   if (!text) throw Failure{wrong_usage, error};
   auto source = std::make_shared<const Source>(path == "-" ? "<standard input>" : path.string(), std::move(*text));
+  require_text(*source);
   if (is_stream) streams.insert({path, source});
   return source;
 }

@@ -9,6 +9,7 @@
 #include "algorithm/primitive_product.h"
 #include "algorithm/robot_programs.h"
 #include "backend/library.h"
+#include "command/status.h"
 #include "import/urdf.h"
 #include "model/coordinate_transforms.h"
 #include "model/kinematic_tree.h"
@@ -25,15 +26,6 @@ struct Robot {
   std::string canonical;                    // all that the model says, in one form whatever its layout was
   std::filesystem::path model;              // as given
   std::vector<std::filesystem::path> read;  // every file that was read
-};
-
-// Exit statuses of the program.
-enum Status { ok = 0, wrong_input = 1, wrong_usage = 2, internal_fault = 3 };
-
-// Thrown by subcommands for usage and input/output faults that no diagnostic covers; main prints and exits with it.
-struct Failure {
-  Status status;
-  std::string message;
 };
 
 // The file's text as a source; a Failure when it cannot be read.

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "command/command.h"
+#include "command/output.h"
+#include "command/usage.h"
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
 #include "language/motion/document.h"
@@ -37,9 +37,9 @@ Status print_document(const Options& options) {
                          file.string())};
   Diagnostics diagnostics;
   const std::string text = canonical_text(file, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.render(format_of(options.model.error_format)));
+  report(diagnostics.render(format_of(options.model.error_format)));
   if (diagnostics.has_errors()) return wrong_input;
-  fmt::print("{}", text);
+  write_output(text);
   return ok;
 }
 
@@ -49,14 +49,15 @@ Status print_program(const Options& options) {
   std::vector<std::string> kernels;
   for (const NamedProgram& f : programs->list) {
     if (f.program.name == options.program) {
-      fmt::print("{}", symbolic::print(f.program));
+      write_output(symbolic::print(f.program));
       return ok;
     }
     kernels.push_back(f.program.name);
   }
   throw Failure{
-      wrong_usage,
-      fmt::format("robcogen: error: no program '{}'\n{}", options.program, did_you_mean(options.program, kernels))};
+      wrong_usage, with_hint(
+                       fmt::format("robcogen: error: the model has no program '{}'", options.program),
+                       did_you_mean(options.program, kernels))};
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
-#include <iostream>
+#include <memory>
 #include <system_error>
 
 namespace robcogen {
@@ -12,11 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_all(std::istream& stream) {
+// At most `limit` bytes and one more, which tells that there are others.
+std::string read_up_to(std::FILE* file, std::size_t limit) {
   std::string text;
   std::array<char, 1 << 16> block;
-  while (stream.read(block.data(), block.size()), stream.gcount() > 0)
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  std::size_t count = 0;
+  while (text.size() <= limit && (count = std::fread(block.data(), 1, block.size(), file)) > 0)
+    text.append(block.data(), count);
   return text;
 }
 
@@ -24,7 +27,8 @@ bool same_content(const fs::path& path, const std::string& text) {
   std::error_code fault;
   if (fs::file_size(path, fault) != text.size() || fault) return false;
   std::ifstream file(path, std::ios::binary);
-  return file && read_all(file) == text;
+  std::string found(text.size(), '\0');
+  return file.read(found.data(), static_cast<std::streamsize>(found.size())) && found == text;
 }
 
 bool write(const fs::path& path, const std::string& text) {
@@ -56,18 +60,27 @@ struct Change {
 }  // namespace
 
 std::optional<std::string> read_file(const fs::path& path, std::string& error) {
-  if (path == "-") return read_all(std::cin);
+  const bool is_input = path == "-";
+  const std::string name = is_input ? "<standard input>" : path.string();
   std::error_code fault;
-  if (fs::is_directory(path, fault)) {
-    error = path.string() + ": error: this is a folder, not a file";
+  if (!is_input && fs::is_directory(path, fault)) {
+    error = name + ": error: this is a folder, not a file";
     return std::nullopt;
   }
   errno = 0;
-  std::ifstream file(path, std::ios::binary);
+  const std::unique_ptr<std::FILE, void (*)(std::FILE*)> file(
+      is_input ? stdin : std::fopen(path.c_str(), "rb"), [](std::FILE* f) {
+        if (f && f != stdin) static_cast<void>(std::fclose(f));
+      });
   std::optional<std::string> text;
-  if (file) text = read_all(file);
-  if (!text || file.bad()) {
-    error = path.string() + ": error: cannot read the file" + reason(errno);
+  if (file) text = read_up_to(file.get(), kMaxInputSize);
+  if (!text || std::ferror(file.get())) {
+    error = name + ": error: cannot read the file" + reason(errno);
+    return std::nullopt;
+  }
+  if (text->size() > kMaxInputSize) {
+    error = name + ": error: the file has more than " + std::to_string(kMaxInputSize >> 20) +
+            " MiB; no document is read beyond that";
     return std::nullopt;
   }
   return text;

@@ -1,6 +1,7 @@
 // Reading and writing files: generated output is complete or absent, and untouched when it would not change.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,7 +9,11 @@
 
 namespace robcogen {
 
-// The file's bytes, or nullopt with a message in `error`. Refuses folders; "-" is standard input.
+// No document is longer; input without end (a device, a pipe) stops there.
+inline constexpr std::size_t kMaxInputSize = std::size_t{64} << 20;  // bytes
+
+// The file's bytes, or nullopt with a message in `error`. Refuses folders and what is longer than kMaxInputSize; "-" is
+// standard input.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& error);
 
 struct OutputFile {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
 
 #include "run_tool.h"
 
@@ -46,15 +48,18 @@ TEST_F(Eval, InverseDynamicsOfAPendulum) {
       eval("inverse_dynamics", {{"q", {q}}, {"qd", {7.0}}, {"qdd", {qdd}}})["tau"][0], expected, kRounding * 10);
 }
 
-TEST_F(Eval, AbsentArgumentsAreZeroAndGravityIsStandard) {
-  EXPECT_NEAR(eval("inverse_dynamics", json::object())["tau"][0], -9.81, kRounding * 10);
-  EXPECT_EQ(eval("inverse_dynamics", {{"gravity", {0, 0, 0}}})["tau"][0], 0.0);
+TEST_F(Eval, GravityAndExternalWrenchesAreOptionalWithAFixedBase) {
+  json rest = {{"q", {0}}, {"qd", {0}}, {"qdd", {0}}};
+  EXPECT_NEAR(eval("inverse_dynamics", rest)["tau"][0], -9.81, kRounding * 10);
+  rest["gravity"] = {0, 0, 0};
+  EXPECT_EQ(eval("inverse_dynamics", rest)["tau"][0], 0.0);
 }
 
 TEST_F(Eval, ForwardDynamicsAndExternalWrench) {
   // 3 N m about the link's z axis on the link, no gravity: like a joint force.
-  const json result =
-      eval("forward_dynamics", {{"tau", {1.0}}, {"gravity", {0, 0, 0}}, {"external", {{"rod", {0, 0, 3, 0, 0, 0}}}}});
+  const json result = eval(
+      "forward_dynamics",
+      {{"q", {0}}, {"qd", {0}}, {"tau", {1.0}}, {"gravity", {0, 0, 0}}, {"external", {{"rod", {0, 0, 3, 0, 0, 0}}}}});
   EXPECT_NEAR(result["qdd"][0], 4.0 / 0.5, kRounding * 10);
 }
 
@@ -74,34 +79,249 @@ TEST_F(Eval, MatricesAreNestedRows) {
 TEST_F(Eval, FactorOfTheInertiaMatrix) {
   json factor = eval("joint_space_inertia_factor", {{"q", {0.7}}});
   EXPECT_NEAR(factor["L"][0][0], std::sqrt(0.5), kRounding);
+  EXPECT_NEAR(eval("inertia_factor.inverse", factor)["inverse"][0][0], 2.0, kRounding * 10);
   factor["x"] = {3.0};
   EXPECT_NEAR(eval("inertia_factor.solve", factor)["y"][0], 6.0, kRounding * 10);
-  EXPECT_NEAR(eval("inertia_factor.inverse", factor)["inverse"][0][0], 2.0, kRounding * 10);
-  for (const char* wrong : {"{\"L\": 1}", "{\"L\": [1]}", "{\"L\": [[1, 2]]}", "{\"L\": [[1], [2]]}"})
-    EXPECT_EQ(run("inertia_factor.solve", wrong).status, 1) << wrong;
+  for (const char* wrong : {"1", "[1]", "[[1, 2]]", "[[1], [2]]", "[[\"1\"]]"}) {
+    factor["L"] = json::parse(wrong);
+    const Outcome refused = run("inertia_factor.solve", factor.dump());
+    EXPECT_EQ(refused.status, 1) << wrong;
+    EXPECT_NE(refused.errors.find("[wrong-shape]"), std::string::npos) << refused.errors;
+  }
 }
 
-TEST_F(Eval, SeventeenDigitsReadBackExactly) {
+TEST_F(Eval, ResultsReadBackExactly) {
   const json result = eval("gravity_forces", {{"q", {0.1}}});
   const double value = result["tau"][0];
   EXPECT_NEAR(value, -9.81 * std::cos(0.1), kRounding * 10);
   EXPECT_EQ(json::parse(json(value).dump()).get<double>(), value);
 }
 
-TEST_F(Eval, RefusesWhatMakesNoSense) {
-  for (const char* input :
-       {"", "[1]", "{\"q\": 1}", "{\"q\": [1, 2]}", "{\"q\": [\"a\"]}", "{\"Q\": [1]}", "{\"gravity\": [1]}",
-        "{\"external\": {\"rood\": [0,0,0,0,0,0]}}", "{\"external\": {\"rod\": [0]}}", "{\"parameters\": {\"x\": 1}}",
-        "{\"q\": [1}"}) {
+// The whole message of each fault in the input.
+TEST_F(Eval, MessagesOfWrongInput) {
+  const std::string list = R"(
+note: arguments of inverse_dynamics:
+  q: array of 1 number (hinge): joint positions (rad, m)
+  qd: array of 1 number (hinge): joint velocities (rad/s, m/s)
+  qdd: array of 1 number (hinge): joint accelerations (rad/s^2, m/s^2)
+  gravity: array of 3 numbers (x, y, z): gravity (m/s^2) in base coordinates; optional, (0, 0, -9.81)
+  external: object of name: array of 6 numbers (base, rod): wrench on each link, angular first, in link coordinates about the link's origin; optional, zero)";
+  const std::string others = R"(, "qd": [0], "qdd": [0]})";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"{\"q\": [1],\n\"qdd\": [0]}",
+       "1: error: argument 'qd' of inverse_dynamics is missing: joint velocities (rad/s, m/s) [missing-argument]" +
+           list},
+      {"{\"q\": [1]\n, \"tau\": [1]" + others,
+       "2: error: 'tau' is not an argument of inverse_dynamics [unknown-argument]" + list},
+      {"{\"gravty\": [1]" + others,
+       "1: error: 'gravty' is not an argument of inverse_dynamics [unknown-argument]\nhint: did you mean 'gravity'?" +
+           list},
+      {"{\"parameters\": {}" + others,
+       "1: error: 'parameters' is not an argument of inverse_dynamics [unknown-argument]" + list},
+      {"{\"q\": [1, 2]" + others,
+       "1: error: 'q' must be an array of 1 number, not an array of 2 numbers [wrong-shape]"},
+      {"\n{\"q\": 1" + others, "2: error: 'q' must be an array of 1 number, not the number 1 [wrong-shape]"},
+      {"{\"q\":\n[\n\"a\"\n]" + others,
+       "3: error: 'q' must be an array of 1 number, but [0] is the string \"a\" [wrong-shape]"},
+      {"{\"q\": [[1]]" + others,
+       "1: error: 'q' must be an array of 1 number, but [0] is an array of 1 number [wrong-shape]"},
+      {"{\"q\": [null]" + others, "1: error: 'q' must be an array of 1 number, but [0] is null [wrong-shape]"},
+      {"{\"q\": {}" + others, "1: error: 'q' must be an array of 1 number, not an object [wrong-shape]"},
+      {"{\"q\": [1], \"external\": [1]" + others,
+       "1: error: 'external' must be an object of name: array of 6 numbers, not an array of 1 number [wrong-shape]"},
+      {"{\"q\": [1], \"external\": {\"rood\": [0,0,0,0,0,0]}" + others,
+       "1: error: 'external' has no element 'rood'; those are base, rod [unknown-element]\nhint: did you mean 'rod'?"},
+      {"{\"q\": [1], \"external\": {\"rod\": [0]}" + others,
+       "1: error: 'external.rod' must be an array of 6 numbers, not an array of 1 number [wrong-shape]"},
+      {"{\"q\": [1],\n\"q\": [2]" + others, "2: error: 'q' is given twice [duplicate-key]"},
+      {"{\"q\": [1], \"external\": {\"rod\": [0,0,0,0,0,0],\n\"rod\": 1}" + others,
+       "2: error: 'rod' is given twice [duplicate-key]"},
+      {"{\"q\": [\n1e999]" + others, "2: error: the number 1e999 is beyond the range of double [number-overflow]"},
+      {"{\"q\": [NaN]" + others,
+       "1: error: syntax error while parsing value - invalid literal; last read: '\"q\": [N' "
+       "[json-syntax]\nhint: JSON has neither NaN nor infinity"},
+      {"",
+       "1: error: expected an object, such as {\"q\": [0.1]}, instead of the end of the input [json-syntax]\nhint: a "
+       "function without arguments takes {}"},
+      {"[1]",
+       "1: error: expected an object, such as {\"q\": [0.1]}, instead of '1' [json-syntax]\nhint: a function without "
+       "arguments takes {}"},
+      {"{\"q\": " + std::string(20, '['), "1: error: values are nested deeper than 16 levels [too-deep]"}};
+  for (const auto& [input, expected] : cases) {
     const Outcome result = run("inverse_dynamics", input);
     EXPECT_EQ(result.status, 1) << input;
-    EXPECT_NE(result.errors.find("error: "), std::string::npos) << input;
     EXPECT_EQ(result.output, "") << input;
+    EXPECT_EQ(result.errors, "<standard input>:" + expected + "\n") << input;
   }
+}
+
+TEST_F(Eval, SyntaxErrorsNameTheLine) {
+  for (const char* input :
+       {"{\"q\": [0]\n\"qd\"", "\n{\"q\": [0}", "\n{", "\n{\"q\" [0]}", "{\"q\": [0]}\n}", "\n[{\"q\": [0]}",
+        "[{\"q\": [0]}\n{\"q\": [0]}]"}) {
+    const Outcome syntax = run("gravity_forces", input);
+    EXPECT_EQ(syntax.status, 1) << input;
+    EXPECT_NE(syntax.errors.find("[json-syntax]"), std::string::npos) << input << syntax.errors;
+  }
+  EXPECT_NE(run("gravity_forces", "\n\n{\"q\": [0}").errors.find("<standard input>:3: error: "), std::string::npos);
+}
+
+TEST_F(Eval, UnknownFunctions) {
   const Outcome typo = run("inverse_dynamic", "{}");
   EXPECT_EQ(typo.status, 2);
-  EXPECT_NE(typo.errors.find("did you mean 'inverse_dynamics'?"), std::string::npos) << typo.errors;
-  EXPECT_EQ(run("transforms.homogeneous.fr_base_X_nothing", "{}").status, 2);
+  EXPECT_EQ(
+      typo.errors,
+      "robcogen: error: robot 'Pendulum' has no function 'inverse_dynamic' [unknown-function]\n"
+      "hint: did you mean 'inverse_dynamics'?\n");
+  const Outcome frame = run("jacobians.fr_base_J_tipp", "{}");
+  EXPECT_EQ(frame.status, 2);
+  EXPECT_NE(frame.errors.find("[unknown-function]"), std::string::npos) << frame.errors;
+  const Outcome other = run("something_else_entirely", "{}");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.errors.find("hint: 'robcogen ops " + model_.string() + "' lists them"), std::string::npos)
+      << other.errors;
+}
+
+// What JSON cannot carry is an error, not null.
+TEST_F(Eval, ResultsThatAreNotFinite) {
+  const Outcome overflow = run("kinetic_energy", "{\"q\": [0], \"qd\": [1]}\n{\"q\": [0], \"qd\": [1e200]}\n{}\n");
+  EXPECT_EQ(overflow.status, 1);
+  EXPECT_EQ(overflow.output, "{\"T\": [0.25]}\n");
+  EXPECT_EQ(
+      overflow.errors,
+      "<standard input>:2: error: result T[0] of kinetic_energy is inf, which JSON cannot express "
+      "[result-not-finite]\n");
+}
+
+// A line of results for each state, however the states are written; what follows an error is not evaluated.
+TEST_F(Eval, ManyStates) {
+  const std::string expected =
+      run("gravity_forces", "{\"q\": [0.1]}").output + run("gravity_forces", "{\"q\": [0.2]}").output;
+  for (const char* input :
+       {"{\"q\": [0.1]}\n{\"q\": [0.2]}\n", "{\"q\": [0.1]}{\"q\": [0.2]}", "[{\"q\": [0.1]}, {\"q\": [0.2]}]",
+        " [\n{\"q\":\n[0.1]},\r\n {\"q\": [0.2]}\n]\n\n", "\n\n{\"q\":\n[0.1]}\n\n{\"q\": [0.2]}"}) {
+    const Outcome result = run("gravity_forces", input);
+    EXPECT_EQ(result.status, 0) << input << result.errors;
+    EXPECT_EQ(result.output, expected) << input;
+  }
+  const Outcome none = run("gravity_forces", "[]");
+  EXPECT_EQ(none.status, 0);
+  EXPECT_EQ(none.output, "");
+  const Outcome stopped = run("gravity_forces", "{\"q\": [0.1]}\n{\"q\": [0.2]}\n{\"q\": 0.3}\n{\"q\": [0.4]}\n");
+  EXPECT_EQ(stopped.status, 1);
+  EXPECT_EQ(stopped.output, expected);
+  EXPECT_EQ(
+      stopped.errors,
+      "<standard input>:3: error: 'q' must be an array of 1 number, not the number 0.3 [wrong-shape]\n");
+}
+
+// A program that waits for each result before it writes the next state.
+TEST_F(Eval, AnswersEachStateAtOnce) {
+  const std::string tool = "'" ROBCOGEN_TOOL "' eval " + quoted(model_) + " gravity_forces";
+  const std::string script = "coproc tool { " + tool +
+                             "; }; for q in 0 1; do echo \"{\\\"q\\\": [$q]}\" >&${tool[1]}; "
+                             "read -t 20 line <&${tool[0]} || exit 9; done; exec {tool[1]}>&-; wait";
+  write_text(scratch_.path / "script", script);
+  EXPECT_EQ(std::system(("bash " + quoted(scratch_.path / "script")).c_str()), 0);
+}
+
+TEST_F(Eval, QuietLeavesErrorsOnly) {
+  const auto model = scratch_.path / "arm.urdf";
+  const std::string text = R"(<robot name="arm"><link name="base"/><link name="l"><visual/>
+    <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+    <joint name="j" type="continuous"><parent link="base"/><child link="l"/></joint></robot>)";
+  write_text(model, text);
+  const std::string arguments = "eval " + quoted(model) + " gravity_forces";
+  const Outcome loud = run_tool(arguments, "{\"q\": [0]}"), quiet = run_tool(arguments + " --quiet", "{\"q\": [0]}");
+  EXPECT_NE(loud.errors, "");
+  EXPECT_EQ(quiet.errors, "");
+  EXPECT_EQ(quiet.output, loud.output);
+  EXPECT_EQ(quiet.status, 0);
+  write_text(model, text.substr(0, text.size() - 8));
+  EXPECT_NE(run_tool(arguments + " --quiet", "{\"q\": [0]}").errors.find("error: "), std::string::npos);
+}
+
+// With a floating base gravity says how the base is oriented.
+TEST(EvalOfFloatingBase, GravityIsRequired) {
+  const std::string arguments = "eval " + quoted(robot("quadruped")) + " gravity_forces";
+  const json zeros = {{"q", std::vector<double>(12, 0.0)}};
+  const Outcome missing = run_tool(arguments, zeros.dump());
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(
+      missing.errors.find(
+          "argument 'gravity' of gravity_forces is missing: gravity (m/s^2) in base coordinates, required because it "
+          "says how the floating base is oriented [missing-argument]"),
+      std::string::npos)
+      << missing.errors;
+  json given = zeros;
+  given["gravity"] = {0, 0, -9.81};
+  EXPECT_EQ(run_tool(arguments, given.dump()).status, 0);
+}
+
+// A state for every argument that the message of an empty one lists.
+json state_of(const std::string& message) {
+  json state = json::object();
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch parts;
+    const std::regex vector("  (\\w+): array of (\\d+) numbers?.*"), square("  (\\w+): array of (\\d+) rows? of .*");
+    if (line.find("; optional") != std::string::npos) continue;
+    if (std::regex_match(line, parts, square)) {
+      const std::size_t n = std::stoul(parts[2]);
+      state[parts[1]] = std::vector<std::vector<double>>(n, std::vector<double>(n, 1.0));
+    } else if (std::regex_match(line, parts, vector)) {
+      state[parts[1]] = std::vector<double>(std::stoul(parts[2]), 0.5);
+    } else if (line.find("  variables: ") == 0) {
+      std::istringstream names(line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1));
+      for (std::string name; std::getline(names >> std::ws, name, ',');) state["variables"][name] = 0.5;
+    }
+  }
+  return state;
+}
+
+// Whatever `ops` lists can be evaluated, with the arguments that its own message asks for and no fewer.
+TEST(EvalOfEveryFunction, ThatOpsLists) {
+  const std::filesystem::path euler = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl";
+  for (const std::filesystem::path& model : {robot("hyl"), robot("hyl_parametric"), robot("any"), euler}) {
+    if (!std::filesystem::exists(model)) continue;
+    const Outcome ops = run_tool("ops --json --effort 0 " + quoted(model));
+    ASSERT_EQ(ops.status, 0) << ops.errors;
+    const json report = json::parse(ops.output);
+    for (const json& f : report["functions"]) {
+      const std::string name = f["name"];
+      const std::string arguments = "eval --quiet " + quoted(model) + " " + name;
+      const Outcome empty = run_tool(arguments, "{}");
+      if (empty.status == 0) continue;  // a constant
+      const Outcome run = run_tool(arguments, state_of(empty.errors).dump());
+      EXPECT_EQ(run.status, 0) << name << "\n" << run.errors;
+      EXPECT_TRUE(json::accept(run.output)) << name;
+    }
+  }
+}
+
+// Jacobian times velocity, and its derivative, are the velocity and the acceleration: of frames that no list names.
+TEST_F(Eval, VelocitiesAndAccelerationsAgreeWithJacobians) {
+  const json state = {{"q", {0.3}}, {"qd", {0.7}}};
+  // The first column of the only result.
+  const auto column = [&](const std::string& function) {
+    json arguments = state;
+    if (function.find("_J_") != std::string::npos) arguments.erase("qd");
+    std::vector<double> values;
+    const json result = eval(function, arguments);
+    for (const json& row : result.front()) values.push_back(row.is_array() ? row[0] : row);
+    return values;
+  };
+  const std::vector<double> spatial = column("jacobians.spatial.fr_base_J_tip");
+  const std::vector<double> twist = column("velocities.fr_base_V_tip");
+  const std::vector<double> J = column("jacobians.fr_base_J_tip"), Jd = column("jacobians.fr_base_Jd_tip");
+  const std::vector<double> bias = column("jacobians.fr_base_Jd_qd_tip");
+  ASSERT_EQ(twist.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(twist[i], spatial[i] * 0.7, kRounding * 10);
+    EXPECT_NEAR(bias[i], Jd[i] * 0.7, kRounding * 10);
+  }
+  EXPECT_NEAR(J[5], -0.5 * std::cos(0.3), kRounding * 10);
+  EXPECT_NEAR(Jd[5], 0.5 * std::sin(0.3) * 0.7, kRounding * 10);
 }
 
 }  // namespace

@@ -142,12 +142,14 @@ TEST_F(Transforms, AreEvaluated) {
   const json X = json::parse(run.output)["X"];
   EXPECT_NEAR(X[0][3].get<double>(), 2 * std::cos(0.3), kRounding * 2);
   EXPECT_NEAR(X[1][0].get<double>(), std::sin(0.3), kRounding);
-  // Defaults hold, absent variables are zero.
-  const Outcome still = run_tool(eval + "elbow_X_hand", R"({"parameters": {"reach": 2}})");
+  // Defaults hold.
+  const Outcome still = run_tool(eval + "elbow_X_hand", R"({"variables": {"bend": 0}, "parameters": {"reach": 2}})");
   ASSERT_EQ(still.status, 0) << still.errors;
   EXPECT_EQ(json::parse(still.output)["X"][0][3], 0.1);
   for (const char* wrong :
-       {"{}", R"({"variables": {"sholder": 1}})", R"({"q": [1]})", R"({"variables": [1]})",
+       {"{}", R"({"variables": {}, "parameters": {"reach": 2}})", R"({"variables": {"shoulder": 0.3}})",
+        R"({"variables": {"sholder": 1}})", R"({"q": [1]})", R"({"variables": [1]})",
+        R"({"variables": {"shoulder": 0.3, "bend": 0}, "parameters": {"reach": 2}})",
         R"({"variables": {"shoulder": "a"}, "parameters": {"reach": 2}})"}) {
     const Outcome refused = run_tool(eval + "upper", wrong);
     EXPECT_EQ(refused.status, 1) << wrong;

@@ -1,0 +1,152 @@
+// Wrong command lines: what they are told, and that none is an internal fault.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "run_tool.h"
+
+namespace robcogen::test {
+namespace {
+
+TEST(Usage, GuessesWhatWasMeant) {
+  const std::string model = quoted(robot("hyl"));
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"chek " + model, "'check'"},
+      {"genrate " + model, "'generate'"},
+      {"check --strct " + model, "'--strict'"},
+      {"ops --algoritms energy " + model, "'--algorithms'"},
+      {"ops " + model + " --algorithms invers_dynamics", "'inverse_dynamics'"},
+      {"ops " + model + " --passes simplfy", "'simplify'"},
+      {"ops " + model + " --passes=frames,cs", "'cse'"},
+      {"generate " + model + " --name h -o o --language mathlab", "'matlab'"},
+      {"generate " + model + " --name h -o o --primitives lefd", "'left'"},
+      {"check " + model + " --error-format mscv", "'msvc'"},
+      {"print " + model + " --program invers_dynamics", "'inverse_dynamics'"},
+      {"eval " + model + " inverse_dynamic", "'inverse_dynamics'"}};
+  for (const auto& [arguments, guess] : cases) {
+    const Outcome run = run_tool(arguments, "{}");
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(run.output, "") << arguments;
+    EXPECT_NE(run.errors.find("hint: did you mean " + guess + "?"), std::string::npos) << run.errors;
+  }
+}
+
+TEST(Usage, NoOptionIsAcceptedAndIgnored) {
+  const Outcome run = run_tool("generate " + quoted(robot("hyl")) + " --name h -o /nowhere/o -I .");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.errors.find("'-I' is not an option of robcogen generate"), std::string::npos) << run.errors;
+}
+
+TEST(Usage, EverySingleStepAndNone) {
+  for (const char* steps :
+       {"none", "regroup", "choose-fd", "frames", "turn-inertia", "simplify", "reassociate", "cse", "dead-code", "sink",
+        "lanes", "lanes,frames", "sink,lanes", "cse,cse"})
+    for (const char* name : {"hyl", "hyl_parametric", "quadruped"}) {
+      const std::string command = "ops --lanes --algorithms inverse_dynamics,jacobians --passes ";
+      const Outcome run = run_tool(command + steps + " " + quoted(robot(name)));
+      EXPECT_EQ(run.status, 0) << name << " " << steps << "\n" << run.errors;
+      EXPECT_NE(run.output, "") << name << " " << steps;
+    }
+  const Outcome both = run_tool("ops --passes none,cse " + quoted(robot("hyl")));
+  EXPECT_EQ(both.status, 2);
+  EXPECT_NE(both.errors.find("--passes: 'none' excludes other steps"), std::string::npos) << both.errors;
+}
+
+// Words of the command line put together at random, over small documents.
+TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
+  const Scratch scratch("fuzz");
+  const auto file = [&](const std::string& name, const std::string& text) {
+    write_text(scratch.path / name, text);
+    return quoted(scratch.path / name);
+  };
+  const std::string motions = file("m.motdsl", "Model m Convention = local a -> b : rotx(q)");
+  const std::vector<std::string> subcommands = {"check", "print", "ops", "eval", "convert", "generate", "''", "--help"};
+  const std::vector<std::string> words = {
+      quoted(robot("hyl")),
+      motions,
+      file("empty.kindsl", ""),
+      file("bytes.kindsl", "\xff\xfe Robot \x80"),
+      file("new\nline.kindsl", "Robot"),
+      file("x.urdf", "<robot name='r'><link name='a'/></robot>"),
+      file("list.dtdsl", "Robot HyL Transforms { fr_base <- fr_foot }"),
+      quoted(scratch.path / "out.urdf"),
+      quoted(scratch.path / "out.ctdsl"),
+      quoted(scratch.path / "none"),
+      quoted(scratch.path),
+      "''",
+      "-",
+      "--",
+      "'\n'",
+      "$'\\xff\\xfe'",
+      "999999999999999999999",
+      "-1",
+      "nan",
+      "1e999",
+      std::string(5000, 'x'),
+      "inverse_dynamics",
+      "jacobians.fr_base_J_fr_foot",
+      "jacobians.",
+      "transforms.homogeneous._X_",
+      "update_both",
+      "--strict",
+      "--quiet",
+      "--strict=2",
+      "--desired",
+      "--passes",
+      "--passes=none",
+      "--passes=frames",
+      "--passes=,",
+      "--passes=lanes,sink",
+      "--effort",
+      "--effort=0",
+      "--effort=3",
+      "--effort=''",
+      "--floating-base",
+      "--snap-angles",
+      "--free-mimic-joints",
+      "--allow-implausible",
+      "--error-format",
+      "--error-format=msvc",
+      "--algorithms",
+      "--algorithms=energy,jacobians",
+      "--algorithms=",
+      "--lanes",
+      "--json",
+      "--json=false",
+      "--program",
+      "--program=gravity_forces",
+      "--position=left",
+      "--name",
+      "--name=hyl",
+      "--name=$'\\xff'",
+      "--namespace=a::b",
+      "--namespace=::",
+      "--batch",
+      "--language=matlab",
+      "--language=maxima",
+      "--language=cpp",
+      "--primitives=left",
+      "-o",
+      "-o" + quoted(scratch.path / "gen"),
+      "--depfile=" + quoted(scratch.path / "d"),
+      "--depfile-target=t",
+      "--stamp=" + quoted(scratch.path / "s"),
+      "--list-outputs",
+      "--version"};
+  std::mt19937 random(1);
+  const auto pick = [&](const std::vector<std::string>& list) { return list[random() % list.size()]; };
+  const std::string script = quoted(scratch.path / "script");
+  for (int i = 0; i < 250; ++i) {
+    std::string line = "'" ROBCOGEN_TOOL "' " + pick(subcommands);
+    for (auto left = 1 + random() % 5; left > 0; --left) line += " " + pick(words);
+    write_text(scratch.path / "script", line + " <<< '{\"q\": [0, 0, 0]}'\n");
+    const int status = std::system(("bash " + script + " > /dev/null 2> " + quoted(scratch.path / "errors")).c_str());
+    const std::string errors = read_text(scratch.path / "errors");
+    ASSERT_TRUE(WIFEXITED(status)) << line << errors;
+    EXPECT_LT(WEXITSTATUS(status), 3) << line << "\n" << errors;
+    EXPECT_EQ(WEXITSTATUS(status) != 0, errors.find("error") != std::string::npos) << line << "\n" << errors;
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::test

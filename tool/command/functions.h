@@ -1,0 +1,19 @@
+// A single function of a model by the name that `ops` prints, ready to be evaluated.
+#pragma once
+
+#include "command/arguments.h"
+#include "command/command.h"
+
+namespace robcogen::command {
+
+struct EvaluableFunction {
+  Signature signature;
+  symbolic::Program program;  // takes all arguments of the signature
+};
+
+// Throws a Failure, with a hint, when the model has no such function. Of a robot also between frames that its list of
+// desired transforms does not name; only what is asked for is traced.
+EvaluableFunction find_function(const Robot& robot, const std::string& name, const Steps& steps);
+EvaluableFunction find_function(const Transforms& transforms, const std::string& name, const Steps& steps);
+
+}  // namespace robcogen::command

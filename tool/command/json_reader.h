@@ -1,0 +1,82 @@
+// JSON values one after the other, from a stream that may be a pipe without end: each is handed on as soon as its last
+// byte is there.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace robcogen::command {
+
+// A value, and the line that it is on.
+struct JsonValue {
+  enum class Kind { null, boolean, number, text, array, object };
+  // What a number has not; apart, so that an array of numbers stays small.
+  struct Content {
+    std::string text;
+    std::vector<std::string> names;  // of an object's members
+    std::vector<JsonValue> values;   // of an array's or an object's members
+  };
+
+  Kind kind = Kind::null;
+  std::size_t line = 0;  // from 1; of an array or object, where it begins
+  double number = 0;
+  std::unique_ptr<Content> content = nullptr;  // of texts, arrays and objects
+
+  bool is_number() const { return kind == Kind::number; }
+  bool is_array() const { return kind == Kind::array; }
+  bool is_object() const { return kind == Kind::object; }
+  const std::vector<JsonValue>& values() const { return content->values; }
+  const std::vector<std::string>& names() const { return content->names; }
+  // The member of an object; nullptr when it has none of this name.
+  const JsonValue* find(const std::string& name) const;
+};
+
+// `a string`, `an array of 3 numbers`: what was found instead of what was expected.
+std::string describe(const JsonValue& value);
+
+// Throws the Failure `<standard input>:<line>: error: <message>`, status wrong_input.
+[[noreturn]] void refuse_input(std::size_t line, const std::string& message);
+
+class JsonReader {
+ public:
+  // One object is no longer, nor nested deeper.
+  static constexpr std::size_t kMaxSize = std::size_t{16} << 20;  // bytes
+  static constexpr std::size_t kMaxDepth = 16;
+
+  // The messages call the stream <standard input>.
+  explicit JsonReader(std::FILE* file) : file_(file) {}
+
+  // The next object, of a sequence of objects (one a line, or with any white space between them) or of one array of
+  // objects; nullopt at the end. A Failure that says the line: for what is not JSON, a name given twice in an object, a
+  // number beyond the range of double, and what exceeds the limits. A Failure with wrong_usage when reading fails.
+  std::optional<JsonValue> next();
+
+  // Of what was read last, from 1.
+  std::size_t line() const { return line_; }
+
+ private:
+  class Iterator;
+  class Handler;
+
+  int peek();
+  void take();
+  int skip_space();
+  void begin_array();
+  bool go_on_in_array();
+  JsonValue read_object();
+
+  std::FILE* file_;
+  std::optional<int> ahead_;  // read, not taken
+  std::size_t line_ = 1;
+  bool ended_line_ = false;  // the byte taken last ended a line
+  std::size_t size_ = 0;     // bytes since the last value
+  bool in_array_ = false;
+  bool is_first_ = true;
+  bool is_over_ = false;
+};
+
+}  // namespace robcogen::command
