@@ -66,16 +66,44 @@ TEST(Documents, KnowNamedConstants) {
   EXPECT_EQ(tree.joints[0].placement.translation[0].number().value(), 1.6);
 }
 
-TEST(Documents, TellsAboutTwoParametersOfOneName) {
+TEST(Documents, MakeOneParameterOfOneName) {
   Diagnostics diagnostics;
-  const auto tree = test::tree_of(arm("x", "(x, 0.0, 0.0)", "(x, 0.0, 0.0)"), diagnostics);
+  const auto tree = test::tree_of(arm("2.0*x[0.5]", "(x, 0.0, 0.0)", "(x, 0.0, m)"), diagnostics);
   ASSERT_TRUE(tree.has_value());
-  EXPECT_EQ(diagnostics.all().size(), 2u);  // mass and length; length and angle
+  EXPECT_EQ(diagnostics.all().size(), 1u);  // length and angle
   ASSERT_EQ(tree->parameters.size(), 2u);
+  const Parameter& x = tree->parameters[0];
+  EXPECT_EQ(x.kind, ParameterKind::length);
+  EXPECT_EQ(x.default_value, 0.5);
+  EXPECT_TRUE(is_kinematics(x) && is_dynamics(x));
+  EXPECT_TRUE(is_kinematics(tree->parameters[1]) && !is_dynamics(tree->parameters[1]));
   const std::vector<double> values = {10.0, 20.0};
-  EXPECT_EQ(evaluate(tree->links[1].inertia->mass, values), 10.0);
-  EXPECT_EQ(evaluate(tree->joints[0].placement.translation[0], values), 20.0);
-  EXPECT_EQ(evaluate(tree->joints[0].placement.rotation[0], values), 20.0);
+  EXPECT_EQ(evaluate(tree->links[1].inertia->mass, values), 20.0);
+  EXPECT_EQ(evaluate(tree->joints[0].placement.translation[0], values), 10.0);
+  EXPECT_EQ(evaluate(tree->joints[0].placement.rotation[0], values), 10.0);
+}
+
+// Mass properties are read first, or last: that decides nothing.
+TEST(Documents, TakeTheUnitOfAParameterFromItsPlacement) {
+  const KinematicTree tree = read(
+      "Robot Arm { RobotBase base { children { upper via shoulder } }\n"
+      "link upper { id = 1 inertia_params { mass = 1.0 + 0.0*tilt CoM = (0.0, 0.0, len/2.0)\n"
+      "Ix=0.3 + len*len/4.0 Iy=0.3 + len*len/4.0 Iz=0.2 Ixy=0.0 Ixz=0.0 Iyz=0.0 } children { }\n"
+      "frames { tip { translation = (0.0, 0.0, len[0.4]) rotation = (tilt, 0.0, 0.0) } } }\n"
+      "r_joint shoulder { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }\n");
+  ASSERT_EQ(tree.parameters.size(), 2u);
+  for (const Parameter& p : tree.parameters) {
+    EXPECT_EQ(p.kind, p.name == "len" ? ParameterKind::length : ParameterKind::angle);
+    EXPECT_TRUE(is_kinematics(p) && is_dynamics(p)) << p.name;
+  }
+}
+
+TEST(Documents, KnowAParameterCalledPi) {
+  const KinematicTree tree = read(arm("1.0", "(Pi[3.0], pi, 2.0*Pi)", "(PI, 0.0, 0.0)"));
+  ASSERT_EQ(tree.parameters.size(), 1u);
+  const std::vector<double> values = {4.0};
+  EXPECT_EQ(evaluate(tree.joints[0].placement.translation[2], values), 8.0);
+  EXPECT_EQ(tree.joints[0].placement.translation[1].number(), Number::pi_multiple(1));
 }
 
 TEST(Documents, GiveAReferenceFrameThatDependsOnAParameter) {

@@ -48,8 +48,9 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
       for (Quantity& q : joint.placement.translation) make_parameter(q, ParameterKind::length);
     for (model::Link& link : robot.links)
       if (link.inertia) make_parameter(link.inertia->mass, ParameterKind::inertial);
-    std::vector<bool> is_dynamics;
-    for (const model::Parameter& p : robot.parameters) is_dynamics.push_back(model::is_dynamics(p.kind));
+    std::vector<pass::Interfaces> interfaces;
+    for (const model::Parameter& p : robot.parameters)
+      interfaces.push_back({model::is_kinematics(p), model::is_dynamics(p)});
 
     algorithm::Formulations parametric_frames(robot, {.effort = 1}), constant_frames(constant, {.effort = 1});
     std::vector<symbolic::Program> programs, constants;
@@ -60,7 +61,7 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
       for (const algorithm::RobotFunction& f : algorithm::functions(constant, {}, group, constant_frames))
         constants.push_back(f.program);
     }
-    const pass::SplitPrograms split = pass::split_parameters(programs, is_dynamics);
+    const pass::SplitPrograms split = pass::split_parameters(programs, interfaces);
     for (std::size_t k = 0; k < programs.size(); ++k) {
       const int parametric_cost = symbolic::count(pass::run(split.programs[k])).instructions;
       const int constant_cost = symbolic::count(pass::run(constants[k])).instructions;

@@ -45,7 +45,8 @@ void for_each_quantity(KinematicTree& robot, const Function& f) {
   }
 }
 
-// A share of the numbers become parameters, alone or in expressions; some share one.
+// A share of the numbers become parameters, alone or in expressions. Of each kind some are parameters of both
+// interfaces.
 Parametric parametric(const KinematicTree& constant, std::uint64_t seed) {
   Parametric result{constant, {}};
   std::mt19937_64 engine(seed);
@@ -71,6 +72,7 @@ Parametric parametric(const KinematicTree& constant, std::uint64_t seed) {
     }
     const double inverse[] = {value, -value, value / 2, value - 0.25};
     result.robot.parameters.push_back({"p" + std::to_string(index), kind, {}, {}});
+    result.robot.parameters.back().is_in_masses_too = kind != ParameterKind::inertial && engine() % 3 == 0;
     result.values.push_back(inverse[choice]);
   });
   return result;
@@ -169,10 +171,10 @@ TEST(Parameters, SplitOffChangeNoResult) {
     for (const std::string& group : algorithm::groups())
       for (const algorithm::RobotFunction& f : algorithm::functions(p.robot, random_desired(seed, p.robot), group))
         programs.push_back(f.program);
-    std::vector<bool> is_dynamics;
+    std::vector<pass::Interfaces> interfaces;
     for (const model::Parameter& parameter : p.robot.parameters)
-      is_dynamics.push_back(model::is_dynamics(parameter.kind));
-    const pass::SplitPrograms split = pass::split_parameters(programs, is_dynamics);
+      interfaces.push_back({model::is_kinematics(parameter), model::is_dynamics(parameter)});
+    const pass::SplitPrograms split = pass::split_parameters(programs, interfaces);
 
     std::mt19937_64 engine(seed);
     std::vector<double> values = p.values;
@@ -212,7 +214,7 @@ TEST(Parameters, SplitOffChangeNoResult) {
     expect_equal_results();
     for (const bool dynamic : {true, false}) {
       for (std::size_t k = 0; k < values.size(); ++k)
-        if (is_dynamics[k] == dynamic) values[k] *= 1.1;
+        if (dynamic ? interfaces[k].dynamics : interfaces[k].kinematics) values[k] *= 1.1;
       (dynamic ? dynamics : kinematics) = part(dynamic ? split.dynamics : split.kinematics);
       both = part(split.both);
       expect_equal_results();

@@ -139,7 +139,7 @@ class Both {
   double value_of(const std::string& parameter) const {
     const std::vector<double> values = parameters_of(robot_);
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (robot_.parameters[i].name == parameter && !model::is_dynamics(robot_.parameters[i].kind)) return values[i];
+      if (robot_.parameters[i].name == parameter && model::is_kinematics(robot_.parameters[i])) return values[i];
     ADD_FAILURE() << "the motions have a parameter that the robot has not: " << parameter;
     return 0;
   }

@@ -61,9 +61,6 @@ double use() {
 #ifdef GETTER_MISSING
   sum += Incomplete().get_size();
 #endif
-#ifdef AMBIGUOUS_NAME
-  sum += defaults::ParameterValues().size;
-#endif
 #ifdef UPDATE_OF_SHARED
   parameters.update(defaults::ParameterValues());
 #endif

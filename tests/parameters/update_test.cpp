@@ -38,7 +38,7 @@ class Scaled : public KinematicsParameters, public DynamicsParameters {
   double get_trunk_mass() const noexcept override { return scale_ * values_.trunk_mass; }
   double get_trunk_x() const noexcept override { return scale_ * values_.trunk_x; }
   double get_trunk_xy() const noexcept override { return scale_ * values_.trunk_xy; }
-  double get_size() const noexcept override { return scale_ * values_.DynamicsValues::size; }  // in both interfaces
+  double get_size() const noexcept override { return scale_ * values_.size; }  // of both interfaces
 
  private:
   ParameterValues values_;
@@ -49,8 +49,12 @@ TEST(Update, TheDefaultsAreThoseOfTheDocument) {
   const ParameterValues values;
   EXPECT_EQ(values.trunk_mass, 6.0);
   EXPECT_EQ(values.lean, -0.2);
-  EXPECT_EQ(values.DynamicsValues::size, 0.9);
-  EXPECT_EQ(values.KinematicsValues::size, 0.7);
+  EXPECT_EQ(values.size, 0.9);
+  EXPECT_EQ(values.get_size(), 0.9);
+  EXPECT_EQ(static_cast<const KinematicsParameters&>(values).get_size(), 0.9);
+  EXPECT_EQ(static_cast<const DynamicsParameters&>(values).get_size(), 0.9);
+  EXPECT_EQ(KinematicsValues().size, 0.9);
+  EXPECT_EQ(DynamicsValues().size, 0.9);
   EXPECT_TRUE(same(Parameters<>(), Parameters<>(values)));
 }
 
@@ -64,20 +68,53 @@ TEST(Update, OfOneInterfaceLeavesTheOthersValues) {
   EXPECT_EQ(p.values().trunk_mass, 6.0);
   p.update(static_cast<const DynamicsParameters&>(others));
   EXPECT_TRUE(same(p, Parameters<>(others)));
-  p.update(static_cast<const DynamicsParameters&>(defaults));
+  ParameterValues masses_before = defaults;
+  masses_before.size = others.size;
+  p.update(static_cast<const DynamicsParameters&>(masses_before));
   EXPECT_TRUE(same(p, Parameters<>(others, defaults)));
 }
 
+// `size` moves the hand, and is a factor of masses.
+TEST(Update, OfEitherInterfaceSetsWhatStandsInBoth) {
+  const auto hand = [](const Parameters<>& p) { return transforms::homogeneous::fr_arm_X_hand(p, kQ)(1, 3); };
+  const auto weight = [](const Parameters<>& p) { return gravity_forces(p, kQ)(0); };
+  Parameters<> p;
+  EXPECT_DOUBLE_EQ(hand(p), 0.09);
+  const double old_weight = weight(p);
+  KinematicsValues kinematics;
+  kinematics.size = 1.2;
+  p.update(kinematics);
+  EXPECT_DOUBLE_EQ(hand(p), 0.12);
+  EXPECT_NE(weight(p), old_weight);
+  EXPECT_EQ(p.values().size, 1.2);
+  ParameterValues grown;
+  grown.size = 1.2;
+  EXPECT_TRUE(same(p, Parameters<>(grown)));
+
+  DynamicsValues dynamics;
+  dynamics.size = 0.5;
+  p.update(dynamics);
+  EXPECT_DOUBLE_EQ(hand(p), 0.05);
+  grown.size = 0.5;
+  EXPECT_TRUE(same(p, Parameters<>(grown)));
+
+  p.update(kinematics, dynamics);
+  EXPECT_EQ(p.values().size, 1.2);
+}
+
+TEST(Update, ListsWhatStandsInBothOnce) {
+  EXPECT_EQ(std::count(kParameterNames.begin(), kParameterNames.end(), std::string("size")), 1);
+}
+
 TEST(Update, ReadsTheUsersOwnInterfaces) {
-  ParameterValues values = other_values<ParameterValues>();
-  values.KinematicsValues::size = values.DynamicsValues::size;
+  const ParameterValues values = other_values<ParameterValues>();
   const Scaled same_values(values, 1), doubled(values, 2);
   EXPECT_TRUE(same(Parameters<>(same_values, same_values), Parameters<>(values)));
   Parameters<> p(values);
   p.update(same_values, doubled);
   EXPECT_EQ(p.values().trunk_mass, 15);
   EXPECT_EQ(p.values().upper, 0.5);
-  EXPECT_EQ(p.values().DynamicsValues::size, 2 * p.values().KinematicsValues::size);
+  EXPECT_EQ(p.values().size, values.size);  // both give it, and kinematics are asked
 }
 
 TEST(Update, ValuesAndArraysGoThereAndBack) {
@@ -107,7 +144,8 @@ TEST(Update, ACopyIsAValue) {
 TEST(Update, KinematicsDoNotReadDynamics) {
   Parameters<> p;
   const Eigen::Matrix4d before = transforms::homogeneous::fr_trunk_X_hand(p, kQ);
-  const ParameterValues others = other_values<ParameterValues>();
+  ParameterValues others = other_values<ParameterValues>();
+  others.size = ParameterValues().size;
   p.update(static_cast<const DynamicsParameters&>(others));
   EXPECT_EQ(transforms::homogeneous::fr_trunk_X_hand(p, kQ), before);
   p.update(static_cast<const KinematicsParameters&>(others));

@@ -11,8 +11,7 @@ ParameterValues other_values() {
   v.trunk_xy = 0.05;
   v.camera_x = 0.15;
   v.camera_tilt = -0.7;
-  v.DynamicsValues::size = 1.1;  // a factor of masses
-  v.KinematicsValues::size = 0.4;
+  v.size = 1.1;
   v.shoulder_y = -0.02;
   v.shoulder_zz = 0.11;
   v.shoulder_xz = -0.003;

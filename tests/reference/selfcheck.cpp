@@ -104,7 +104,7 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
       const CompiledRobot<R> subject(tables.robot(), R{parameters_of<R>(*values)});
       check<R>(tables.robot(), subject, engine, samples, checks);
       if constexpr (kHasCentroidal) check_total_mass(subject, tables.robot(), checks, set);
-      check_updates<R>(*values, before ? *before : *values, checks, set);
+      check_updates<R>(robot, *values, before ? *before : *values, checks, set);
       before = values;
     }
   } else {

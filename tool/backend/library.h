@@ -56,7 +56,8 @@ struct FrameData {
 struct ParameterData {
   std::string name;
   double default_value = std::numeric_limits<double>::quiet_NaN();  // not a number: none
-  bool is_dynamics = false;  // stands in mass properties; else in the placement of a joint or frame
+  bool is_kinematics = true;  // stands in the placement of a joint or frame
+  bool is_dynamics = false;   // stands in mass properties
 };
 
 // What a user's Rx(a) maps coordinates to: right: from the frame rotated by +a to the original frame; left: the
@@ -137,7 +138,7 @@ struct Library {
   std::vector<Function> functions;
   // For languages that cache what follows from parameters alone (`functions` then read the cache as their parameters),
   // of robots that have some. Each update computes a part of the cache from the parameters: what depends on kinematics
-  // parameters alone, on dynamics parameters alone, on both; the parts stand one after another.
+  // parameters alone, on dynamics parameters alone, on parameters of both or on one that is both; the parts stand one after another.
   std::vector<Function> updates;
   // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
   std::vector<Function> numbers;

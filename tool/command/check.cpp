@@ -38,7 +38,7 @@ Status check(const Options& options) {
   for (const std::string& file : options.files) (is_desired(file) ? lists : models).push_back(file);
   Diagnostics diagnostics;
   for (const std::string& model : models) {
-    const Reading reading = {{}, options.strict, options.urdf};
+    const Reading reading = {{}, options.strict, options.urdf, true};
     if (is_transforms(model))
       load_transforms(model, reading, diagnostics);
     else
@@ -50,7 +50,7 @@ Status check(const Options& options) {
     else
       language::desired::parse(read_source(list), diagnostics);
   }
-  if (options.strict) promote_desired_warnings(diagnostics);
+  if (options.strict) promote_strict_warnings(diagnostics);
   report(diagnostics.render(format_of(options.error_format)));
   return diagnostics.has_errors() ? wrong_input : ok;
 }
@@ -61,7 +61,7 @@ Action declare_check(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("check", "Reads documents and reports what is wrong with them");
   auto options = std::make_shared<Options>();
   subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, .motdsl, .ctdsl, .dtdsl)")->required();
-  subcommand->add_flag("--strict", options->strict, "Warnings of desired-transforms documents are errors");
+  subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return check(*options); };

@@ -36,6 +36,9 @@ struct Programs {
   std::vector<NamedProgram> list;
 };
 
+inline constexpr const char* kStrictHelp =
+    "Warnings of the desired-transforms document, and of names and angles that may be accidents, are errors";
+
 // Options that several subcommands share.
 struct ModelOptions {
   std::string model;
@@ -44,8 +47,9 @@ struct ModelOptions {
   import::UrdfOptions urdf;
   std::string error_format = "gnu";
   Steps steps;
-  bool quiet = false;  // no warnings and notes
-  bool lanes = false;  // programs where equal limbs share lanes, if that is faster
+  bool quiet = false;             // no warnings and notes
+  bool lists_parameters = false;  // a note with the model's parameters; no option
+  bool lanes = false;             // programs where equal limbs share lanes, if that is faster
 
   void declare(CLI::App& subcommand);
   // Loads the robot and reports diagnostics; nullopt when there was an error.

@@ -192,9 +192,9 @@ std::optional<std::string> convert_motions(const Options& options, Diagnostics& 
     const language::desired::Document list = language::desired::parse(read_source(options.desired), diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     pairs = import::desired_frame_pairs(list, *motions, diagnostics);
-    if (options.strict) promote_desired_warnings(diagnostics);
-    if (diagnostics.has_errors()) return std::nullopt;
   }
+  if (options.strict) promote_strict_warnings(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   return transforms_document(options, *motions, pairs);
 }
 
@@ -228,7 +228,7 @@ Action declare_convert(CLI::App& application) {
   subcommand->add_option("--desired", options->desired, "Which transforms a .ctdsl gets (.dtdsl)");
   subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
       ->check(one_of({"left", "right"}));
-  subcommand->add_flag("--strict", options->strict, "Warnings of the desired-transforms document are errors");
+  subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return convert(*options); };

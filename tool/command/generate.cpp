@@ -208,6 +208,7 @@ Action declare_generate(CLI::App& application) {
       application.add_subcommand("generate", "Generates the library of a robot or of coordinate transforms");
   auto options = std::make_shared<Options>();
   options->model.declare(*subcommand);
+  options->model.lists_parameters = true;
   subcommand->get_option("model")->required(false);
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();

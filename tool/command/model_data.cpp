@@ -78,7 +78,8 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   for (const model::Parameter& p : tree.parameters) {
     backend::ParameterData data = {p.name};
     if (p.default_value) data.default_value = *p.default_value;
-    data.is_dynamics = model::is_dynamics(p.kind);
+    data.is_kinematics = model::is_kinematics(p);
+    data.is_dynamics = model::is_dynamics(p);
     library.parameters.push_back(std::move(data));
   }
 }

@@ -94,7 +94,7 @@ void ModelOptions::declare(CLI::App& subcommand) {
   subcommand.add_option("model", model, "Robot (.kindsl or .urdf), motions (.motdsl) or transforms (.ctdsl)")
       ->required();
   subcommand.add_option("--desired", desired, "Desired transforms and Jacobians (.dtdsl)");
-  subcommand.add_flag("--strict", strict, "Warnings of the desired-transforms document are errors");
+  subcommand.add_flag("--strict", strict, kStrictHelp);
   subcommand
       .add_option_function<std::vector<std::string>>(
           "--passes", [this](const std::vector<std::string>& names) { steps.names = chosen_steps(names); },
@@ -118,6 +118,7 @@ Reading ModelOptions::reading() const {
   if (!desired.empty()) result.desired = desired;
   result.strict = strict;
   result.urdf = urdf;
+  result.lists_parameters = lists_parameters;
   return result;
 }
 

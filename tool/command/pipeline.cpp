@@ -11,8 +11,10 @@
 #include "algorithm/primitive_product.h"
 #include "command/accurate_functions.h"
 #include "command/model_data.h"
+#include "command/parameter_list.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
+#include "import/names.h"
 #include "language/common/content.h"
 #include "pass/pack_lanes.h"
 #include "pass/passes.h"
@@ -114,8 +116,11 @@ bool is_urdf(const std::filesystem::path& model) {
 std::optional<Robot> load_robot(const std::filesystem::path& model, const Reading& reading, Diagnostics& diagnostics) {
   std::optional<Robot> robot = load_model(model, reading.urdf, diagnostics);
   if (!robot) return std::nullopt;
+  if (reading.strict) promote_strict_warnings(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   robot->model = model;
   robot->read.push_back(model);
+  if (reading.lists_parameters) list_parameters(robot->tree.parameters, diagnostics);
   if (!reading.desired) {
     robot->desired = model::default_desired(robot->tree);
     return robot;
@@ -124,13 +129,14 @@ std::optional<Robot> load_robot(const std::filesystem::path& model, const Readin
   robot->read.push_back(*reading.desired);
   if (diagnostics.has_errors()) return std::nullopt;
   robot->desired = import::desired_transforms(list, robot->tree, diagnostics);
-  if (reading.strict) promote_desired_warnings(diagnostics);
+  if (reading.strict) promote_strict_warnings(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return robot;
 }
 
-void promote_desired_warnings(Diagnostics& diagnostics) {
+void promote_strict_warnings(Diagnostics& diagnostics) {
   diagnostics.promote_warnings(import::lenient_codes());
+  diagnostics.promote_warnings(import::accident_codes());
 }
 
 void require_traceable(const Robot& robot) {
@@ -303,10 +309,10 @@ backend::Library split_library(
   backend::Library result = library(robot, names, groups, choices);
   std::vector<symbolic::Program> programs;
   for (backend::Function& function : result.functions) programs.push_back(std::move(function.program));
-  std::vector<bool> is_dynamics;
-  for (const backend::ParameterData& p : result.parameters) is_dynamics.push_back(p.is_dynamics);
-  pass::SplitPrograms split = pass::split_parameters(programs, is_dynamics);
-  for_each_index(programs.size(), [&](std::size_t i) {
+  std::vector<pass::Interfaces> interfaces;
+  for (const backend::ParameterData& p : result.parameters) interfaces.push_back({p.is_kinematics, p.is_dynamics});
+  pass::SplitPrograms split = pass::split_parameters(std::move(programs), interfaces);
+  for_each_index(split.programs.size(), [&](std::size_t i) {
     result.functions[i].program = pass::run(std::move(split.programs[i]), passes);
   });
   const auto add_update = [&](symbolic::Program& program, const std::string& what) {

@@ -34,8 +34,9 @@ std::shared_ptr<const Source> read_source(const std::filesystem::path& path);
 // How a robot is read from its documents.
 struct Reading {
   std::optional<std::filesystem::path> desired;  // the default list, when there is none
-  bool strict = false;                           // warnings of the desired-transforms language are errors
+  bool strict = false;                           // see promote_strict_warnings
   import::UrdfOptions urdf;                      // for models in URDF
+  bool lists_parameters = false;                 // a note with the model's parameters
 };
 
 // By the ending `.urdf`, or by content: a URDF may be called otherwise.
@@ -44,8 +45,9 @@ bool is_urdf(const std::filesystem::path& model);
 // nullopt when an error was reported.
 std::optional<Robot> load_robot(const std::filesystem::path& model, const Reading& reading, Diagnostics& diagnostics);
 
-// Makes errors of the warnings that the original tool refused in desired-transforms documents.
-void promote_desired_warnings(Diagnostics& diagnostics);
+// Makes errors of the warnings that the original tool refused in desired-transforms documents, and of those about
+// names and angles that may be accidents.
+void promote_strict_warnings(Diagnostics& diagnostics);
 
 // Straight-line programs for more joints than this help nobody: the inertia matrix alone has a million elements. Checks
 // and prints of documents know no such bound.

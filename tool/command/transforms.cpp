@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "command/parameter_list.h"
 #include "export/frames.h"
 #include "import/frames.h"
 #include "pass/passes.h"
@@ -26,7 +27,7 @@ std::optional<std::vector<FrameNames>> desired_pairs(
   const language::desired::Document list = language::desired::parse(read_source(*reading.desired), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<FrameNames> pairs = import::desired_frame_pairs(list, motions, diagnostics);
-  if (reading.strict) promote_desired_warnings(diagnostics);
+  if (reading.strict) promote_strict_warnings(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return pairs;
 }
@@ -193,7 +194,9 @@ std::optional<Transforms> load_transforms(
       is_motions(model) ? load_motions(source, reading, diagnostics) : load_document(source, reading, diagnostics);
   if (!transforms) return std::nullopt;
   refuse_one_name_for_two(*transforms, diagnostics, {source, {}});
+  if (reading.strict) promote_strict_warnings(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
+  if (reading.lists_parameters) list_parameters(transforms->document.parameters, diagnostics);
   transforms->model = model;
   transforms->read.push_back(model);
   if (reading.desired) transforms->read.push_back(*reading.desired);

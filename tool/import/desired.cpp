@@ -94,7 +94,12 @@ class FrameResolver {
     Diagnostic& warning = diagnostics_.warning(
         "unknown-frame", place(name.span),
         fmt::format("{} '{}' has no frame '{}'{}", frames_.kind, frames_.owner, name.text, consequence));
-    if (const auto similar = frames_.index.nearest_to(name.text)) {
+    const bool is_world = name.text == "world" || name.text == model::implicit_frame_name("world");
+    if (is_world && frames_.kind == "robot") {
+      warning.hint = fmt::format(
+          "the base stands in the world, or moves in it where it is 'floating': its frame is '{}'",
+          frames_.index.name_of(0));
+    } else if (const auto similar = frames_.index.nearest_to(name.text)) {
       warning.hint = fmt::format("did you mean '{}'?", frames_.index.name_of(*similar));
     }
   }

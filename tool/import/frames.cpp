@@ -122,6 +122,7 @@ class MotionsReader {
     }
     mention_empty_motions();
     motions.parameters = reader_.quantities().parameters();
+    reader_.quantities().report_accidents();
     motions.variables = reader_.quantities().variables();
     motions.frames = reader_.frames();
     return motions;
@@ -221,6 +222,7 @@ std::optional<model::CoordinateTransforms> coordinate_transforms(
     result.transforms.push_back(std::move(read));
   }
   result.parameters = reader.quantities().parameters();
+  reader.quantities().report_accidents();
   result.variables = reader.quantities().variables();
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   return result;

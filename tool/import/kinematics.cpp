@@ -53,6 +53,7 @@ class Describer {
     }
     for (const kinematics::Joint& joint : document_.joints) description.joints.push_back(describe(joint));
     description.parameters = reader_.parameters();
+    reader_.report_accidents();
     return description;
   }
 

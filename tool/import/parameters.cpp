@@ -56,12 +56,13 @@ void QuantityReader::declare_group(const language::ParameterGroup& group) {
     const Place place = {source_, name.span};
     entry->second.parameters.push_back(name.text);
     if (!grouped_.insert(name.text).second) {
-      const Parameter& earlier = parameters_[static_cast<std::size_t>(kinematics_parameters_.at(name.text))];
+      const Parameter& earlier = parameters_[static_cast<std::size_t>(parameter_indices_.at(name.text))];
       diagnostics_.error("duplicate-parameter", place, fmt::format("parameter '{}' is declared twice", name.text))
           .notes.push_back({earlier.place, "first declared here"});
       continue;
     }
     unused_.insert(name.text);
+    uses_.declare(name.text, place);
     add_parameter(name.text, ParameterKind::length, place);
   }
 }
@@ -71,6 +72,7 @@ void QuantityReader::declare_names_in(const Expression& expression) {
     if (expression.left) declare_constant(expression);
     return;
   }
+  if (expression.default_value) with_default_.insert(expression.name);
   if (expression.is_parameter) parameters_by_spelling_.insert({expression.name, place(expression)});
   if (expression.left) declare_names_in(*expression.left);
   if (expression.right) declare_names_in(*expression.right);
@@ -91,6 +93,7 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   const int faults_before = faults_;
   const Quantity result = finite(expression, kind);
   if (faults_ > faults_before) return result;
+  if (kind == ParameterKind::angle && result.is_constant()) check_angle(expression, result.number());
   const double least = least_magnitude(result);
   if (least < kNothing && result.is_constant()) return Quantity();
   if (least < kTooLarge) return result;
@@ -102,6 +105,15 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   return fault(diagnostics_.error(
       "too-large", place(expression),
       fmt::format("{} is too large: what a robot has is below {} in SI units", what, print_double(kTooLarge))));
+}
+
+void QuantityReader::check_angle(const Expression& expression, const Number& angle) {
+  // A multiple of PI is meant; and 6.2832 is a turn.
+  constexpr double kTurn = 6.2833;
+  if (angle.is_pi_multiple() || std::abs(angle.value()) < kTurn || std::abs(angle.value()) > kTooLarge) return;
+  diagnostics_
+      .warning("large-angle", place(expression), fmt::format("{} rad is more than a turn", print_double(angle.value())))
+      .hint = "are these degrees? Angles are in rad, and one degree is 'PI/180.0'";
 }
 
 double QuantityReader::least_magnitude(const Quantity& q) const {
@@ -140,7 +152,8 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
     case Expression::Kind::number:
       return Quantity(expression.number);
     case Expression::Kind::pi:
-      if (grouped_.contains(expression.name)) return parameter(expression, kind);
+      if (grouped_.contains(expression.name) || with_default_.contains(expression.name))
+        return parameter(expression, kind);
       return Quantity(Number::pi_multiple(1));
     case Expression::Kind::name:
       return name(expression, kind);
@@ -159,6 +172,8 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
     }
     case Expression::Kind::multiply: {
       const Quantity a = left(), b = right();
+      const bool is_name = expression.right->kind == Expression::Kind::name;
+      if (expression.juxtaposed && is_name) uses_.multiply_by_number(expression, place(expression));
       return a * b;
     }
     case Expression::Kind::divide: {
@@ -217,6 +232,7 @@ Quantity QuantityReader::variable(const Expression& expression) {
             fmt::format("'{0}' is a variable here, and elsewhere 'p:{0}' is a parameter", expression.name))
         .notes.push_back({parameter->second, "a parameter here"});
   }
+  uses_.use(expression, "variable", place(expression));
   const auto [entry, is_new] = variable_indices_.insert({expression.name, static_cast<int>(variables_.size())});
   if (is_new) {
     variable_trials_.resize(kTrialScales.size());
@@ -228,8 +244,7 @@ Quantity QuantityReader::variable(const Expression& expression) {
 }
 
 void QuantityReader::add_parameter(const std::string& name, ParameterKind kind, const Place& place) {
-  auto& same_interface = is_dynamics(kind) ? dynamics_parameters_ : kinematics_parameters_;
-  same_interface.insert({name, static_cast<int>(parameters_.size())});
+  parameter_indices_.insert({name, static_cast<int>(parameters_.size())});
   trials_.resize(kTrialScales.size());
   for (std::size_t i = 0; i < trials_.size(); ++i)
     trials_[i].push_back(trial_value(kTrialScales[i], parameters_.size()));
@@ -238,47 +253,45 @@ void QuantityReader::add_parameter(const std::string& name, ParameterKind kind, 
 
 Quantity QuantityReader::parameter(const Expression& expression, ParameterKind kind) {
   const std::string& name = expression.name;
-  auto& same_interface = is_dynamics(kind) ? dynamics_parameters_ : kinematics_parameters_;
-  const auto& other_interface = is_dynamics(kind) ? kinematics_parameters_ : dynamics_parameters_;
-  if (!same_interface.contains(name)) {
-    const auto other = other_interface.find(name);
-    if (other != other_interface.end()) {
-      const Parameter& earlier = parameters_[static_cast<std::size_t>(other->second)];
-      diagnostics_
-          .warning(
-              "parameter-in-two-interfaces", place(expression),
-              fmt::format(
-                  "parameter '{}' is {} here and {} elsewhere: these are two parameters, one of the dynamics and one "
-                  "of the kinematics",
-                  name, kind_name(kind), kind_name(earlier.kind)))
-          .notes.push_back({earlier.place, "first used here"});
-    }
-    add_parameter(name, kind, place(expression));
-  }
-  const int index = same_interface.at(name);
+  uses_.use(expression, "parameter", place(expression));
+  if (!parameter_indices_.contains(name)) add_parameter(name, kind, place(expression));
+  const int index = parameter_indices_.at(name);
   Parameter& parameter = parameters_[static_cast<std::size_t>(index)];
   if (unused_.erase(name) > 0) parameter.kind = kind;
-  if (parameter.kind != kind && two_units_.insert(index).second) {
+  join_kind(index, kind, place(expression));
+  if (expression.default_value) set_default(parameter, expression.default_value->value(), place(expression));
+  return Quantity::parameter(index);
+}
+
+// Mass properties may depend on lengths and angles, which they do not make masses.
+void QuantityReader::join_kind(int index, ParameterKind kind, const Place& place) {
+  Parameter& parameter = parameters_[static_cast<std::size_t>(index)];
+  if (parameter.kind == kind) return;
+  if (parameter.kind == ParameterKind::inertial || kind == ParameterKind::inertial) {
+    if (parameter.kind == ParameterKind::inertial) parameter.kind = kind;
+    parameter.is_in_masses_too = true;
+    return;
+  }
+  if (!two_units_.insert(index).second) return;
+  diagnostics_
+      .warning(
+          "parameter-of-two-units", place,
+          fmt::format(
+              "parameter '{}' is {} here and {} elsewhere", parameter.name, kind_name(kind), kind_name(parameter.kind)))
+      .notes.push_back({parameter.place, "first used here"});
+}
+
+void QuantityReader::set_default(Parameter& parameter, double value, const Place& place) {
+  if (parameter.default_value.value_or(value) != value) {
     diagnostics_
-        .warning(
-            "parameter-of-two-units", place(expression),
-            fmt::format("parameter '{}' is {} here and {} elsewhere", name, kind_name(kind), kind_name(parameter.kind)))
+        .error(
+            "conflicting-default", place,
+            fmt::format(
+                "parameter '{}' has default {} here and {} elsewhere", parameter.name, print_double(value),
+                print_double(*parameter.default_value)))
         .notes.push_back({parameter.place, "first used here"});
   }
-  if (expression.default_value) {
-    const double value = expression.default_value->value();
-    if (parameter.default_value.value_or(value) != value) {
-      diagnostics_
-          .error(
-              "conflicting-default", place(expression),
-              fmt::format(
-                  "parameter '{}' has default {} here and {} elsewhere", name, print_double(value),
-                  print_double(*parameter.default_value)))
-          .notes.push_back({parameter.place, "first used here"});
-    }
-    parameter.default_value = parameter.default_value.value_or(value);
-  }
-  return Quantity::parameter(index);
+  parameter.default_value = parameter.default_value.value_or(value);
 }
 
 Quantity QuantityReader::constant(const Expression& expression) {

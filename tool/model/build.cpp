@@ -151,7 +151,9 @@ std::optional<int> find_or_report(
     Diagnostics& diagnostics) {
   if (const auto found = index.find(name)) return found;
   Diagnostic& error = diagnostics.error(unknown_code, place, fmt::format("{} '{}' is not declared", kind, name));
-  if (const auto similar = index.nearest_to(name)) {
+  if (name == "world") {
+    error.hint = "leave the world out: the RobotBase stands in it, or moves in it where it is 'floating'";
+  } else if (const auto similar = index.nearest_to(name)) {
     error.hint = fmt::format("did you mean '{}'?", index.name_of(*similar));
     meant.insert(*similar);
   }

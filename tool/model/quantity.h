@@ -12,19 +12,24 @@
 
 namespace robcogen::model {
 
-// Which of the two interfaces a parameter belongs to is decided by where it stands: a length or an angle is a
-// kinematics parameter; anything inside an inertia is a dynamics parameter.
+// Decided by where a parameter stands: in the translation or the rotation of a placement, or in mass properties alone.
 enum class ParameterKind { length, angle, inertial };
 
 struct Parameter {
   std::string name;
   ParameterKind kind = ParameterKind::length;
   std::optional<double> default_value;
-  Place place;  // first use
+  Place place;                    // first use
+  bool is_in_masses_too = false;  // a length or an angle that mass properties depend on
 };
 
-inline bool is_dynamics(ParameterKind kind) {
-  return kind == ParameterKind::inertial;
+// Which of the two interfaces a parameter belongs to: lengths and angles to that of kinematics, what stands in mass
+// properties to that of dynamics, what stands in both to both.
+inline bool is_kinematics(const Parameter& p) {
+  return p.kind != ParameterKind::inertial;
+}
+inline bool is_dynamics(const Parameter& p) {
+  return p.kind == ParameterKind::inertial || p.is_in_masses_too;
 }
 
 // An immutable arithmetic expression over constants, parameters (by index into the model's list) and variables (by

@@ -93,11 +93,14 @@ class Derived {
   }
 
   // Settles the places of what is kept: first what depends on kinematics parameters alone, then dynamics, then both.
-  void arrange(const std::vector<bool>& is_dynamics) {
+  void arrange(const std::vector<Interfaces>& interfaces) {
     std::vector<unsigned> uses;  // by node: bit 0 kinematics, bit 1 dynamics
     for (const Node& n : graph_.nodes()) {
       unsigned mask = 0;
-      if (n.kind == Node::Kind::input) mask = is_dynamics[static_cast<std::size_t>(n.a)] ? 2U : 1U;
+      if (n.kind == Node::Kind::input) {
+        const Interfaces& of = interfaces[static_cast<std::size_t>(n.a)];
+        mask = (of.kinematics ? 1U : 0U) | (of.dynamics ? 2U : 0U);
+      }
       if (n.kind == Node::Kind::operation) {
         mask = uses[static_cast<std::size_t>(n.a)];
         if (symbolic::is_binary(n.op)) mask |= uses[static_cast<std::size_t>(n.b)];
@@ -212,28 +215,33 @@ class Rest {
 
 }  // namespace
 
-SplitPrograms split_parameters(const std::vector<Program>& programs, const std::vector<bool>& is_dynamics) {
+SplitPrograms split_parameters(std::vector<Program> programs, const std::vector<Interfaces>& interfaces) {
   Derived derived;
   std::vector<Half> halves;
   InputArray parameters = {"parameters", Role::parameters, {}};
-  std::vector<Program> gathered;
-  for (const Program& program : programs)
-    gathered.push_back(parameters_of(program) ? gather_parameters(program) : program);
-  for (const Program& program : gathered) {
-    Half& half = halves.emplace_back(Half{&program, parameters_of(program), {}});
-    if (!half.parameters) continue;
+  for (Program& program : programs) {
+    const std::optional<Range> range = parameters_of(program);
+    if (range) program = gather_parameters(program);
+    Half& half = halves.emplace_back(Half{&program, range, {}});
+    if (!range) continue;
     for (const InputArray& array : program.inputs)
       if (array.role == Role::parameters) parameters = array;
-    half.values = derived.add(program, *half.parameters);
+    half.values = derived.add(program, *range);
     for_each_operand_left(half, [&](const Operand& o) {
-      if (const auto value = derived.read(program, *half.parameters, half.values, o)) derived.keep(*value);
+      if (const auto value = derived.read(program, *range, half.values, o)) derived.keep(*value);
     });
   }
-  derived.arrange(is_dynamics);
+  derived.arrange(interfaces);
 
+  // One program after another gives way to its rest: large robots have hundreds of megabytes of them.
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    if (!halves[i].parameters) continue;
+    Program rest = Rest(halves[i], derived).build();
+    programs[i] = std::move(rest);
+    halves[i].values = {};
+  }
   SplitPrograms result;
-  for (const Half& half : halves)
-    result.programs.push_back(half.parameters ? Rest(half, derived).build() : *half.program);
+  result.programs = std::move(programs);
   result.kinematics = derived.part(0, "update_kinematics", parameters);
   result.dynamics = derived.part(1, "update_dynamics", parameters);
   result.both = derived.part(2, "update_both", parameters);

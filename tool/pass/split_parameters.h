@@ -15,14 +15,23 @@ struct SplitPrograms {
   // As given, in order; the input array of role `parameters` has become the cache: one array for all programs.
   std::vector<symbolic::Program> programs;
   // parameters -> a part of the cache: the first part depends on kinematics parameters only, the second one on dynamics
-  // parameters only, the third on both. Each has one output, and these stand in the cache one after the other.
+  // parameters only, the third on parameters of both kinds, or on one that is of both. Each has one output, and these
+  // stand in the cache one after the other.
   symbolic::Program kinematics;
   symbolic::Program dynamics;
   symbolic::Program both;
 };
 
-// `is_dynamics` tells of each parameter which interface it belongs to. Programs without an input of role `parameters`
+// The interfaces that a parameter belongs to: one of them, or both.
+struct Interfaces {
+  bool kinematics = false;
+  bool dynamics = false;
+};
+
+// `interfaces` tells them of each parameter. Programs without an input of role `parameters`
 // stay as they are.
-SplitPrograms split_parameters(const std::vector<symbolic::Program>& programs, const std::vector<bool>& is_dynamics);
+SplitPrograms split_parameters(
+    std::vector<symbolic::Program> programs,
+    const std::vector<Interfaces>& interfaces);
 
 }  // namespace robcogen::pass

@@ -101,7 +101,9 @@ bool is_error(const Diagnostic& d) {
 }
 
 std::string render_one(const Diagnostic& d, ErrorFormat format) {
-  std::string out = head(d.place, label(d.severity), d.code, d.message, format) + excerpt(d.place);
+  std::string out = head(d.place, label(d.severity), d.code, d.message, format);
+  for (const std::string& line : d.details) out += fmt::format("    {}\n", line);
+  if (d.details.empty()) out += excerpt(d.place);
   for (const Note& note : d.notes) out += head(note.place, "note", "", note.message, format) + excerpt(note.place);
   if (!d.hint.empty()) out += fmt::format("hint: {}\n", d.hint);
   return out;
@@ -135,15 +137,15 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 Diagnostic& Diagnostics::error(std::string code, Place place, std::string message) {
-  return add({Severity::error, std::move(code), std::move(message), std::move(place), {}, {}});
+  return add({Severity::error, std::move(code), std::move(message), std::move(place), {}, {}, {}});
 }
 
 Diagnostic& Diagnostics::warning(std::string code, Place place, std::string message) {
-  return add({Severity::warning, std::move(code), std::move(message), std::move(place), {}, {}});
+  return add({Severity::warning, std::move(code), std::move(message), std::move(place), {}, {}, {}});
 }
 
 Diagnostic& Diagnostics::note(std::string code, Place place, std::string message) {
-  return add({Severity::note, std::move(code), std::move(message), std::move(place), {}, {}});
+  return add({Severity::note, std::move(code), std::move(message), std::move(place), {}, {}, {}});
 }
 
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {

@@ -37,7 +37,8 @@ struct Diagnostic {
   std::string message;  // one sentence, no final stop
   Place place;
   std::vector<Note> notes;
-  std::string hint;  // `did you mean 'x'?`; empty when there is none
+  std::string hint;                       // `did you mean 'x'?`; empty when there is none
+  std::vector<std::string> details = {};  // lines shown in the place of the source's
 };
 
 class Diagnostics {
@@ -52,7 +53,7 @@ class Diagnostics {
   bool has_errors() const;
   std::size_t error_count() const;
   const std::vector<Diagnostic>& all() const { return list_; }
-  // `--strict` of the desired-transforms language: the named warnings become errors.
+  // `--strict`: the named warnings become errors.
   void promote_warnings(const std::vector<std::string>& codes);
   // At most `max_errors` errors, and as many warnings and notes, are shown in full, then a line that counts the rest.
   // Sorted by source and place.

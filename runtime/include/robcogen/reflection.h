@@ -158,6 +158,7 @@ struct Parameter {
   const char* name;
   bool dynamics;         // a parameter of mass properties; else a length or an angle
   double default_value;  // not a number: none
+  bool shared = false;   // a parameter of mass properties that is a length or an angle too
 };
 
 template <class T>

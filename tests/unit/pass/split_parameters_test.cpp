@@ -21,7 +21,7 @@ Program parametric(const std::string& statements) {
       statements);
 }
 
-const std::vector<bool> kIsDynamics = {false, false, true};
+const std::vector<Interfaces> kInterfaces = {{true, false}, {true, false}, {false, true}};
 
 std::vector<double> run(const Program& program, const symbolic::Arrays<double>& inputs) {
   return symbolic::interpret<double>(program, inputs).at("out");
@@ -47,7 +47,7 @@ const char* const kPendulum =
 
 TEST(SplitParameters, LeavesWhatVariablesNeed) {
   const Program program = parametric(kPendulum);
-  const SplitPrograms split = split_parameters({program}, kIsDynamics);
+  const SplitPrograms split = split_parameters({program}, kInterfaces);
   ASSERT_EQ(split.programs.size(), 1u);
   EXPECT_EQ(symbolic::count(split.programs[0]).mul, 1);
   EXPECT_EQ(symbolic::count(split.programs[0]).add, 1);
@@ -61,7 +61,7 @@ TEST(SplitParameters, LeavesWhatVariablesNeed) {
 
 TEST(SplitParameters, ChangesNoResult) {
   const Program program = parametric(kPendulum);
-  const SplitPrograms split = split_parameters({program}, kIsDynamics);
+  const SplitPrograms split = split_parameters({program}, kInterfaces);
   const std::vector<double> a = {0.7, -0.2};
   for (const std::vector<double>& p : {std::vector<double>{0.5, 1.1, 3.0}, {2.0, -0.4, 0.25}}) {
     const std::vector<double> expected = run(program, {{"p", p}, {"a", a}});
@@ -74,10 +74,22 @@ TEST(SplitParameters, ChangesNoResult) {
 TEST(SplitParameters, SharesTheCacheAmongPrograms) {
   const Program first = parametric(kPendulum);
   const Program second = parametric("let t = p[2] * p[0]\ntmp z = t * a[1]\nreturn out z p[1]\n");
-  const SplitPrograms split = split_parameters({first, second}, kIsDynamics);
+  const SplitPrograms split = split_parameters({first, second}, kInterfaces);
   // The second one adds the angle; the product of length and mass is there already.
   EXPECT_EQ(split.programs[1].inputs[0].elements, split.programs[0].inputs[0].elements);
   EXPECT_EQ(split.programs[0].inputs[0].elements, (std::vector<std::string>{"length", "angle", "turned", "torque"}));
+}
+
+// What depends on a parameter of both interfaces is computed with either update.
+TEST(SplitParameters, ComputesWithBothUpdatesWhatBothRead) {
+  const Program program = parametric(kPendulum);
+  const SplitPrograms split = split_parameters({program}, {{true, true}, {true, false}, {false, true}});
+  EXPECT_EQ(split.kinematics.outputs[0].rows, 0);
+  EXPECT_EQ(split.dynamics.outputs[0].rows, 0);
+  EXPECT_EQ(split.programs[0].inputs[0].elements, (std::vector<std::string>{"turned", "torque", "length"}));
+  const std::vector<double> p = {0.5, 1.1, 3.0}, a = {0.7, -0.2};
+  const std::vector<double> expected = run(program, {{"p", p}, {"a", a}});
+  EXPECT_DOUBLE_EQ(run(split.programs[0], {{"p", cache(split, p)}, {"a", a}})[0], expected[0]);
 }
 
 TEST(SplitParameters, LeavesAloneWhatHasNone) {
@@ -89,7 +101,7 @@ TEST(SplitParameters, LeavesAloneWhatHasNone) {
 
 TEST(SplitParameters, FoldsWhatCancels) {
   const Program program = parametric("let d = p[0] - p[0]\ntmp x = a[0] + d\nreturn out x d\n");
-  const SplitPrograms split = split_parameters({program}, kIsDynamics);
+  const SplitPrograms split = split_parameters({program}, kInterfaces);
   EXPECT_TRUE(split.programs[0].statements.empty());
   EXPECT_EQ(run(split.programs[0], {{"p", {}}, {"a", {5.0, 0.0}}}), (std::vector<double>{5.0, 0.0}));
 }

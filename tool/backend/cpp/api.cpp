@@ -156,26 +156,14 @@ void name_values(const Library& library, Api& api) {
   api.variables = claim_all(arguments, library.variables);
 }
 
-// The fields that hold the parameters, and the getters of the interfaces. Kinematics and dynamics parameters are
-// members of different types, and may have the same names.
+// The fields that hold the parameters, and the getters of the interfaces, all members of one type.
 void name_parameters(const Library& library, Api& api) {
-  api.fields.resize(library.parameters.size());
-  api.getters.resize(library.parameters.size());
-  for (const bool is_dynamics : {false, true}) {
-    std::vector<std::size_t> indices;
-    std::vector<std::string> wanted;
-    for (std::size_t i = 0; i < library.parameters.size(); ++i) {
-      if (library.parameters[i].is_dynamics != is_dynamics) continue;
-      indices.push_back(i);
-      wanted.push_back(library.parameters[i].name);
-    }
-    NameScope scope({"DynamicsParameters", "DynamicsValues", "KinematicsParameters", "KinematicsValues", "robcogen"});
-    const std::vector<std::string> names = claim_all(scope, wanted);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      api.fields[indices[i]] = names[i];
-      api.getters[indices[i]] = scope.claim("get_" + names[i]);
-    }
-  }
+  std::vector<std::string> wanted;
+  for (const ParameterData& p : library.parameters) wanted.push_back(p.name);
+  NameScope scope(
+      {"DynamicsParameters", "DynamicsValues", "KinematicsParameters", "KinematicsValues", "SharedValues", "robcogen"});
+  api.fields = claim_all(scope, wanted);
+  for (const std::string& field : api.fields) api.getters.push_back(scope.claim("get_" + field));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // <name>/parameters.h: the values of a robot's parameters, and what its functions read of them.
+#include <algorithm>
 #include <cmath>
 
 #include "backend/cpp/layout.h"
@@ -21,11 +22,21 @@ const Kind kKinds[] = {
      "Parameters in the placement of joints and frames: lengths (m) and angles (rad)."},
     {true, "Dynamics", "dynamics", "Parameters in the mass properties of links: kg, m, kg m^2."}};
 
-// Calls f(index) for the parameters of a kind, in order.
+bool is_shared(const ParameterData& p) {
+  return p.is_kinematics && p.is_dynamics;
+}
+
+// Calls f(index) for the parameters of a kind, in order; those of both kinds too.
 template <class F>
 void for_each_of(const Library& library, const Kind& kind, F f) {
-  for (std::size_t i = 0; i < library.parameters.size(); ++i)
-    if (library.parameters[i].is_dynamics == kind.is_dynamics) f(i);
+  for (std::size_t i = 0; i < library.parameters.size(); ++i) {
+    const ParameterData& p = library.parameters[i];
+    if (kind.is_dynamics ? p.is_dynamics : p.is_kinematics) f(i);
+  }
+}
+
+bool has_shared(const Library& library) {
+  return std::any_of(library.parameters.begin(), library.parameters.end(), is_shared);
 }
 
 std::string joined(const std::vector<std::string>& items) {
@@ -44,17 +55,38 @@ std::string interface_type(const Api& api, const Kind& kind) {
          "  virtual ~" + name + "() = default;\n" + (getters.empty() ? "" : "\n" + getters) + "};\n";
 }
 
+std::string field(const Api& api, std::size_t i) {
+  const double value = api.library->parameters[i].default_value;
+  const std::string initial =
+      std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN();  // no default" : print_double(value) + ";";
+  return "  double " + api.fields[i] + " = " + initial + "\n";
+}
+
+std::string getter(const Api& api, std::size_t i) {
+  return "  double " + api.getters[i] + "() const noexcept override { return " + api.fields[i] + "; }\n";
+}
+
+// A virtual base of the values of either kind: values of both kinds hold these once.
+std::string shared_values_type(const Api& api) {
+  const Library& library = *api.library;
+  if (!has_shared(library)) return "";
+  std::string fields;
+  for (std::size_t i = 0; i < library.parameters.size(); ++i)
+    if (is_shared(library.parameters[i])) fields += field(api, i);
+  return "// Parameters of both interfaces.\nstruct SharedValues {\n" + fields + "};\n";
+}
+
 std::string values_type(const Api& api, const Kind& kind) {
+  const Library& library = *api.library;
   std::string fields, getters;
-  for_each_of(*api.library, kind, [&](std::size_t i) {
-    const double value = api.library->parameters[i].default_value;
-    const std::string initial =
-        std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN();  // no default" : print_double(value) + ";";
-    fields += "  double " + api.fields[i] + " = " + initial + "\n";
-    getters += "  double " + api.getters[i] + "() const noexcept override { return " + api.fields[i] + "; }\n";
+  for_each_of(library, kind, [&](std::size_t i) {
+    if (!is_shared(library.parameters[i])) fields += field(api, i);
+    getters += getter(api, i);
   });
   const std::string body = paragraphs({fields, getters});
-  return "struct " + kind.name + "Values : " + kind.name + "Parameters {" + (body.empty() ? "" : "\n") + body + "};\n";
+  const std::string shared = has_shared(library) ? ", virtual SharedValues" : "";
+  return "struct " + kind.name + "Values : " + kind.name + "Parameters" + shared + " {" + (body.empty() ? "" : "\n") +
+         body + "};\n";
 }
 
 // Names of parameters, of those only that f(index) wants.
@@ -71,7 +103,8 @@ std::string array_type(const Api& api) {
   std::vector<std::string> names, remarks;
   for (const ParameterData& p : api.library->parameters) {
     names.push_back(quoted(p.name));
-    remarks.push_back(p.is_dynamics ? kKinds[1].subject : kKinds[0].subject);
+    const std::string& subject = kKinds[p.is_dynamics ? 1 : 0].subject;
+    remarks.push_back(is_shared(p) ? kKinds[0].subject + " and " + subject : subject);
   }
   return "// Values of all parameters in this order, for code that does not know their names.\n"
          "using ParameterArray = std::array<double, " +
@@ -80,18 +113,14 @@ std::string array_type(const Api& api) {
 }
 
 std::string all_values_type(const Api& api) {
-  const std::vector<ParameterData>& parameters = api.library->parameters;
-  const std::string twice = names_of(api, [&](std::size_t i) {
-    for (std::size_t k = 0; k < parameters.size(); ++k)
-      if (parameters[i].is_dynamics && !parameters[k].is_dynamics && api.fields[k] == api.fields[i]) return true;
-    return false;
-  });
-  std::string text =
-      "// Values of all parameters, at first as declared; one without default is not a number until it is set.\n";
-  if (!twice.empty())
-    text +=
-        comment("In both parts, and written values.KinematicsValues::… or values.DynamicsValues::…: " + twice + ".");
-  return text + "struct ParameterValues : KinematicsValues, DynamicsValues {};\n";
+  const Library& library = *api.library;
+  // One getter for both interfaces; else the name of those inherited would be ambiguous.
+  std::string getters;
+  for (std::size_t i = 0; i < library.parameters.size(); ++i)
+    if (is_shared(library.parameters[i])) getters += getter(api, i);
+  return "// Values of all parameters, at first as declared; one without default is not a number until it is set.\n"
+         "struct ParameterValues : KinematicsValues, DynamicsValues {" +
+         (getters.empty() ? "" : "\n" + getters) + "};\n";
 }
 
 int size_of(const Callable& update) {
@@ -111,13 +140,15 @@ std::string compute(const Api& api, const std::vector<std::size_t>& parts) {
   return body;
 }
 
-// Values that are read anew, then the parts of the cache that depend on them.
+// Values that are read anew, then the parts of the cache that depend on them. Of two interfaces the first one is asked
+// for what stands in both.
 std::string update(const Api& api, const std::vector<Kind>& read, const std::vector<std::size_t>& parts) {
   std::vector<std::string> arguments;
   std::string body;
   for (const Kind& kind : read) {
     bool is_read = false;
     for_each_of(*api.library, kind, [&](std::size_t i) {
+      if (&kind != &read.front() && is_shared(api.library->parameters[i])) return;
       body += "    values_[" + std::to_string(i) + "] = " + kind.subject + "." + api.getters[i] + "();\n";
       is_read = true;
     });
@@ -128,11 +159,30 @@ std::string update(const Api& api, const std::vector<Kind>& read, const std::vec
          (body.empty() ? "" : body + "  }\n");
 }
 
+// Names of parameters that stand in both interfaces.
+std::string shared_names(const Api& api) {
+  return names_of(api, [&](std::size_t i) { return is_shared(api.library->parameters[i]); });
+}
+
+std::string shared_remark(const Api& api) {
+  return has_shared(*api.library) ? comment("Asks `kinematics` for what stands in both: " + shared_names(api) + ".", 2)
+                                  : "";
+}
+
+std::string last_remark(const Api& api) {
+  return has_shared(*api.library)
+             ? comment("What stands in both has one value, that of the last update: " + shared_names(api) + ".", 2)
+             : "";
+}
+
 std::string values_function(const Api& api) {
   std::string body = "    ParameterValues values;\n";
   for (const Kind& kind : kKinds)
     for_each_of(*api.library, kind, [&](std::size_t i) {
-      body += "    values." + kind.name + "Values::" + api.fields[i] + " = values_[" + std::to_string(i) + "];\n";
+      const bool shared = is_shared(api.library->parameters[i]);
+      if (shared && kind.is_dynamics) return;
+      const std::string owner = shared ? "Shared" : kind.name;
+      body += "    values." + owner + "Values::" + api.fields[i] + " = values_[" + std::to_string(i) + "];\n";
     });
   return "  // The values of the last update.\n  ParameterValues values() const noexcept {\n" + body +
          "    return values;\n  }\n  const ParameterArray& array() const noexcept { return values_; }\n";
@@ -161,11 +211,11 @@ std::string parameters_type(const Api& api) {
   for (const Callable& update : api.updates) size += size_of(update);
   const std::vector<std::string> parts = {
       constructors(api),
-      "  // All values anew.\n" + update(api, {kKinds[0], kKinds[1]}, {0, 1, 2}) +
+      "  // All values anew.\n" + shared_remark(api) + update(api, {kKinds[0], kKinds[1]}, {0, 1, 2}) +
           "  void update(const ParameterValues& values) noexcept { update(values, values); }\n" +
           "  void update(const ParameterArray& values) noexcept {\n    values_ = values;\n" + compute(api, {0, 1, 2}) +
           "  }\n",
-      "  // Those of one interface anew; the others stay.\n" + update(api, {kKinds[0]}, {0, 2}) +
+      "  // Those of one interface anew; the others stay.\n" + last_remark(api) + update(api, {kKinds[0]}, {0, 2}) +
           update(api, {kKinds[1]}, {1, 2}),
       values_function(api),
       "  // The cache, as kernels take it.\n  const Scalar* data() const noexcept { return cache_.data(); }\n"
@@ -206,6 +256,7 @@ std::string print_parameters(const Api& api, const std::string& path) {
   for (const Callable& c : api.updates) kernels.push_back(kernel_declaration(c));
   std::vector<std::string> parts;
   for (const Kind& kind : kKinds) parts.push_back(interface_type(api, kind));
+  parts.push_back(shared_values_type(api));
   for (const Kind& kind : kKinds) parts.push_back(values_type(api, kind));
   parts.insert(
       parts.end(),

@@ -264,8 +264,10 @@ Table batch_functions(const Api& api) {
 
 Table parameters(const Library& library) {
   std::vector<std::vector<Field>> rows;
-  for (const ParameterData& p : library.parameters)
+  for (const ParameterData& p : library.parameters) {
     rows.push_back({quoted(p.name), p.is_dynamics ? "true" : "false", number(p.default_value)});
+    if (p.is_dynamics && p.is_kinematics) rows.back().emplace_back("true");
+  }
   return table("Parameter", "kParameters", rows);
 }
 

@@ -65,7 +65,9 @@ class Connector {
     Diagnostic& error = diagnostics_.error(
         "unknown-link", name.place,
         fmt::format("joint '{}' connects a link '{}' that there is not", joint.name.text, name.text));
-    if (const auto similar = links_.nearest_to(name.text))
+    if (name.text == "world")
+      error.hint = "declare <link name=\"world\"/>; or leave the joint out, for the root link stands in the world";
+    else if (const auto similar = links_.nearest_to(name.text))
       error.hint = fmt::format("did you mean '{}'?", links_.name_of(*similar));
     return -1;
   }

@@ -35,9 +35,28 @@ Real differences(const Parameters& a, const Parameters& b) {
   return count;
 }
 
+// `after` for the parameters of one interface, `before` for the others.
+inline std::vector<double> updated(
+    const Robot& robot,
+    const std::vector<double>& after,
+    std::vector<double> before,
+    bool dynamics) {
+  for (int i = 0; i < robot.parameters.size; ++i) {
+    const reflection::Parameter& p = robot.parameters[i];
+    const auto k = static_cast<std::size_t>(i);
+    if (p.shared || p.dynamics == dynamics) before[k] = after[k];
+  }
+  return before;
+}
+
 // From values `before` to values `after` in steps.
 template <class R>
-void check_updates(const std::vector<double>& after, const std::vector<double>& before, Checks& checks, int sample) {
+void check_updates(
+    const Robot& robot,
+    const std::vector<double>& after,
+    const std::vector<double>& before,
+    Checks& checks,
+    int sample) {
   using Parameters = typename R::Parameters;
   const Parameters start = parameters_of<R>(before), wanted = parameters_of<R>(after);
   const auto values = wanted.values(), old = start.values();
@@ -52,11 +71,11 @@ void check_updates(const std::vector<double>& after, const std::vector<double>& 
     p = start;
     if (kinematics_first) {
       p.update(static_cast<const typename R::KinematicsParameters&>(values));
-      record("parameters: update of kinematics", p, Parameters(values, old));
+      record("parameters: update of kinematics", p, parameters_of<R>(updated(robot, after, before, false)));
       p.update(static_cast<const typename R::DynamicsParameters&>(values));
     } else {
       p.update(static_cast<const typename R::DynamicsParameters&>(values));
-      record("parameters: update of dynamics", p, Parameters(old, values));
+      record("parameters: update of dynamics", p, parameters_of<R>(updated(robot, after, before, true)));
       p.update(static_cast<const typename R::KinematicsParameters&>(values));
     }
     record("parameters: updates of both kinds", p, wanted);
