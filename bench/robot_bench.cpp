@@ -3,6 +3,7 @@
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_HAS_<GROUP>                                1 where the library has the group, else 0
 //     ROBCOGEN_BATCH_HEADER                               functions over many states, where the library has them
+//     ROBCOGEN_BENCH_FLAGS                                what its kernels were compiled with, as text
 //     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, where other libraries are measured too
 //
 // Exit status 1: another library disagrees with the generated code; nothing was timed.
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
   using R = generated::Robot;
   const bench::Robot& robot = generated::reflection::robot;
   benchmark::AddCustomContext("robot", robot.name);
+  benchmark::AddCustomContext("flags", ROBCOGEN_BENCH_FLAGS);
   benchmark::AddCustomContext("states", std::to_string(bench::kStates));
   benchmark::AddCustomContext("joints", std::to_string(robot.joints.size));
   benchmark::AddCustomContext("floating_base", robot.floating_base ? "yes" : "no");

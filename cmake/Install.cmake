@@ -30,6 +30,7 @@ install(
         cmake/Robcogen.cmake
         cmake/RobcogenArguments.cmake
         cmake/RobcogenTool.cmake
+        cmake/RobcogenComplete.cmake
         cmake/RobcogenRealTime.cmake
         cmake/RobcogenTransforms.cmake
         cmake/RobcogenXacro.cmake

@@ -10,7 +10,8 @@
 #       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
-#       [NAMESPACE a::b]            # enclosing namespace
+#       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have a NAME in
+#                                   # common where their NAMESPACEs differ
 #       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia
 #                                   # joint_space_inertia_factor centroidal energy transforms jacobians, which a robot
 #                                   # gets without it, and coriolis_matrix jacobian_references jacobian_derivatives
@@ -18,10 +19,13 @@
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: about ten times as
 #                                   # much to compile. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for what the
 #                                   # compiler does unasked, to be chosen from when a program runs
+#       [BATCH_LEVELS level…]       # of avx2 and avx512: the processors that BATCH compiles for beside the baseline; without it,
+#                                   # both. `baseline`: that alone. Where the machine has more, the best of these runs
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [DEPENDS file|target…]      # when a rule of the build makes MODEL or DESIRED
-#       [COMPILE_OPTIONS option…]   # for the generated translation units only
+#       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, these get -O2 in
+#                                   # configurations that ask for no optimisation, such as Debug or none
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
 #       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel, its core and a part of that; without it, 65536: half of the
@@ -61,7 +65,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists XACRO_ARGS ALGORITHMS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists XACRO_ARGS ALGORITHMS BATCH_LEVELS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -74,6 +78,10 @@ function(robcogen_add_robot)
   _robcogen_check_elements(ALGORITHMS ${groups} all)
   _robcogen_choose_groups()
   _robcogen_check_elements(LANGUAGES cpp matlab maxima)
+  _robcogen_check_elements(BATCH_LEVELS baseline avx2 avx512)
+  if(library_BATCH_LEVELS AND NOT library_BATCH)
+    _robcogen_refuse("BATCH_LEVELS needs BATCH")
+  endif()
   _robcogen_check_documents(MODEL)
   _robcogen_check_robot()
   _robcogen_check_names()
@@ -87,15 +95,20 @@ function(robcogen_add_robot)
     _robcogen_add_text()
     return()
   endif()
-  _robcogen_generated_files(${library_NAME} "${library_groups}" headers sources)
+  _robcogen_folder(folder)
+  _robcogen_generated_files(${folder} "${library_groups}" headers sources)
   if(library_BATCH)
-    _robcogen_batch_files(${library_NAME} "${library_groups}" batch_headers batch_sources)
+    _robcogen_batch_files(${folder} "${library_groups}" batch_headers batch_sources)
     list(APPEND headers ${batch_headers})
     list(APPEND sources ${batch_sources})
   endif()
   list(TRANSFORM headers PREPEND ${library_OUTPUT_DIR}/)
   list(TRANSFORM sources PREPEND ${library_OUTPUT_DIR}/)
   _robcogen_add_codegen(${library_TARGET}_codegen)
+  set(generated_sources ${sources})
+  if(library_BATCH)
+    _robcogen_omit_levels()
+  endif()
   _robcogen_add_library(${library_TARGET})
   if(library_BATCH)
     _robcogen_set_levels()
@@ -109,7 +122,7 @@ function(robcogen_add_robot)
     _robcogen_add_bench(${library_TARGET}_bench)
   endif()
   if(library_EXPORT_FILES)
-    set(${library_EXPORT_FILES} ${headers} ${sources} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${generated_sources} PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -132,12 +145,21 @@ endfunction()
 
 # Sets `result` to the path of a robot's header. A robot may be called like one of them: <name>/<name>.h is the umbrella
 # header, and the other one becomes <stem>_.h.
-function(_robcogen_header name stem result)
+function(_robcogen_header folder stem result)
+  cmake_path(GET folder FILENAME name)
   string(TOLOWER ${name} lower)
   if(lower STREQUAL stem)
     string(APPEND stem _)
   endif()
-  set(${result} ${name}/${stem}.h PARENT_SCOPE)
+  set(${result} ${folder}/${stem}.h PARENT_SCOPE)
+endfunction()
+
+# Sets `result` to the folder of a library's files: its name, below a folder for each enclosing namespace.
+function(_robcogen_folder result)
+  string(REPLACE "::" ";" parts "${library_NAMESPACE}")
+  list(APPEND parts ${library_NAME})
+  list(JOIN parts "/" folder)
+  set(${result} ${folder} PARENT_SCOPE)
 endfunction()
 
 # Sets library_groups to the groups of functions that ALGORITHMS means.
@@ -152,21 +174,22 @@ function(_robcogen_choose_groups)
   set(library_groups ${chosen} PARENT_SCOPE)
 endfunction()
 
-# Sets `headers` and `sources` to the files of a robot with these groups, relative to its include root.
-function(_robcogen_generated_files name chosen headers sources)
+# Sets `headers` and `sources` to the files of a robot with these groups in its folder, relative to its include root.
+function(_robcogen_generated_files folder chosen headers sources)
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
-  set(header_list ${name}/${name}.h)
+  cmake_path(GET folder FILENAME name)
+  set(header_list ${folder}/${name}.h)
   foreach(stem model types parameters trigonometry robot reflection)
-    _robcogen_header(${name} ${stem} header)
+    _robcogen_header(${folder} ${stem} header)
     list(APPEND header_list ${header})
   endforeach()
-  list(APPEND header_list ${name}/kernel/parameters.h ${name}/kernel/trigonometry.h)
-  set(source_list ${name}/parameters.cpp ${name}/trigonometry.cpp)
+  list(APPEND header_list ${folder}/kernel/parameters.h ${folder}/kernel/trigonometry.h)
+  set(source_list ${folder}/parameters.cpp ${folder}/trigonometry.cpp)
   foreach(group IN LISTS groups)
     if(group IN_LIST chosen)
-      _robcogen_header(${name} ${group} header)
-      list(APPEND header_list ${header} ${name}/kernel/${group}.h)
-      list(APPEND source_list ${name}/${group}.cpp)
+      _robcogen_header(${folder} ${group} header)
+      list(APPEND header_list ${header} ${folder}/kernel/${group}.h)
+      list(APPEND source_list ${folder}/${group}.cpp)
     endif()
   endforeach()
   set(${headers} ${header_list} PARENT_SCOPE)
@@ -174,16 +197,16 @@ function(_robcogen_generated_files name chosen headers sources)
 endfunction()
 
 # The same for what BATCH adds.
-function(_robcogen_batch_files name chosen headers sources)
+function(_robcogen_batch_files folder chosen headers sources)
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
-  _robcogen_header(${name} batch header)
+  _robcogen_header(${folder} batch header)
   set(header_list ${header})
-  set(source_list ${name}/batch.cpp)
+  set(source_list ${folder}/batch.cpp)
   foreach(group IN LISTS groups)
     if(group IN_LIST chosen)
-      list(APPEND header_list ${name}/batch/${group}.h)
+      list(APPEND header_list ${folder}/batch/${group}.h)
       foreach(level baseline avx2 avx512)
-        list(APPEND source_list ${name}/batch/${group}_${level}.cpp)
+        list(APPEND source_list ${folder}/batch/${group}_${level}.cpp)
       endforeach()
     endif()
   endforeach()
@@ -191,10 +214,32 @@ function(_robcogen_batch_files name chosen headers sources)
   set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
+# Takes the processors that BATCH_LEVELS does not name out of `sources`, and sets `omitted_levels` to what tells the unit
+# that chooses between them.
+function(_robcogen_omit_levels)
+  set(omitted "")
+  if(library_BATCH_LEVELS)
+    foreach(level avx2 avx512)
+      if(NOT level IN_LIST library_BATCH_LEVELS)
+        list(FILTER sources EXCLUDE REGEX "/batch/[a-z_]+_${level}\\.cpp$")
+        string(TOUPPER ${level} upper)
+        list(APPEND omitted ROBCOGEN_WITHOUT_${upper})
+      endif()
+    endforeach()
+  endif()
+  set(omitted_levels ${omitted} PARENT_SCOPE)
+  set(sources ${sources} PARENT_SCOPE)
+endfunction()
+
 # Compiles each source of a batch for its processor. What these sources share with others are functions of C that the
 # compiler does not inline; all else in them has internal linkage or a name that says for which processor it is. (See
 # robcogen/lanes.h.)
 function(_robcogen_set_levels)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "/batch\\.cpp$")
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS ${omitted_levels})
+    endif()
+  endforeach()
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$" OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     return()
   endif()
@@ -210,24 +255,39 @@ function(_robcogen_set_levels)
   endforeach()
 endfunction()
 
-# The rule's output is a stamp and the files are its by-products, because the tool leaves a file that would not change
-# untouched: as outputs they would look out of date to Make for ever.
+# The rule's output is a stamp, and the files are by-products of a second rule, because the tool leaves a file that would
+# not change untouched: as outputs they would look out of date to Make for ever. The second rule has them, and not the
+# first, because Ninja opens what it says of a rule that fails with all that the rule makes: an error in the model comes
+# after one line. All that is left for the second is to make the files again that somebody has removed, under Ninja.
 function(_robcogen_add_codegen target)
-  set(stamp ${library_OUTPUT_DIR}/${library_NAME}.stamp)
-  set(depfile ${library_OUTPUT_DIR}/${library_NAME}.d)
+  _robcogen_folder(stem)
+  string(REPLACE "/" "." stem ${stem})
+  set(stamp ${library_OUTPUT_DIR}/${stem}.stamp)
+  set(depfile ${library_OUTPUT_DIR}/${stem}.d)
+  set(complete ${library_OUTPUT_DIR}/${stem}.complete)
   _robcogen_generate_arguments(arguments)
   cmake_path(GET library_MODEL FILENAME document)
+  set(generate robcogen::robcogen generate ${library_MODEL} -o ${library_OUTPUT_DIR} ${arguments})
   # DEPENDS, not MAIN_DEPENDENCY: two robots may be made of one document.
   add_custom_command(
     OUTPUT ${stamp}
-    BYPRODUCTS ${headers} ${sources}
-    COMMAND robcogen::robcogen generate ${library_MODEL} -o ${library_OUTPUT_DIR} ${arguments} --depfile ${depfile}
-            --depfile-target ${stamp} --stamp ${stamp}
+    COMMAND ${generate} --depfile ${depfile} --depfile-target ${stamp} --stamp ${stamp}
     DEPENDS robcogen::robcogen ${library_MODEL} ${library_DESIRED} ${library_DEPENDS}
     DEPFILE ${depfile}
     COMMENT "Generating ${library_NAME} from ${document}"
     VERBATIM)
-  add_custom_target(${target} DEPENDS ${stamp})
+  set(files ${headers} ${sources})
+  file(GENERATE OUTPUT ${library_OUTPUT_DIR}/${stem}.expected CONTENT "${files}")
+  list(TRANSFORM generate REPLACE "^robcogen::robcogen$" "$<TARGET_FILE:robcogen::robcogen>")
+  add_custom_command(
+    OUTPUT ${complete}
+    BYPRODUCTS ${files}
+    COMMAND ${CMAKE_COMMAND} -DEXPECTED=${library_OUTPUT_DIR}/${stem}.expected -DCOMPLETE=${complete} -P
+            ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/RobcogenComplete.cmake ${generate}
+    DEPENDS ${stamp}
+    COMMENT "Completing ${library_NAME}"
+    VERBATIM)
+  add_custom_target(${target} DEPENDS ${complete})
   set_target_properties(${target} PROPERTIES FOLDER robots)
   _robcogen_join_umbrella(robcogen_codegen ${target})
 endfunction()
@@ -275,6 +335,36 @@ function(_robcogen_add_text)
   add_dependencies(${library_TARGET} ${library_TARGET}_codegen)
 endfunction()
 
+# Sets `result` to the optimisation of generated units: -O2 in each configuration whose flags ask for none, since a kernel
+# without runs five times as long, and nobody steps through it. Other options, sanitizers among them, stay as they are.
+function(_robcogen_optimisation result)
+  set(${result} "" PARENT_SCOPE)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$")
+    return()
+  endif()
+  set(asked "(^|[ ;])-O([123sz]|fast)?($|[ ;])")
+  get_property(of_directory DIRECTORY PROPERTY COMPILE_OPTIONS)
+  if("${library_COMPILE_OPTIONS}" MATCHES "(^|;)-O" OR "${of_directory}" MATCHES "${asked}")
+    return()
+  endif()
+  get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+  set(configurations "${CMAKE_BUILD_TYPE}")
+  if(multi_config)
+    set(configurations ${CMAKE_CONFIGURATION_TYPES})
+  endif()
+  set(options "")
+  foreach(configuration IN LISTS configurations)
+    string(TOUPPER "${configuration}" upper)
+    if(NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${upper}}" MATCHES "${asked}")
+      list(APPEND options $<$<CONFIG:${configuration}>:-O2>)
+    endif()
+  endforeach()
+  if(NOT configurations AND NOT "${CMAKE_CXX_FLAGS}" MATCHES "${asked}")
+    set(options -O2)
+  endif()
+  set(${result} "${options}" PARENT_SCOPE)
+endfunction()
+
 function(_robcogen_add_library target)
   _robcogen_exclusion(exclusion)
   add_library(${target} STATIC ${exclusion} ${sources})
@@ -290,8 +380,10 @@ function(_robcogen_add_library target)
   # gcc takes the processor's own instructions for calls that may throw, and refers to what handles that, as clang does
   # where assertions are on.
   set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-exceptions)
-  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>"
-                                            "$<$<CXX_COMPILER_ID:Clang,AppleClang>:-fno-exceptions>" ${library_COMPILE_OPTIONS})
+  _robcogen_optimisation(optimisation)
+  target_compile_options(
+    ${target} PRIVATE ${optimisation} "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>"
+                      "$<$<CXX_COMPILER_ID:Clang,AppleClang>:-fno-exceptions>" ${library_COMPILE_OPTIONS})
   # One unit an algorithm is what keeps rebuilds small and parallel.
   set_target_properties(
     ${target}
@@ -307,6 +399,8 @@ function(_robcogen_add_selfcheck target)
   _robcogen_exclusion(exclusion)
   add_executable(${target} ${exclusion})
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
+  # Where it compiles long and runs for a moment: this project's own builds say -O0 for most robots.
+  target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 
@@ -362,10 +456,11 @@ function(_robcogen_add_real_time_check label)
   if(NOT "${library_TEST_STACK_LIMIT}" STREQUAL "")
     set(limit ${library_TEST_STACK_LIMIT})
   endif()
+  _robcogen_folder(folder)
   add_test(
     NAME ${library_TARGET}.real_time
     COMMAND
-      ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:${library_TARGET}> -DKERNELS=${library_OUTPUT_DIR}/${library_NAME}/kernel
+      ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:${library_TARGET}> -DKERNELS=${library_OUTPUT_DIR}/${folder}/kernel
       "-DOBJECTS=$<JOIN:$<TARGET_OBJECTS:${library_TARGET}>,,>" -DNM=${CMAKE_NM} -DSTACK_LIMIT=${limit} -P
       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/RobcogenRealTime.cmake)
   set_tests_properties(${library_TARGET}.real_time PROPERTIES LABELS ${label})
@@ -380,6 +475,9 @@ function(_robcogen_add_bench target)
   add_executable(${target} EXCLUDE_FROM_ALL)
   _robcogen_link_harness(${target} robcogen::bench_harness)
   target_link_libraries(${target} PRIVATE benchmark::benchmark Threads::Threads)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
+  set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${configuration}} $<JOIN:$<TARGET_PROPERTY:${library_TARGET},COMPILE_OPTIONS>, >")
+  target_compile_definitions(${target} PRIVATE "ROBCOGEN_BENCH_FLAGS=\"${flags}\"")
   set_property(GLOBAL APPEND PROPERTY ROBCOGEN_BENCH_TARGETS ${target})
   _robcogen_join_umbrella(robcogen_bench ${target})
 endfunction()
@@ -389,8 +487,9 @@ endfunction()
 function(_robcogen_link_harness target harness)
   target_link_libraries(${target} PRIVATE ${library_TARGET} ${harness})
   string(JOIN "::" qualified ${library_NAMESPACE} ${library_NAME})
-  _robcogen_header(${library_NAME} robot robot_header)
-  _robcogen_header(${library_NAME} reflection reflection_header)
+  _robcogen_folder(folder)
+  _robcogen_header(${folder} robot robot_header)
+  _robcogen_header(${folder} reflection reflection_header)
   target_compile_definitions(
     ${target} PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_header}> ROBCOGEN_REFLECTION_HEADER=<${reflection_header}>
                       ROBCOGEN_ROBOT_NAMESPACE=${qualified})
@@ -403,7 +502,7 @@ function(_robcogen_link_harness target harness)
     target_compile_definitions(${target} PRIVATE ROBCOGEN_HAS_${upper}=${has})
   endforeach()
   if(library_BATCH)
-    _robcogen_header(${library_NAME} batch batch_header)
+    _robcogen_header(${folder} batch batch_header)
     target_compile_definitions(${target} PRIVATE ROBCOGEN_BATCH_HEADER=<${batch_header}>)
   endif()
   set_target_properties(${target} PROPERTIES FOLDER robots)

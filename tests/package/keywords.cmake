@@ -15,7 +15,7 @@ expect_words("properties" "${output}" "ROBCOGEN_NAME right_leg")
 # Code generation alone makes every file that was announced, and nothing else.
 run(output ${CMAKE_COMMAND} --build ${build_dir} --target left-leg_codegen)
 file(STRINGS ${build_dir}/left_files announced)
-file(GLOB_RECURSE made ${build_dir}/left/left_leg/*)
+file(GLOB_RECURSE made ${build_dir}/left/walker/legs/left_leg/*)
 list(SORT announced)
 list(SORT made)
 expect_equal("files of left-leg" "${made}" "${announced}")

@@ -189,7 +189,8 @@ Status list_outputs(const Options& options) {
     if (language->name != "cpp") continue;
     const std::vector<std::string> groups =
         transforms ? std::vector<std::string>{kTransformsGroup} : groups_of(*language, options.groups);
-    for (const std::string& file : backend::cpp::outputs(options.names.name, groups, !transforms, options.has_batches))
+    const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);
+    for (const std::string& file : backend::cpp::outputs(folder, groups, !transforms, options.has_batches))
       print_output("{}\n", file);
   }
   return ok;
@@ -212,7 +213,7 @@ Action declare_generate(CLI::App& application) {
   subcommand->get_option("model")->required(false);
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
-  subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b");
+  subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
   const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
   declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
   subcommand->add_flag(

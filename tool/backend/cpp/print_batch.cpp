@@ -2,7 +2,9 @@
 // <name>/batch.cpp, which chooses the bodies for the processor that it runs on, and the bodies, <name>/batch/<group>.h,
 // instantiated in a source for each processor. And what the tables of <name>/reflection.h say of them.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
@@ -96,6 +98,12 @@ std::string chooser_declaration(const Callable& callable, const std::string& tai
   return "template <class Scalar>\n" + declaration("void " + callable.kernel, list, tail);
 }
 
+// Whether bodies for a processor are compiled: `kHasAvx2`.
+std::string constant_of(std::string level) {
+  std::transform(level.begin() + 1, level.end(), level.begin() + 1, [](unsigned char c) { return std::tolower(c); });
+  return "kHasA" + level.substr(1);
+}
+
 std::string chooser(const Callable& callable) {
   const std::vector<std::string> arguments = passed_on(callable.function->program);
   const auto body = [&](const std::string& level) {
@@ -103,14 +111,28 @@ std::string chooser(const Callable& callable) {
   };
   std::string text = chooser_declaration(callable, " noexcept {");
   text += "  [[maybe_unused]] const robcogen::batch::Level level = robcogen::batch::available(most);\n";
-  text += "  if constexpr (robcogen::batch::kHasLevels) {\n";
-  for (const std::string level : {"avx512", "avx2"}) {
-    const std::string condition = "    if (level == robcogen::batch::Level::" + level + ")";
+  // A machine with AVX-512 runs AVX2, too, where that is the best that is compiled.
+  const std::pair<std::string, std::string> levels[] = {
+      {"avx512", "== robcogen::batch::Level::avx512"}, {"avx2", "!= robcogen::batch::Level::baseline"}};
+  for (const auto& [level, test] : levels) {
+    text += "  if constexpr (" + constant_of(level) + ") {\n";
+    const std::string condition = "    if (level " + test + ")";
     const std::string line = call(condition + " return " + body(level), arguments, 0);
     const bool fits = line.find('\n') == line.size() - 1;
     text += fits ? line : condition + "\n" + call("return " + body(level), arguments, 6);
+    text += "  }\n";
   }
-  return text + "  }\n" + call(body("baseline"), arguments, 2) + "}\n";
+  return text + call(body("baseline"), arguments, 2) + "}\n";
+}
+
+// What the library is compiled for: BATCH_LEVELS of robcogen_add_robot.
+std::string compiled_levels() {
+  std::string text = "// Processors that the library is compiled for, beside the baseline.\n";
+  for (const std::string level : {"AVX512", "AVX2"})
+    text += "#ifdef ROBCOGEN_WITHOUT_" + level + "\n[[maybe_unused]] constexpr bool " + constant_of(level) +
+            " = false;\n#else\n[[maybe_unused]] constexpr bool " + constant_of(level) +
+            " = robcogen::batch::kHasLevels;\n#endif\n";
+  return text;
 }
 
 // Explicit instantiations for both precisions; `extra` ends the list of types.
@@ -265,8 +287,8 @@ std::string flat_batch_functions(const Api& api) {
 
 std::string print_batch(const Api& api, const std::string& path) {
   const Library& library = *api.library;
-  std::vector<std::string> headers = {"\"robcogen/batch.h\"", "\"" + header_path(library.name, "types") + "\""};
-  if (api.is_parametric()) headers.push_back("\"" + header_path(library.name, kParameters) + "\"");
+  std::vector<std::string> headers = {"\"robcogen/batch.h\"", "\"" + header_path(folder(library), "types") + "\""};
+  if (api.is_parametric()) headers.push_back("\"" + header_path(folder(library), kParameters) + "\"");
   return paragraphs(
       {banner(library, path, "functions over n states at once, in double and (namespace f32) single precision") +
            "//\n"
@@ -297,8 +319,9 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
       {banner(*api.library, path, "the choice of a processor's bodies"),
        includes({"\"robcogen/batch.h\"", "\"robcogen/version.h\""}), runtime_check(api),
        in_namespace(
-           api.space + "::batch",
-           paragraphs({in_namespace("body", paragraphs(bodies)), in_namespace("kernel", paragraphs(choosers))}))});
+           api.space + "::batch", paragraphs(
+                                      {compiled_levels(), in_namespace("body", paragraphs(bodies)),
+                                       in_namespace("kernel", paragraphs(choosers))}))});
 }
 
 std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path) {
@@ -306,7 +329,7 @@ std::string print_batch_bodies(const Api& api, const std::string& group, const s
   for (const Callable* c : callables_of(api, group)) bodies.push_back(definition(api, *c));
   return paragraphs(
       {banner(*api.library, path, "bodies over many states, compiled once for each processor"), "#pragma once\n",
-       includes({"\"robcogen/batch_body.h\"", "\"" + kernel_path(api.library->name, group) + "\""}),
+       includes({"\"robcogen/batch_body.h\"", "\"" + kernel_path(folder(*api.library), group) + "\""}),
        in_namespace(api.space + "::batch::body", paragraphs(bodies))});
 }
 
@@ -319,7 +342,7 @@ std::string print_batch_level(
   for (const Callable* c : callables_of(api, group))
     kernels.push_back(instantiations(*c, "robcogen::batch::Level::" + level + ", "));
   const std::string text = paragraphs(
-      {includes({"\"" + batch_path(api.library->name, group) + "\""}),
+      {includes({"\"" + batch_path(folder(*api.library), group) + "\""}),
        in_namespace(api.space + "::batch::body", paragraphs(kernels))});
   const std::string head = banner(*api.library, path, "bodies over many states, for one processor");
   if (level == kLevels[0]) return paragraphs({head, text});

@@ -195,15 +195,15 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
 
 std::vector<std::string> group_headers(const Library& library) {
   std::vector<std::string> headers;
-  for (const std::string& group : library.groups) headers.push_back("\"" + header_path(library.name, group) + "\"");
+  for (const std::string& group : library.groups) headers.push_back("\"" + header_path(folder(library), group) + "\"");
   return headers;
 }
 
 // What every function's declaration needs.
 std::vector<std::string> base_headers(const Api& api) {
-  std::vector<std::string> headers = {"\"" + header_path(api.library->name, "types") + "\""};
-  if (api.is_parametric()) headers.push_back("\"" + header_path(api.library->name, kParameters) + "\"");
-  if (api.takes_sines()) headers.push_back("\"" + header_path(api.library->name, kTrigonometry) + "\"");
+  std::vector<std::string> headers = {"\"" + header_path(folder(*api.library), "types") + "\""};
+  if (api.is_parametric()) headers.push_back("\"" + header_path(folder(*api.library), kParameters) + "\"");
+  if (api.takes_sines()) headers.push_back("\"" + header_path(folder(*api.library), kTrigonometry) + "\"");
   return headers;
 }
 
@@ -246,9 +246,9 @@ std::string print_umbrella(const Api& api, const std::string& path) {
   for (const std::string& stem : stems(api.library->has_robot()))
     if (stem != "reflection" && (stem != kParameters || api.is_parametric()) &&
         (stem != kTrigonometry || api.takes_sines()))
-      headers.push_back("\"" + header_path(api.library->name, stem) + "\"");
+      headers.push_back("\"" + header_path(folder(*api.library), stem) + "\"");
   return paragraphs(
-      {banner(*api.library, path, "everything but the tables of " + header_path(api.library->name, "reflection")),
+      {banner(*api.library, path, "everything but the tables of " + header_path(folder(*api.library), "reflection")),
        "#pragma once\n", includes(headers)});
 }
 

@@ -406,7 +406,7 @@ std::string print_instantiations(const Api& api, const std::string& group, const
     kernels.push_back(explicit_instantiations("joint_trigonometry", trigonometry_parameters(*api.library)));
   return paragraphs(
       {banner(*api.library, path, "kernels compiled for double and float"),
-       includes({"\"" + kernel_path(api.library->name, group) + "\""}),
+       includes({"\"" + kernel_path(folder(*api.library), group) + "\""}),
        in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }
 

@@ -185,7 +185,7 @@ std::string print_types(const Api& api, const std::string& path) {
     return paragraphs(
         {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
          library.parameters.empty() ? "" : includes({"<limits>"}),
-         includes({"\"" + header_path(library.name, "model") + "\""}), in_namespace(api.space, types)});
+         includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, types)});
   }
   std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\"", "\"robcogen/spatial.h\""};
   if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
@@ -196,7 +196,7 @@ std::string print_types(const Api& api, const std::string& path) {
        "// The same in single precision.\n" + in_namespace("f32", aliases(library, "float"))});
   return paragraphs(
       {banner(library, path, "Eigen types"), "#pragma once\n", includes({"<Eigen/Core>"}), includes(runtime),
-       includes({"\"" + header_path(library.name, "model") + "\""}), in_namespace(api.space, body)});
+       includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, body)});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -56,10 +56,10 @@ std::string print_trigonometry(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   const std::string head = banner(library, path, "sines and cosines of its joints");
   if (!api.takes_sines()) return paragraphs({head + "// Its functions take positions alone.\n", "#pragma once\n"});
-  std::vector<std::string> headers = {"\"" + header_path(library.name, "types") + "\""};
+  std::vector<std::string> headers = {"\"" + header_path(folder(library), "types") + "\""};
   std::string stale;
   if (api.is_parametric()) {
-    headers.push_back("\"" + header_path(library.name, kParameters) + "\"");
+    headers.push_back("\"" + header_path(folder(library), kParameters) + "\"");
     stale = " It holds for these parameters: when they change, make another.";
   }
   const std::string remark = comment(

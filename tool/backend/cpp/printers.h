@@ -11,12 +11,15 @@ namespace robcogen::backend::cpp {
 // `trigonometry` of those whose functions take given sines and cosines.
 std::vector<std::string> stems(bool has_robot);
 
-// Path of a header of this robot, as its files include it: `hyl/types.h`. Where the name is that of the umbrella header
-// (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
-std::string header_path(const std::string& name, const std::string& stem);
-std::string umbrella_path(const std::string& name);
-std::string kernel_path(const std::string& name, const std::string& group);
-std::string source_path(const std::string& name, const std::string& group);
+// The folder of a library's files, under its name and its enclosing namespaces.
+std::string folder(const Library& library);
+
+// Path of a header in this folder, as the robot's files include it: `hyl/types.h`. Where the stem is that of the umbrella
+// header (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
+std::string header_path(const std::string& folder, const std::string& stem);
+std::string umbrella_path(const std::string& folder);
+std::string kernel_path(const std::string& folder, const std::string& group);
+std::string source_path(const std::string& folder, const std::string& group);
 
 // The file stem, and the group, of what only robots with parameters have.
 inline constexpr const char* kParameters = "parameters";
@@ -27,10 +30,11 @@ inline constexpr const char* kTrigonometry = "trigonometry";
 // robcogen::batch::Level: bodies of a group, and their instantiations for one of them.
 inline constexpr const char* kBatch = "batch";
 inline constexpr const char* kLevels[] = {"baseline", "avx2", "avx512"};
-std::string batch_path(const std::string& name, const std::string& group);
-std::string batch_source_path(const std::string& name, const std::string& group, const std::string& level);
+std::string batch_path(const std::string& folder, const std::string& group);
+std::string batch_source_path(const std::string& folder, const std::string& group, const std::string& level);
 
-// First lines of every file: what it is, from which model.
+// First lines of every file: what it is, from which model. Without the model's hash, which stands in model.h alone: a
+// changed mass changes the files whose numbers it changes.
 std::string banner(const Library& library, const std::string& path, const std::string& what);
 // Refuses a runtime that the text was not made for.
 std::string runtime_check(const Api& api);

@@ -1,5 +1,5 @@
 // Uses transforms whose values are known, in both precisions; exits with 1 when one is not what it must be.
-#include <crane/crane.h>
+#include <harbour/crane/crane.h>
 #include <gimbal_left/gimbal_left.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Forces at rest with an acceleration less those without one are the inertia matrix times that acceleration.
-#include <left_leg/batch.h>
-#include <left_leg/left_leg.h>
+#include <walker/legs/left_leg/batch.h>
+#include <walker/legs/left_leg/left_leg.h>
 #include <right_leg/right_leg.h>
 
 int main() {
