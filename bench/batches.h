@@ -12,9 +12,23 @@
 
 #include "functions.h"
 
+// The functions of the library by unqualified names, which are looked up where a call is instantiated: not every robot
+// has every function. The namespace stands apart because robcogen::bench has functions of the same names.
+namespace robcogen_batch_calls {
+
+using namespace ROBCOGEN_ROBOT_NAMESPACE::batch;
+
+inline constexpr auto kInverseDynamics = [](const auto&... x) { inverse_dynamics(x...); };
+inline constexpr auto kInverseDynamicsFullyActuated = [](const auto&... x) { inverse_dynamics_fully_actuated(x...); };
+inline constexpr auto kForwardDynamics = [](const auto&... x) { forward_dynamics(x...); };
+inline constexpr auto kJointSpaceInertia = [](const auto&... x) { joint_space_inertia(x...); };
+
+}  // namespace robcogen_batch_calls
+
 namespace robcogen::bench {
 
 namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
+namespace calls = robcogen_batch_calls;
 
 // So many elements of each state, element by element: columns that begin with a line of the cache. The stride, eight
 // states more than a multiple of 16, is an odd number of lines, so that columns do not compete for few places in it.
@@ -91,54 +105,41 @@ void call(Function function, [[maybe_unused]] const R& robot, const Arguments&..
 }
 
 // Each computes `count` states from `begin` on.
-#if ROBCOGEN_HAS_INVERSE_DYNAMICS
 template <class R>
 void inverse_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
   const auto n = static_cast<std::ptrdiff_t>(count);
   const auto q = a.q.from(begin), qd = a.qd.from(begin), qdd = a.qdd.from(begin);
   if constexpr (R::kFloatingBase) {
-    const auto function = [](const auto&... x) {
-      using namespace generated::batch;  // a qualified name would have to be one of fixed bases, too
-      inverse_dynamics_fully_actuated(x...);
-    };
     call(
-        function, *a.robot, n, q, qd, qdd, a.base_velocity.template from<Twist>(begin),
+        calls::kInverseDynamicsFullyActuated, *a.robot, n, q, qd, qdd, a.base_velocity.template from<Twist>(begin),
         a.base_acceleration.template from<SpatialAcceleration>(begin), kStandardGravity, a.joint_result.to(begin),
         a.base_result.template to<Wrench>(begin));
   } else {
-    const auto function = [](const auto&... x) { generated::batch::inverse_dynamics(x...); };
-    call(function, *a.robot, n, q, qd, qdd, a.joint_result.to(begin));
+    call(calls::kInverseDynamics, *a.robot, n, q, qd, qdd, a.joint_result.to(begin));
   }
 }
-#endif
 
-#if ROBCOGEN_HAS_FORWARD_DYNAMICS
 template <class R>
 void forward_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
   const auto n = static_cast<std::ptrdiff_t>(count);
-  const auto function = [](const auto&... x) { generated::batch::forward_dynamics(x...); };
   const auto q = a.q.from(begin), qd = a.qd.from(begin), tau = a.tau.from(begin);
   if constexpr (R::kFloatingBase) {
     call(
-        function, *a.robot, n, q, qd, tau, a.base_velocity.template from<Twist>(begin), kStandardGravity,
+        calls::kForwardDynamics, *a.robot, n, q, qd, tau, a.base_velocity.template from<Twist>(begin), kStandardGravity,
         a.joint_result.to(begin), a.base_result.template to<SpatialAcceleration>(begin));
   } else {
-    call(function, *a.robot, n, q, qd, tau, a.joint_result.to(begin));
+    call(calls::kForwardDynamics, *a.robot, n, q, qd, tau, a.joint_result.to(begin));
   }
 }
-#endif
 
-#if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
 template <class R>
 void joint_space_inertia_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
   constexpr std::size_t kRange = Arrays<R>::kMatrices;
-  const auto function = [](const auto&... x) { generated::batch::joint_space_inertia(x...); };
   for (std::size_t i = 0; i < count; i += kRange) {
     const auto n = static_cast<std::ptrdiff_t>(std::min(kRange, count - i));
-    call(function, *a.robot, n, a.q.from(begin + i), a.matrix.to(0));
+    call(calls::kJointSpaceInertia, *a.robot, n, a.q.from(begin + i), a.matrix.to(0));
   }
 }
-#endif
 
 template <class R>
 using Compute = void (*)(Arrays<R>& arrays, std::size_t begin, std::size_t count);
@@ -202,16 +203,16 @@ void add_threads(const std::shared_ptr<Arrays<R>>& arrays, const std::string& na
 template <class R>
 void add_batches(const Robot& robot, const std::vector<State<R>>& states) {
   const auto arrays = std::make_shared<Arrays<R>>(states);
-#if ROBCOGEN_HAS_INVERSE_DYNAMICS
-  add_batch<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
-  add_threads<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
-#endif
-#if ROBCOGEN_HAS_FORWARD_DYNAMICS
-  add_batch<R>(arrays, "forward_dynamics", &forward_dynamics_of<R>);
-#endif
-#if ROBCOGEN_HAS_JOINT_SPACE_INERTIA
-  add_batch<R>(arrays, "joint_space_inertia", &joint_space_inertia_of<R>);
-#endif
+  if constexpr (reference::kHasInverseDynamics) {
+    add_batch<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
+    add_threads<R>(arrays, kInverseDynamics<R>, &inverse_dynamics_of<R>);
+  }
+  if constexpr (reference::kHasForwardDynamics) {
+    add_batch<R>(arrays, "forward_dynamics", &forward_dynamics_of<R>);
+  }
+  if constexpr (reference::kHasInertia) {
+    add_batch<R>(arrays, "joint_space_inertia", &joint_space_inertia_of<R>);
+  }
   for (const reflection::Transform* transform : measured_transforms(robot))
     add_batch_of_positions<R>(arrays, benchmark_name(*transform), kernel_name(*transform));
   for (const reflection::Jacobian* jacobian : measured_jacobians(robot))

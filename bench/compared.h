@@ -65,17 +65,17 @@ Eigen::MatrixXd full_jacobian(const reflection::Jacobian& jacobian, const State<
 template <class R>
 std::vector<Computed> computed(const Robot& robot, const std::vector<State<R>>& states) {
   std::vector<Computed> all;
-  if constexpr (ROBCOGEN_HAS_INVERSE_DYNAMICS) {
+  if constexpr (reference::kHasInverseDynamics) {
     all.push_back({peers::Quantity::inverse_dynamics, kInverseDynamics<R>, [&states](std::size_t i) {
                      return flat(inverse_dynamics<R>(states[i], states[i].q));
                    }});
   }
-  if constexpr (ROBCOGEN_HAS_FORWARD_DYNAMICS) {
+  if constexpr (reference::kHasForwardDynamics) {
     all.push_back({peers::Quantity::forward_dynamics, "forward_dynamics", [&states](std::size_t i) {
                      return flat(forward_dynamics<R>(states[i], states[i].q));
                    }});
   }
-  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA) {
+  if constexpr (reference::kHasInertia) {
     all.push_back({peers::Quantity::inertia_matrix, "joint_space_inertia", [&states](std::size_t i) {
                      return flat(states[i].robot->joint_space_inertia(states[i].q));
                    }});

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "robcogen/reference/available.h"
 #include "robcogen/reference/kinematics.h"
 #include "states.h"
 
@@ -151,7 +152,7 @@ void add_inertia_factor(const Robot& robot, const std::vector<State<R>>& states)
         x.template tail<R::kDof>() = s.tau;
         return factor.solve(x);
       });
-  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA && R::kDof > 0) {
+  if constexpr (reference::kHasInertia && R::kDof > 0) {
     add<R>(robot, states, "joint_space_inertia, Eigen's LLT", "", [](const State<R>& s) {
       return Eigen::LLT<InertiaMatrix>(s.robot->joint_space_inertia(s.q));
     });

@@ -1,7 +1,6 @@
 // The benchmark of one generated library: each function over 1,024 random states in turn. Compiled once a robot, with
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
-//     ROBCOGEN_HAS_<GROUP>                                1 where the library has the group, else 0
 //     ROBCOGEN_BATCH_HEADER                               functions over many states, where the library has them
 //     ROBCOGEN_BENCH_FLAGS                                what its kernels were compiled with, as text
 //     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, where other libraries are measured too
@@ -31,11 +30,11 @@ namespace {
 
 template <class R>
 void add_functions(const Robot& robot, const std::vector<State<R>>& states) {
-  if constexpr (ROBCOGEN_HAS_INVERSE_DYNAMICS) add_inverse_dynamics<R>(robot, states);
-  if constexpr (ROBCOGEN_HAS_FORWARD_DYNAMICS) add_forward_dynamics<R>(robot, states);
-  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA) add_inertia_matrix<R>(robot, states);
-  if constexpr (ROBCOGEN_HAS_JOINT_SPACE_INERTIA_FACTOR) add_inertia_factor<R>(robot, states);
-  if constexpr (ROBCOGEN_HAS_BIAS_FORCES) add_bias_forces<R>(robot, states);
+  if constexpr (reference::kHasInverseDynamics) add_inverse_dynamics<R>(robot, states);
+  if constexpr (reference::kHasForwardDynamics) add_forward_dynamics<R>(robot, states);
+  if constexpr (reference::kHasInertia) add_inertia_matrix<R>(robot, states);
+  if constexpr (reference::kHasFactor) add_inertia_factor<R>(robot, states);
+  if constexpr (reference::kHasBiasForces) add_bias_forces<R>(robot, states);
   add_kinematics<R>(robot, states);
 }
 

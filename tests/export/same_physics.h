@@ -14,7 +14,7 @@ namespace robcogen::test {
 struct Differences {
   double inertia_matrix = 0;    // of H(i, j), relative to sqrt(H(i, i) H(j, j))
   double inverse_dynamics = 0;  // with the base's wrench, if it floats
-  double forward_dynamics = 0;  // with the base's acceleration, if it floats
+  double forward_dynamics = 0;  // with the base's acceleration, if it floats; where the inertia matrix is regular
   double poses = 0;             // of links in the base, by name: see `named_frame`
 };
 

@@ -2,7 +2,6 @@
 // identities that hold for every robot. Compiled once a robot, with
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
-//     ROBCOGEN_HAS_<GROUP>                                1 where the library has the group, else 0
 //     ROBCOGEN_BATCH_HEADER                               where the library has functions over many states
 //
 //     hyl_selfcheck [--seed N] [--samples N]
@@ -12,6 +11,7 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
+#include "robcogen/reference/available.h"
 #include "robcogen/reference/check_batch.h"
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_factor.h"
@@ -25,15 +25,6 @@
 
 namespace robcogen::reference {
 namespace {
-
-constexpr bool kHasInverseDynamics = ROBCOGEN_HAS_INVERSE_DYNAMICS;
-constexpr bool kHasBiasForces = ROBCOGEN_HAS_BIAS_FORCES;
-constexpr bool kHasForwardDynamics = ROBCOGEN_HAS_FORWARD_DYNAMICS;
-constexpr bool kHasInertia = ROBCOGEN_HAS_JOINT_SPACE_INERTIA;
-constexpr bool kHasFactor = ROBCOGEN_HAS_JOINT_SPACE_INERTIA_FACTOR;
-constexpr bool kHasCoriolisMatrix = ROBCOGEN_HAS_CORIOLIS_MATRIX;
-constexpr bool kHasCentroidal = ROBCOGEN_HAS_CENTROIDAL;
-constexpr bool kHasEnergy = ROBCOGEN_HAS_ENERGY;
 
 template <class R>
 void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64& engine, int samples, Checks& checks) {

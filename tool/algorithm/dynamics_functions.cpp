@@ -57,14 +57,17 @@ std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree,
     add_method(list, "inverse_dynamics", description(tree, formulation.frames));
     return list;
   }
-  add_overloads(
-      list, tree, group, "inverse_dynamics",
-      {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the base that nothing "
-       "holds (Featherstone 2008, sec. 9.4).",
-       "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
-      [&](const std::string& kernel, Loads loads) {
-        return unactuated_base_inverse_dynamics(tree, kernel, loads, formulations.unactuated_base());
-      });
+  // It divides by the inertia of the robot as one body.
+  const bool has_free_base = !tree.inertia_defects.locked_base;
+  if (has_free_base)
+    add_overloads(
+        list, tree, group, "inverse_dynamics",
+        {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the base that nothing "
+         "holds (Featherstone 2008, sec. 9.4).",
+         "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
+        [&](const std::string& kernel, Loads loads) {
+          return unactuated_base_inverse_dynamics(tree, kernel, loads, formulations.unactuated_base());
+        });
   add_overloads(
       list, tree, group, "inverse_dynamics_fully_actuated",
       {"Joint forces tau (N m, N) and the wrench on the base for joint and base accelerations: recursive Newton-Euler "
@@ -72,7 +75,7 @@ std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree,
        "`base_velocity`, `base_acceleration` (spatial, gravity not included) and `base_wrench` are in base "
        "coordinates, angular first."},
       [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
-  add_method(list, "inverse_dynamics", description(tree, formulations.unactuated_base().frames));
+  if (has_free_base) add_method(list, "inverse_dynamics", description(tree, formulations.unactuated_base().frames));
   add_method(list, "inverse_dynamics_fully_actuated", description(tree, formulation.frames));
   return list;
 }

@@ -10,34 +10,57 @@ namespace {
 
 using model::KinematicTree;
 
+// What a group's functions take from the mass properties.
+enum class Needs {
+  nothing,
+  inertia,          // some
+  mass,             // they divide by the total mass
+  inertia_inverse,  // they divide by the joint-space inertia matrix
+};
+
 struct Group {
   const char* name;
   bool is_default;
+  Needs needs;
   // One of these.
   std::vector<RobotFunction> (*dynamics)(const KinematicTree&, Formulations&);
   std::vector<RobotFunction> (*kinematics)(const KinematicTree&, const model::DesiredTransforms&);
 };
 
 constexpr std::array kGroups = {
-    Group{"inverse_dynamics", true, inverse_dynamics_functions, nullptr},
-    Group{"bias_forces", true, bias_forces_functions, nullptr},
-    Group{"forward_dynamics", true, forward_dynamics_functions, nullptr},
-    Group{"joint_space_inertia", true, joint_space_inertia_functions, nullptr},
-    Group{"joint_space_inertia_factor", true, joint_space_inertia_factor_functions, nullptr},
-    Group{"coriolis_matrix", false, coriolis_matrix_functions, nullptr},
-    Group{"centroidal", true, centroidal_functions, nullptr},
-    Group{"energy", true, energy_functions, nullptr},
-    Group{"transforms", true, nullptr, transforms_functions},
-    Group{"jacobians", true, nullptr, jacobians_functions},
-    Group{"jacobian_references", false, nullptr, jacobian_references_functions},
-    Group{"jacobian_derivatives", false, nullptr, jacobian_derivatives_functions},
-    Group{"velocities", false, nullptr, velocities_functions},
-    Group{"accelerations", false, nullptr, accelerations_functions}};
+    Group{"inverse_dynamics", true, Needs::inertia, inverse_dynamics_functions, nullptr},
+    Group{"bias_forces", true, Needs::inertia, bias_forces_functions, nullptr},
+    Group{"forward_dynamics", true, Needs::inertia_inverse, forward_dynamics_functions, nullptr},
+    Group{"joint_space_inertia", true, Needs::inertia, joint_space_inertia_functions, nullptr},
+    Group{"joint_space_inertia_factor", true, Needs::inertia_inverse, joint_space_inertia_factor_functions, nullptr},
+    Group{"coriolis_matrix", false, Needs::inertia, coriolis_matrix_functions, nullptr},
+    Group{"centroidal", true, Needs::mass, centroidal_functions, nullptr},
+    Group{"energy", true, Needs::inertia, energy_functions, nullptr},
+    Group{"transforms", true, Needs::nothing, nullptr, transforms_functions},
+    Group{"jacobians", true, Needs::nothing, nullptr, jacobians_functions},
+    Group{"jacobian_references", false, Needs::nothing, nullptr, jacobian_references_functions},
+    Group{"jacobian_derivatives", false, Needs::nothing, nullptr, jacobian_derivatives_functions},
+    Group{"velocities", false, Needs::nothing, nullptr, velocities_functions},
+    Group{"accelerations", false, Needs::nothing, nullptr, accelerations_functions}};
 
 const Group* group_of(const std::string& name) {
   const auto found =
       std::find_if(kGroups.begin(), kGroups.end(), [&](const Group& group) { return group.name == name; });
   return found == kGroups.end() ? nullptr : &*found;
+}
+
+bool is_available(const Group& group, const model::InertiaDefects& defects) {
+  switch (group.needs) {
+    case Needs::nothing:
+      return true;
+    case Needs::inertia:
+      return !defects.no_inertia;
+    case Needs::mass:
+      return !defects.no_mass;
+    case Needs::inertia_inverse:
+      return !defects.no_inertia && !defects.is_singular();
+  }
+  return true;
 }
 
 template <class Condition>
@@ -66,6 +89,11 @@ const std::vector<std::string>& groups_between_frames() {
   return names;
 }
 
+bool is_available(const KinematicTree& tree, const std::string& group) {
+  const Group* found = group_of(group);
+  return found && is_available(*found, tree.inertia_defects);
+}
+
 std::vector<RobotFunction> functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired,
@@ -81,7 +109,7 @@ std::vector<RobotFunction> functions(
     const std::string& group,
     Formulations& formulations) {
   const Group* found = group_of(group);
-  if (!found) return {};
+  if (!found || !is_available(*found, tree.inertia_defects)) return {};
   return found->dynamics ? found->dynamics(tree, formulations) : found->kinematics(tree, desired);
 }
 
@@ -101,7 +129,7 @@ std::vector<std::optional<symbolic::Program>> alike_programs(
     const std::string& group,
     Formulations& with_typical_limbs) {
   const Group* found = group_of(group);
-  if (!found || !found->dynamics) return {};
+  if (!found || !found->dynamics || !is_available(*found, tree.inertia_defects)) return {};
   std::vector<std::optional<symbolic::Program>> programs;
   for (RobotFunction& f : found->dynamics(tree, with_typical_limbs)) {
     const bool is_other = std::any_of(f.program.constants.begin(), f.program.constants.end(), [](const Number& n) {

@@ -34,8 +34,12 @@ const std::vector<std::string>& groups_between_frames();
 // The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
 const std::vector<std::string>& default_groups();
 
-// The functions of one group. Gravity, where it enters, is folded to (0, 0, -9.81) in a fixed-base robot's first
-// overload and an input in the others; external wrenches are inputs of the last.
+// Whether the robot's mass properties allow the functions of this group: those that divide by the joint-space inertia
+// matrix need one that is regular, those of the centre of mass some mass, all of the dynamics some inertia.
+bool is_available(const model::KinematicTree& tree, const std::string& group);
+
+// The functions of one group; none where it is not available. Gravity, where it enters, is folded to (0, 0, -9.81) in a
+// fixed-base robot's first overload and an input in the others; external wrenches are inputs of the last.
 std::vector<RobotFunction> functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired,

@@ -52,8 +52,9 @@ struct ModelOptions {
   bool lanes = false;             // programs where equal limbs share lanes, if that is faster
 
   void declare(CLI::App& subcommand);
-  // Loads the robot and reports diagnostics; nullopt when there was an error.
-  std::optional<Robot> load() const;
+  // Loads the robot and reports diagnostics; nullopt when there was an error, such as that the robot
+  // cannot have one of these groups.
+  std::optional<Robot> load(const std::vector<std::string>& groups = {}) const;
   // The same for a document of motions or transforms.
   std::optional<Transforms> load_transforms() const;
   // Loads the one or the other, and traces these groups of it; empty: all. With `cached`, functions of a robot with
@@ -64,6 +65,11 @@ struct ModelOptions {
   Reading reading() const;
   void report_all(const Diagnostics& diagnostics) const;
 };
+
+// `--algorithms all`: every group that the robot and the language allow.
+inline constexpr const char* kAllGroups = "all";
+// Those that were asked for by their own names.
+std::vector<std::string> named_groups(const std::vector<std::string>& asked);
 
 // Groups of functions, none where the option is not given. Documents of motions and of transforms have one alone: a
 // Failure when others were asked for.

@@ -55,10 +55,10 @@ std::vector<std::string> groups_of(const backend::Language& language, const std:
   std::vector<std::string> ordered;
   for (const std::string& group : algorithm::groups()) {
     const bool is_offered = language.groups.empty() || contains(language.groups, group);
-    if (!contains(asked.empty() ? algorithm::default_groups() : asked, group)) continue;
+    if (!contains(asked, kAllGroups) && !contains(asked.empty() ? algorithm::default_groups() : asked, group)) continue;
     if (is_offered) {
       ordered.push_back(group);
-    } else if (!asked.empty()) {
+    } else if (!named_groups(asked).empty()) {
       throw Failure{
           wrong_usage, fmt::format(
                            "robcogen: error: --algorithms {} cannot be had in {}, which offers {}", group,
@@ -148,7 +148,7 @@ Status write_libraries(const Options& options, const std::vector<fs::path>& read
 }
 
 Status generate_robot(const Options& options) {
-  const std::optional<Robot> robot = options.model.load();
+  const std::optional<Robot> robot = options.model.load(options.groups);
   if (!robot) return wrong_input;
   return write_libraries(options, robot->read, [&](const backend::Language& language) {
     const std::vector<std::string> groups = groups_of(language, options.groups);
@@ -213,7 +213,8 @@ Action declare_generate(CLI::App& application) {
   subcommand->get_option("model")->required(false);
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
-  subcommand->add_option("--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
+  subcommand->add_option(
+      "--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
   const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
   declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
   subcommand->add_flag(

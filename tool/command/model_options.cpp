@@ -12,8 +12,9 @@ namespace {
 // Those of all groups that were asked for, or all, in canonical order.
 std::vector<std::string> ordered_groups(const std::vector<std::string>& asked) {
   std::vector<std::string> ordered;
+  const std::vector<std::string> named = named_groups(asked);
   for (const std::string& group : algorithm::groups())
-    if (asked.empty() || std::count(asked.begin(), asked.end(), group) > 0) ordered.push_back(group);
+    if (named.empty() || std::count(named.begin(), named.end(), group) > 0) ordered.push_back(group);
   return ordered;
 }
 
@@ -39,6 +40,10 @@ std::vector<std::string> chosen_steps(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::vector<std::string> named_groups(const std::vector<std::string>& asked) {
+  return std::count(asked.begin(), asked.end(), kAllGroups) > 0 ? std::vector<std::string>() : asked;
+}
 
 std::string dotted(const std::string& scope, const std::string& name) {
   std::string result = scope.empty() ? name : scope + "::" + name;
@@ -78,11 +83,13 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
 }
 
 void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
-  subcommand.add_option("--algorithms", groups, description)->delimiter(',')->check(one_of(algorithm::groups()));
+  std::vector<std::string> names = algorithm::groups();
+  names.emplace_back(kAllGroups);
+  subcommand.add_option("--algorithms", groups, description)->delimiter(',')->check(one_of(names));
 }
 
 void require_groups_of_transforms(const std::vector<std::string>& asked) {
-  for (const std::string& group : asked) {
+  for (const std::string& group : named_groups(asked)) {
     if (group == kTransformsGroup) continue;
     throw Failure{
         wrong_usage,
@@ -126,9 +133,11 @@ void ModelOptions::report_all(const Diagnostics& diagnostics) const {
   report((quiet ? errors_of(diagnostics) : diagnostics).render(format_of(error_format)));
 }
 
-std::optional<Robot> ModelOptions::load() const {
+std::optional<Robot> ModelOptions::load(const std::vector<std::string>& groups) const {
   Diagnostics diagnostics;
-  std::optional<Robot> robot = load_robot(model, reading(), diagnostics);
+  Reading how = reading();
+  how.groups = named_groups(groups);
+  std::optional<Robot> robot = load_robot(model, how, diagnostics);
   report_all(diagnostics);
   return robot;
 }
@@ -157,7 +166,7 @@ std::optional<Programs> ModelOptions::load_programs(const std::vector<std::strin
       programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
     return programs;
   }
-  const std::optional<Robot> robot = load();
+  const std::optional<Robot> robot = load(groups);
   if (!robot) return std::nullopt;
   Programs programs = {
       "robot",

@@ -16,6 +16,7 @@
 #include "import/kinematics.h"
 #include "import/names.h"
 #include "language/common/content.h"
+#include "model/plausibility.h"
 #include "pass/pack_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
@@ -117,6 +118,11 @@ std::optional<Robot> load_robot(const std::filesystem::path& model, const Readin
   std::optional<Robot> robot = load_model(model, reading.urdf, diagnostics);
   if (!robot) return std::nullopt;
   if (reading.strict) promote_strict_warnings(diagnostics);
+  const auto is_missing = [&](const std::string& group) { return !algorithm::is_available(robot->tree, group); };
+  if (std::any_of(reading.groups.begin(), reading.groups.end(), is_missing)) {
+    diagnostics.promote_warnings(model::inertia_defect_codes());
+    return std::nullopt;
+  }
   if (diagnostics.has_errors()) return std::nullopt;
   robot->model = model;
   robot->read.push_back(model);

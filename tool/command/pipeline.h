@@ -37,6 +37,7 @@ struct Reading {
   bool strict = false;                           // see promote_strict_warnings
   import::UrdfOptions urdf;                      // for models in URDF
   bool lists_parameters = false;                 // a note with the model's parameters
+  std::vector<std::string> groups = {};          // asked for by name: one that the robot cannot have is an error
 };
 
 // By the ending `.urdf`, or by content: a URDF may be called otherwise.

@@ -285,8 +285,8 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   check_mass_properties(description, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
 
-  check_inertia_matrix(a.tree, diagnostics);
-  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  a.tree.inertia_defects = inertia_defects(a.tree);
+  report_inertia_defects(a.tree, diagnostics);
   return std::move(a.tree);
 }
 

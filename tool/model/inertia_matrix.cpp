@@ -1,4 +1,4 @@
-// Is the joint-space inertia matrix H singular in every position?
+// Where does a motion meet no inertia: is the joint-space inertia matrix H singular in every position?
 //
 // Eliminating the joints from the leaves to the base (the articulated-body recursion, Featherstone 2008, section 7.3)
 // yields the pivots of a factorisation of H: pivot j is the inertia that joint j meets while the joints beyond it are
@@ -8,8 +8,6 @@
 // A computed zero is only zero up to rounding, and what is small depends on the units and sizes of the robot. So every
 // articulated inertia is given a small inertia more, in proportion to itself: a pivot that doubles when this addition
 // doubles consists of nothing else.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -183,37 +181,51 @@ bool any(const std::vector<bool>& flags) {
   return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
+bool moves(const KinematicTree& tree, std::size_t link) {
+  return link > 0 || tree.floating_base;
+}
+
+bool has_inertia(const Link& link) {
+  if (!link.inertia) return false;
+  const Inertia& i = *link.inertia;
+  for (const Quantity* q : {&i.mass, &i.ixx, &i.iyy, &i.izz, &i.ixy, &i.ixz, &i.iyz})
+    if (!q->is_constant() || q->number().value() != 0.0) return true;
+  return false;
+}
+
+bool has_no_mass(const KinematicTree& tree) {
+  const std::vector<double> parameters = OrdinaryNumbers().next(tree.parameters.size());
+  double sum = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    if (!moves(tree, i) || !tree.links[i].inertia) continue;
+    const double mass = evaluate(tree.links[i].inertia->mass, parameters);
+    sum += mass;
+    size += std::abs(mass);
+  }
+  return std::abs(sum) <= kAddition * size;
+}
+
 }  // namespace
 
-void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics) {
+InertiaDefects inertia_defects(const KinematicTree& tree) {
+  InertiaDefects defects;
+  bool some_move = false, some_have = false;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    some_move = some_move || moves(tree, i);
+    some_have = some_have || (moves(tree, i) && has_inertia(tree.links[i]));
+  }
+  if (!some_move) return defects;
   const Zeros free = zero_pivots(tree, Beyond::free);
   const Zeros locked = zero_pivots(tree, Beyond::locked);
+  defects.no_inertia = !some_have;
+  defects.no_mass = has_no_mass(tree);
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     if (!free.joints[i]) continue;
-    const Joint& joint = tree.joints[i];
-    const char* missing = joint.type == JointType::revolute ? "inertia about its axis" : "mass";
-    const std::string reason =
-        locked.joints[i] ? fmt::format("nothing that joint '{}' moves has {}", joint.name, missing)
-                         : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.name);
-    Diagnostic& error = diagnostics.error(
-        "singular-inertia", joint.place, reason + ": the joint-space inertia matrix is singular in every position");
-    error.notes.push_back({tree.links[at(joint.child)].place, "the joint moves this link"});
+    defects.joints.push_back({static_cast<int>(i), locked.joints[i]});
   }
-  if (any(free.base)) {
-    diagnostics.error(
-        "singular-base-inertia", tree.links[0].place,
-        fmt::format(
-            "floating base '{}' meets no inertia in some direction while the joints are free: the joint-space inertia "
-            "matrix is singular in every position",
-            tree.links[0].name));
-  } else if (any(locked.base)) {
-    // Masses of either sign that cancel: no acceleration of the base answers the joints' motion.
-    diagnostics.error(
-        "singular-base-inertia", tree.links[0].place,
-        fmt::format(
-            "floating base '{}' and all that it carries have no inertia in some direction in any position",
-            tree.links[0].name));
-  }
+  defects.free_base = any(free.base);
+  defects.locked_base = any(locked.base);
+  return defects;
 }
 
 }  // namespace robcogen::model

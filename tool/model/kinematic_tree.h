@@ -93,6 +93,23 @@ struct Frame {
 // Name of the frame that the link or joint of this name has without being asked.
 std::string implicit_frame_name(const std::string& element);
 
+// Where mass properties leave the dynamics without an answer, in every position (inertia_defects in plausibility.h).
+struct InertiaDefects {
+  // A joint that meets no inertia while the joints beyond it are free; `locked`: nor while they are locked.
+  struct FreeJoint {
+    int joint = -1;
+    bool locked = false;
+  };
+  bool no_inertia = false;  // nothing that moves has mass properties: the robot is kinematics alone
+  bool no_mass = false;     // the masses of all that moves add up to zero: there is no centre of mass
+  std::vector<FreeJoint> joints = {};
+  bool free_base = false;    // the floating base meets no inertia in some direction while the joints are free
+  bool locked_base = false;  // the same while the joints are locked: the robot as one body
+
+  // Of the joint-space inertia matrix.
+  bool is_singular() const { return free_base || !joints.empty(); }
+};
+
 class KinematicTree {
  public:
   std::string name;
@@ -101,6 +118,7 @@ class KinematicTree {
   std::vector<Joint> joints;  // as declared; q, qd, tau, … have this order
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
+  InertiaDefects inertia_defects = {};
 
   int dof() const { return static_cast<int>(joints.size()); }
   // Joint indices, parents before children, depth first, children in the order of the document.

@@ -14,8 +14,15 @@ void check_link_ids(const Description& description, Diagnostics& diagnostics);
 // depend on parameters are not judged, nor is a fixed base, whose properties are never used.
 void check_mass_properties(const Description& description, Diagnostics& diagnostics);
 
-// Reports every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space
+// Finds every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space
 // inertia matrix has no inverse anywhere. Parameters are taken to have some value that is not special.
-void check_inertia_matrix(const KinematicTree& tree, Diagnostics& diagnostics);
+InertiaDefects inertia_defects(const KinematicTree& tree);
+
+// Warns, with the names of the joints, that functions which divide by the inertia matrix are not available; notes a
+// robot of kinematics alone.
+void report_inertia_defects(const KinematicTree& tree, Diagnostics& diagnostics);
+
+// The codes of these reports.
+const std::vector<std::string>& inertia_defect_codes();
 
 }  // namespace robcogen::model

@@ -54,6 +54,28 @@ TEST(Command, WrongInputExitsWithOneAndWritesNothing) {
   EXPECT_FALSE(fs::exists(scratch.path / "r.stamp"));
 }
 
+// A robot whose inertia matrix has no inverse: a warning, and an error where a function that needs it is asked for.
+TEST(Command, LeavesOutWhatDividesByASingularInertiaMatrix) {
+  const Scratch scratch("singular");
+  const fs::path model = fs::path(ROBCOGEN_ROBOTS_DIR).parent_path() / "tests/inertia/stylus.kindsl";
+  const Outcome ops = run_tool("ops " + quoted(model));
+  EXPECT_EQ(ops.status, 0);
+  EXPECT_NE(ops.errors.find("warning: joint 'twist' meets no inertia"), std::string::npos) << ops.errors;
+  EXPECT_NE(ops.errors.find("[singular-inertia]"), std::string::npos) << ops.errors;
+  EXPECT_NE(ops.output.find("\ninverse_dynamics "), std::string::npos) << ops.output;
+  EXPECT_EQ(ops.output.find("\nforward_dynamics "), std::string::npos) << ops.output;
+  const auto generate = [&](const std::string& groups) {
+    return run_tool("generate " + quoted(model) + " --name stylus -o " + quoted(scratch.path / "out") + groups);
+  };
+  const Outcome asked = generate(" --algorithms inverse_dynamics forward_dynamics");
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_NE(asked.errors.find("error: joint 'twist' meets no inertia"), std::string::npos) << asked.errors;
+  EXPECT_FALSE(fs::exists(scratch.path / "out"));
+  EXPECT_EQ(generate(" --algorithms all").status, 0);
+  EXPECT_EQ(generate("").status, 0);
+  EXPECT_TRUE(fs::exists(scratch.path / "out/stylus/forward_dynamics.h"));
+}
+
 TEST(Command, AnErrorLeavesEarlierOutputAlone) {
   const Scratch scratch("again");
   const fs::path model = scratch.path / "r.kindsl", out = scratch.path / "out";

@@ -79,6 +79,13 @@ inline std::vector<std::string> codes(const Diagnostics& diagnostics) {
   return result;
 }
 
+// Those that building this robot reports.
+inline std::vector<std::string> codes_of(const Description& d) {
+  Diagnostics diagnostics;
+  build(d, diagnostics);
+  return codes(diagnostics);
+}
+
 // parent_T_frame, by Eigen.
 inline Eigen::Isometry3d pose(const Placement& placement, std::span<const double> parameters = {}) {
   const auto value = [&](const Quantity& q) { return evaluate(q, parameters); };

@@ -12,13 +12,15 @@ using Codes = std::vector<std::string>;
 using test::number;
 using test::pi;
 
+// Why the joint-space inertia matrix is singular: a reason for each joint, and one for the base.
 std::vector<std::string> messages(const Description& d) {
   Diagnostics diagnostics;
-  build(d, diagnostics);
+  EXPECT_TRUE(build(d, diagnostics).has_value()) << diagnostics.render();
   std::vector<std::string> result;
   for (const Diagnostic& diagnostic : diagnostics.all()) {
-    if (diagnostic.severity == Severity::error)
-      result.push_back(diagnostic.message.substr(0, diagnostic.message.find(':')));
+    EXPECT_NE(diagnostic.severity, Severity::error) << diagnostic.message;
+    if (diagnostic.code == "singular-inertia")
+      for (const Note& note : diagnostic.notes) result.push_back(note.message);
   }
   return result;
 }
@@ -88,9 +90,38 @@ TEST(InertiaMatrix, RefusesAMasslessFloatingBase) {
   d.base = test::massless("base");
   EXPECT_EQ(messages(d), kNone);
   d.floating_base = true;
-  EXPECT_EQ(messages(d), Codes{kBase});
+  EXPECT_EQ(test::codes_of(d), Codes{"no-inertia"});
   d.base.inertia = test::ball(1.0, 0.0);  // a point can turn freely
   EXPECT_EQ(messages(d), Codes{kBase});
+}
+
+TEST(InertiaMatrix, NamesWhatIsMissingWithTheRobotAsOneBody) {
+  Description d;
+  d.name = "point";
+  d.floating_base = true;
+  d.base = test::link("base");
+  Diagnostics none;
+  EXPECT_FALSE(build(d, none)->inertia_defects.locked_base);
+  d.base.inertia = test::ball(1.0, 0.0);
+  Diagnostics diagnostics;
+  const InertiaDefects defects = build(d, diagnostics)->inertia_defects;
+  EXPECT_TRUE(defects.free_base);
+  EXPECT_TRUE(defects.locked_base);
+  EXPECT_FALSE(defects.no_mass);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_NE(diagnostics.all()[0].message.find("inverse dynamics of the free base"), std::string::npos);
+}
+
+TEST(InertiaMatrix, KnowsARobotOfKinematicsAlone) {
+  Description d = test::two_links();
+  d.links[0] = test::massless("one", {{"two", "b", {}, {}}});
+  d.links[1].inertia = test::ball(0.0, 0.0);
+  d.base.inertia = test::ball();  // of a fixed base: nothing moves it
+  EXPECT_EQ(test::codes_of(d), Codes{"no-inertia"});
+  d.links[1].inertia->izz = number(0.1);  // a flywheel whose mass is left out
+  const Codes codes = test::codes_of(d);
+  EXPECT_EQ(std::count(codes.begin(), codes.end(), "no-inertia"), 0);
+  EXPECT_EQ(std::count(codes.begin(), codes.end(), "no-mass"), 1);
 }
 
 TEST(InertiaMatrix, TakesParametersForPositive) {
@@ -234,14 +265,16 @@ TEST(InertiaMatrix, AgreesWithTheRankOfTheMatrixOnRandomRobots) {
       expected = std::min(expected, nullity(inertia_matrix(d, parents, q)));
     }
     Diagnostics diagnostics;
-    build(d, diagnostics);
-    const Codes codes = test::codes(diagnostics);
-    const auto joints = std::count(codes.begin(), codes.end(), "singular-inertia");
-    const bool base = std::count(codes.begin(), codes.end(), "singular-base-inertia") != 0;
-    EXPECT_EQ(joints + base > 0, expected > 0) << diagnostics.render();
-    if (!base) {
-      EXPECT_EQ(joints, expected) << diagnostics.render();
+    const std::optional<KinematicTree> tree = build(d, diagnostics);
+    ASSERT_TRUE(tree.has_value()) << diagnostics.render();
+    const InertiaDefects& defects = tree->inertia_defects;
+    EXPECT_EQ(defects.is_singular(), expected > 0) << diagnostics.render();
+    if (!defects.free_base) {
+      EXPECT_EQ(static_cast<int>(defects.joints.size()), expected) << diagnostics.render();
     }
+    const Codes codes = test::codes(diagnostics);
+    const bool is_reported = std::count(codes.begin(), codes.end(), "singular-inertia") == 1;
+    EXPECT_EQ(is_reported, expected > 0 && !defects.no_inertia) << diagnostics.render();
     singular += expected > 0;
   }
   // Both answers must occur often for the comparison to mean anything.

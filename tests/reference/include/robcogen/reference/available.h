@@ -1,0 +1,29 @@
+// Which functions a library has: those of the groups that were asked for, less what the robot's mass properties do not
+// allow (forward dynamics of a robot whose inertia matrix is singular). The library's own table says it.
+//
+// Include the robot's reflection header first; needs ROBCOGEN_ROBOT_NAMESPACE.
+#pragma once
+
+#include <string_view>
+
+#include "robcogen/reflection.h"
+
+namespace robcogen::reference {
+
+constexpr bool has_kernel(std::string_view name) {
+  const reflection::Robot& robot = ROBCOGEN_ROBOT_NAMESPACE::reflection::robot;
+  for (int i = 0; i < robot.functions.size; ++i)
+    if (robot.functions[i].name == name) return true;
+  return false;
+}
+
+constexpr bool kHasInverseDynamics = has_kernel("inverse_dynamics");
+constexpr bool kHasBiasForces = has_kernel("bias_forces");
+constexpr bool kHasForwardDynamics = has_kernel("forward_dynamics");
+constexpr bool kHasInertia = has_kernel("joint_space_inertia");
+constexpr bool kHasFactor = has_kernel("joint_space_inertia_factor");
+constexpr bool kHasCoriolisMatrix = has_kernel("coriolis_matrix");
+constexpr bool kHasCentroidal = has_kernel("center_of_mass");
+constexpr bool kHasEnergy = has_kernel("kinetic_energy");
+
+}  // namespace robcogen::reference

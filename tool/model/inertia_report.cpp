@@ -1,0 +1,99 @@
+// What a user is told about a robot whose mass properties leave functions of its dynamics without an answer.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "model/plausibility.h"
+#include "support/index.h"
+
+namespace robcogen::model {
+namespace {
+
+constexpr const char* kSingular = "singular-inertia";
+constexpr const char* kSingularBase = "singular-base-inertia";
+constexpr const char* kNoInertia = "no-inertia";
+constexpr const char* kNoMass = "no-mass";
+
+constexpr std::size_t kMaxNamed = 8;  // joints
+
+std::string reason(const KinematicTree& tree, const InertiaDefects::FreeJoint& free) {
+  const Joint& joint = tree.joints[at(free.joint)];
+  const char* missing = joint.type == JointType::revolute ? "inertia about its axis" : "mass";
+  return free.locked ? fmt::format("nothing that joint '{}' moves has {}", joint.name, missing)
+                     : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.name);
+}
+
+std::string reason_of_base(const KinematicTree& tree) {
+  return fmt::format(
+      "floating base '{}' meets no inertia in some direction while the joints are free", tree.links[0].name);
+}
+
+// `joints 'a', 'b' and the floating base 'trunk' meet`
+std::string subject(const KinematicTree& tree) {
+  const InertiaDefects& defects = tree.inertia_defects;
+  std::vector<std::string> names;
+  for (const InertiaDefects::FreeJoint& free : defects.joints)
+    if (names.size() < kMaxNamed) names.push_back(fmt::format("'{}'", tree.joints[at(free.joint)].name));
+  if (defects.joints.size() > kMaxNamed) names.push_back(fmt::format("{} more", defects.joints.size() - kMaxNamed));
+  std::string text;
+  if (!names.empty()) text = fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));
+  if (defects.free_base)
+    text += fmt::format("{}floating base '{}'", text.empty() ? "" : " and ", tree.links[0].name);
+  const bool is_one = defects.joints.size() + (defects.free_base ? 1 : 0) == 1;
+  return text + (is_one ? " meets" : " meet");
+}
+
+void report_singular(const KinematicTree& tree, Diagnostics& diagnostics) {
+  const InertiaDefects& defects = tree.inertia_defects;
+  std::vector<Note> reasons;
+  for (const InertiaDefects::FreeJoint& free : defects.joints)
+    reasons.push_back({tree.joints[at(free.joint)].place, reason(tree, free)});
+  if (defects.free_base) reasons.push_back({tree.links[0].place, reason_of_base(tree)});
+  if (reasons.size() > kMaxNamed) reasons.resize(kMaxNamed);
+  Diagnostic& warning = diagnostics.warning(
+      kSingular, reasons.front().place,
+      fmt::format(
+          "{} no inertia: the joint-space inertia matrix is singular in every position, so that forward dynamics{} and "
+          "the factor of the matrix are not available",
+          subject(tree), defects.locked_base ? ", inverse dynamics of the free base" : ""));
+  warning.notes = std::move(reasons);
+}
+
+}  // namespace
+
+void report_inertia_defects(const KinematicTree& tree, Diagnostics& diagnostics) {
+  const InertiaDefects& defects = tree.inertia_defects;
+  if (defects.no_inertia) {
+    diagnostics.note(
+        kNoInertia, tree.links[0].place,
+        fmt::format(
+            "no link that moves has mass properties: robot '{}' has transforms, Jacobians, velocities and "
+            "accelerations, "
+            "and no dynamics",
+            tree.name));
+    return;
+  }
+  if (defects.is_singular()) {
+    report_singular(tree, diagnostics);
+  } else if (defects.locked_base) {
+    // Masses of either sign that cancel: no acceleration of the base answers the joints' motion.
+    diagnostics.warning(
+        kSingularBase, tree.links[0].place,
+        fmt::format(
+            "floating base '{}' and all that it carries have no inertia in some direction in any position, so that "
+            "inverse dynamics of the free base is not available",
+            tree.links[0].name));
+  }
+  if (defects.no_mass) {
+    diagnostics.warning(
+        kNoMass, tree.links[0].place,
+        "the masses of all moving links add up to zero, so that the centre of mass and the centroidal momentum are not "
+        "available");
+  }
+}
+
+const std::vector<std::string>& inertia_defect_codes() {
+  static const std::vector<std::string> codes = {kSingular, kSingularBase, kNoInertia, kNoMass};
+  return codes;
+}
+
+}  // namespace robcogen::model
