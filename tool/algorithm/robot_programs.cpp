@@ -115,7 +115,7 @@ std::vector<RobotFunction> functions(
 
 std::vector<symbolic::Program> plain_programs(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
-  if (!found || !found->dynamics) return {};
+  if (!found || !found->dynamics || !is_available(*found, tree.inertia_defects)) return {};
   Formulation plain = plain_formulation();
   plain.is_draft = true;
   Formulations formulations(tree, plain);

@@ -1,6 +1,7 @@
 // Any function of a model without a compiler: a JSON object for each state in, one out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "command/command.h"
@@ -82,7 +83,11 @@ Status eval(const Options& options) {
     if (!transforms) return wrong_input;
     return evaluate_states(find_function(*transforms, options.function, model.steps));
   }
-  const std::optional<Robot> robot = model.load();
+  // A function that has its group's name is asked for by name: where the robot cannot have it, loading says why.
+  const std::vector<std::string>& groups = algorithm::groups();
+  const bool is_group = std::find(groups.begin(), groups.end(), options.function) != groups.end();
+  const std::optional<Robot> robot =
+      model.load(is_group ? std::vector<std::string>{options.function} : std::vector<std::string>());
   if (!robot) return wrong_input;
   require_traceable(*robot);
   return evaluate_states(find_function(*robot, options.function, model.steps));

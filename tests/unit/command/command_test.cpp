@@ -71,6 +71,9 @@ TEST(Command, LeavesOutWhatDividesByASingularInertiaMatrix) {
   EXPECT_EQ(asked.status, 1);
   EXPECT_NE(asked.errors.find("error: joint 'twist' meets no inertia"), std::string::npos) << asked.errors;
   EXPECT_FALSE(fs::exists(scratch.path / "out"));
+  const Outcome evaluated = run_tool("eval " + quoted(model) + " forward_dynamics", "{}");
+  EXPECT_EQ(evaluated.status, 1);
+  EXPECT_NE(evaluated.errors.find("[singular-inertia]"), std::string::npos) << evaluated.errors;
   EXPECT_EQ(generate(" --algorithms all").status, 0);
   EXPECT_EQ(generate("").status, 0);
   EXPECT_TRUE(fs::exists(scratch.path / "out/stylus/forward_dynamics.h"));

@@ -79,9 +79,11 @@ TEST(Build, DoesNotReportTwiceWhatAMisspeltNameMeant) {
 TEST(Build, AcceptsIdsFromZeroOneAndTwo) {
   for (const int first : {0, 1, 2}) {
     Description d = test::two_links();
-    d.links[0].id = first + 1;  // the order does not matter
-    d.links[1].id = first;
+    d.links[0].id = first;
+    d.links[1].id = first + 1;
     EXPECT_EQ(codes_of(d), Codes{}) << first;
+    std::swap(d.links[0].id, d.links[1].id);
+    EXPECT_EQ(codes_of(d), Codes{"child-before-parent"}) << first;
   }
   Description d = test::two_links();
   d.links[0].id = 3, d.links[1].id = 4;
