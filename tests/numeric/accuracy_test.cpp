@@ -29,8 +29,9 @@ constexpr double kFloor = 32.0;
 constexpr double kLost = 1e-2;
 
 // Places far apart, and states close to each of them: near a singular position all errors are as large as that is near,
-// and one state alone tells of luck.
-constexpr int kPlaces = 8, kNearby = 4;
+// and one state alone tells of luck. Few places may as well: a program that seems to lose too much in them is judged in
+// many others.
+constexpr int kFewPlaces = 8, kManyPlaces = 256, kNearby = 4;
 constexpr double kNear = 1e-3;
 
 const std::vector<std::string>& groups() {
@@ -75,9 +76,9 @@ struct State {
   Arrays<long double> results;
 };
 
-std::vector<State> states_of(const Program& plain) {
+std::vector<State> states_of(const Program& plain, int first_place, int places) {
   std::vector<State> states;
-  for (int place = 0; place < kPlaces; ++place) {
+  for (int place = first_place; place < first_place + places; ++place) {
     for (int nearby = 0; nearby < kNearby; ++nearby) {
       State state;
       state.inputs = inputs_of(plain, place, nearby);
@@ -88,57 +89,111 @@ std::vector<State> states_of(const Program& plain) {
   return states;
 }
 
-// By output array: the root of the mean square of the largest errors, relative to the largest results.
-template <class Real>
-std::map<std::string, double> errors_of(const Program& program, const std::vector<State>& states) {
-  // A state where results cancel is judged by a share of what they are otherwise.
-  constexpr double kLeastScale = 0.25;
-  std::map<std::string, double> squares, usual;
+struct Error {
+  double mean_square = 0.0;  // its root: of the largest errors, relative to the largest results
+  int not_finite = 0;        // states where this is so although the results are; they have no share in the mean
+};
+
+// The scale of each state and output array: a state where results cancel is judged by a share of what they are
+// otherwise.
+std::map<std::string, long double> least_scales(const std::vector<State>& states) {
+  constexpr long double kLeastScale = 0.25;
+  std::map<std::string, long double> squares;
   for (const State& state : states) {
     for (const auto& [name, expected] : state.results) {
       long double largest = 0;
       for (const long double x : expected) largest = std::max(largest, std::abs(x));
-      if (std::isfinite(largest)) usual[name] += static_cast<double>(largest * largest);
+      if (std::isfinite(largest)) squares[name] += largest * largest;
     }
   }
-  for (auto& [name, sum] : usual) sum = kLeastScale * std::sqrt(sum / static_cast<double>(states.size()));
+  for (auto& [name, sum] : squares) sum = kLeastScale * std::sqrt(sum / static_cast<long double>(states.size()));
+  return squares;
+}
+
+// By output array.
+template <class Real>
+std::map<std::string, Error> errors_of(const Program& program, const std::vector<State>& states) {
+  const std::map<std::string, long double> least = least_scales(states);
+  std::map<std::string, Error> errors;
   for (const State& state : states) {
     const Arrays<Real> found = symbolic::interpret<Real>(program, cast<Real>(state.inputs));
     for (const auto& [name, expected] : state.results) {
-      long double scale = usual[name], error = 0;
+      const auto usual = least.find(name);
+      long double scale = usual == least.end() ? 0 : usual->second, error = 0;
+      bool is_finite = true;
       for (std::size_t k = 0; k < expected.size(); ++k) {
-        const long double difference = std::abs(static_cast<long double>(found.at(name)[k]) - expected[k]);
+        const auto value = static_cast<long double>(found.at(name)[k]);
         scale = std::max(scale, std::abs(expected[k]));
-        error = std::isnan(difference) ? std::numeric_limits<long double>::infinity() : std::max(error, difference);
+        is_finite = is_finite && std::isfinite(value);
+        error = std::max(error, std::abs(value - expected[k]));
       }
-      if (scale > 0 && std::isfinite(scale)) squares[name] += static_cast<double>(error / scale * (error / scale));
+      Error& sum = errors[name];
+      if (!(scale > 0) || !std::isfinite(scale)) continue;
+      if (is_finite)
+        sum.mean_square += static_cast<double>(error / scale * (error / scale));
+      else
+        ++sum.not_finite;
     }
   }
-  for (auto& [name, sum] : squares) sum = std::sqrt(sum / static_cast<double>(states.size()));
-  return squares;
+  for (auto& [name, sum] : errors) {
+    const auto count = static_cast<double>(states.size()) - sum.not_finite;
+    sum.mean_square = count > 0.0 ? std::sqrt(sum.mean_square / count) : 0.0;
+  }
+  return errors;
+}
+
+// States, and what the plain program loses in them.
+struct Sample {
+  std::vector<State> states;
+  std::map<std::string, Error> in_double, in_float;
+};
+
+Sample sample_of(const Program& plain, int first_place, int places) {
+  Sample sample{states_of(plain, first_place, places), {}, {}};
+  sample.in_double = errors_of<double>(plain, sample.states);
+  sample.in_float = errors_of<float>(plain, sample.states);
+  return sample;
 }
 
 // Empty, or what the program loses.
 template <class Real>
-std::string loss(
-    const Program& program,
-    const Program& plain,
-    const std::vector<State>& states,
-    const char* precision) {
-  const double rounding = static_cast<double>(std::numeric_limits<Real>::epsilon()) / 2;
-  const auto own = errors_of<Real>(program, states), allowed = errors_of<Real>(plain, states);
-  for (const auto& [name, error] : own) {
-    const double of_plain = allowed.at(name);
-    if (!(of_plain < kLost) || error <= std::max(kShare * of_plain, kFloor * rounding)) continue;
-    return program.name + ": error of " + name + " in " + precision + " is " + std::to_string(error / rounding) +
-           " roundings, of the plain recursion " + std::to_string(of_plain / rounding) + "\n";
+std::string loss(const Program& program, const Sample& sample) {
+  constexpr bool kIsFloat = std::is_same_v<Real, float>;
+  constexpr double kRounding = static_cast<double>(std::numeric_limits<Real>::epsilon()) / 2;
+  const std::string precision = kIsFloat ? "float" : "double";
+  for (const auto& [name, error] : errors_of<Real>(program, sample.states)) {
+    const Error& of_plain = (kIsFloat ? sample.in_float : sample.in_double).at(name);
+    if (error.not_finite > kShare * of_plain.not_finite)
+      return program.name + ": " + name + " in " + precision + " is not finite in " + std::to_string(error.not_finite) +
+             " of " + std::to_string(sample.states.size()) + " states, of the plain recursion in " +
+             std::to_string(of_plain.not_finite) + "\n";
+    const double allowed = std::max(kShare * of_plain.mean_square, kFloor * kRounding);
+    if (!(of_plain.mean_square < kLost) || error.mean_square <= allowed) continue;
+    return program.name + ": error of " + name + " in " + precision + " is " +
+           std::to_string(error.mean_square / kRounding) + " roundings, of the plain recursion " +
+           std::to_string(of_plain.mean_square / kRounding) + "\n";
   }
   return "";
 }
 
-std::string loss(const Program& program, const Program& plain, const std::vector<State>& states) {
-  return loss<double>(program, plain, states, "double") + loss<float>(program, plain, states, "float");
+std::string loss(const Program& program, const Sample& sample) {
+  return loss<double>(program, sample) + loss<float>(program, sample);
 }
+
+// What programs of one function are judged by.
+class Judge {
+ public:
+  explicit Judge(const Program& plain) : plain_(plain), few_(sample_of(plain, 0, kFewPlaces)) {}
+
+  std::string loss_of(const Program& program) const {
+    if (loss(program, few_).empty()) return "";
+    return loss(program, sample_of(plain_, kFewPlaces, kManyPlaces));
+  }
+
+ private:
+  const Program& plain_;
+  Sample few_;
+};
 
 // Of all that is generated for the robot.
 std::string losses(const KinematicTree& tree) {
@@ -152,10 +207,9 @@ std::string losses(const KinematicTree& tree) {
   for (const backend::Function& f : library.functions) {
     // What reads a factor has no formulation.
     if (f.scope == "inertia_factor") continue;
-    const Program& reference = plain.at(f.kernel);
-    const std::vector<State> states = states_of(reference);
-    text += loss(f.program, reference, states);
-    const std::string in_lanes = f.in_lanes ? loss(*f.in_lanes, reference, states) : "";
+    const Judge judge(plain.at(f.kernel));
+    text += judge.loss_of(f.program);
+    const std::string in_lanes = f.in_lanes ? judge.loss_of(*f.in_lanes) : "";
     if (!in_lanes.empty()) text += "in lanes: " + in_lanes;
   }
   return text;

@@ -46,8 +46,9 @@ RobotFunction optimised(RobotFunction function, const std::vector<std::string>& 
 
 // Sets the rounding errors of the function; whether they are no larger than they may be.
 bool measure(RobotFunction& function, const AccurateResults& results) {
-  function.error = results.error_of(function.program);
-  return symbolic::is_as_accurate(*function.error, results.error_of_plain());
+  const symbolic::Accuracy accuracy = results.accuracy_of(function.program);
+  function.error = accuracy.error;
+  return accuracy.is_kept;
 }
 
 // The function at `index` of its group.

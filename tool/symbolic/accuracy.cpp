@@ -21,8 +21,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A program may lose this many times as much as the plain one …
 constexpr double kShare = 2.5;
-// … or this many roundings, which is what different orders of the same sums differ by.
+// … or this many roundings, which is what different orders of the same sums differ by: as the root of the mean square,
+// which a single state near a singular position can decide, and as the geometric mean, which it cannot.
 constexpr double kFloor = 12.0;
+constexpr double kTypicalFloor = 6.0;
 
 // A state where results cancel is judged by this share of what they are otherwise.
 constexpr double kLeastScale = 0.25;
@@ -231,6 +233,51 @@ const OutputArray& output_of(const Program& program, const std::string& name) {
   return *found;
 }
 
+// Of one output array, in roundings.
+struct ArrayError {
+  double mean_square = 0.0;  // its root
+  double typical = 0.0;      // the geometric mean
+};
+
+struct Errors {
+  std::vector<ArrayError> in_double, in_float;  // by output array
+};
+
+// `scales` are zero where nothing is to be compared.
+double root_of_mean_square(const std::array<double, kStates>& errors, const std::array<double, kStates>& scales) {
+  double squares = 0.0, count = 0.0;
+  for (std::size_t s = 0; s < kStates; ++s) {
+    if (scales[s] == 0.0) continue;
+    squares += errors[s] * errors[s];
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
+// Nothing counts as better than one rounding, or as worse than `all` digits lost. By square roots of pairs: no
+// logarithms, which differ between machines.
+double geometric_mean(std::array<double, kStates> errors, double all) {
+  for (double& error : errors) error = std::clamp(error, 1.0, all);
+  for (std::size_t n = kStates / 2; n > 0; n /= 2)
+    for (std::size_t s = 0; s < n; ++s) errors[s] = std::sqrt(errors[s] * errors[s + n]);
+  return errors[0];
+}
+
+double worst(const std::vector<ArrayError>& errors) {
+  double result = 0.0;
+  for (const ArrayError& error : errors) result = std::max(result, error.mean_square);
+  return result;
+}
+
+// Array by array: what is lost of one gives no leave to lose as much of another.
+bool is_as_accurate(const std::vector<ArrayError>& errors, const std::vector<ArrayError>& plain) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (!(errors[i].mean_square <= std::max(kShare * plain[i].mean_square, kFloor))) return false;
+    if (!(errors[i].typical <= std::max(kShare * plain[i].typical, kTypicalFloor))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 struct AccurateResults::Results {
@@ -241,13 +288,13 @@ struct AccurateResults::Results {
   };
   std::vector<Output> outputs;
   std::vector<double> parameters;
-  RoundingError of_plain;
 
-  // In units of `rounding`.
+  Errors of_plain;
+
   template <class Real>
-  double error_of(const Program& program, double rounding) const {
+  std::vector<ArrayError> errors_of(const Program& program, double rounding) const {
     const Evaluator<Real> evaluator(program, parameters);
-    double worst = 0.0;
+    std::vector<ArrayError> result;
     for (const Output& expected : outputs) {
       const OutputArray& found = output_of(program, expected.name);
       std::array<double, kStates> largest{};
@@ -259,21 +306,16 @@ struct AccurateResults::Results {
           largest[s] = std::isnan(error) ? kInfinity : std::max(largest[s], error);
         }
       }
-      double squares = 0.0, count = 0.0;
-      for (std::size_t s = 0; s < kStates; ++s) {
-        if (expected.scale[s] == 0.0) continue;
-        const double error = largest[s] / expected.scale[s] / rounding;
-        squares += error * error;
-        count += 1.0;
-      }
-      if (count > 0.0) worst = std::max(worst, std::sqrt(squares / count));
+      for (std::size_t s = 0; s < kStates; ++s)
+        largest[s] = expected.scale[s] == 0.0 ? 0.0 : largest[s] / expected.scale[s] / rounding;
+      result.push_back({root_of_mean_square(largest, expected.scale), geometric_mean(largest, 1.0 / rounding)});
     }
-    return worst;
+    return result;
   }
 
-  RoundingError errors_of(const Program& program) const {
+  Errors errors_of(const Program& program) const {
     constexpr double kOfDouble = 0x1p-53, kOfFloat = 0x1p-24;
-    return {error_of<double>(program, kOfDouble), error_of<float>(program, kOfFloat)};
+    return {errors_of<double>(program, kOfDouble), errors_of<float>(program, kOfFloat)};
   }
 };
 
@@ -308,17 +350,16 @@ AccurateResults::AccurateResults(const Program& program, std::vector<double> par
 
 AccurateResults::~AccurateResults() = default;
 
-const RoundingError& AccurateResults::error_of_plain() const {
-  return results_->of_plain;
+RoundingError AccurateResults::error_of_plain() const {
+  return {worst(results_->of_plain.in_double), worst(results_->of_plain.in_float)};
 }
 
-RoundingError AccurateResults::error_of(const Program& program) const {
-  return results_->errors_of(program);
-}
-
-bool is_as_accurate(const RoundingError& error, const RoundingError& plain) {
-  const auto holds = [](double own, double other) { return own <= std::max(kShare * other, kFloor); };
-  return holds(error.in_double, plain.in_double) && holds(error.in_float, plain.in_float);
+Accuracy AccurateResults::accuracy_of(const Program& program) const {
+  const Errors own = results_->errors_of(program);
+  const Errors& plain = results_->of_plain;
+  return {
+      {worst(own.in_double), worst(own.in_float)},
+      is_as_accurate(own.in_double, plain.in_double) && is_as_accurate(own.in_float, plain.in_float)};
 }
 
 std::string print_error(double error) {

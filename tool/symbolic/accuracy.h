@@ -22,8 +22,11 @@ struct RoundingError {
   double in_float = 0.0;
 };
 
-// Whether a program with these errors may take the place of a plain one with those.
-bool is_as_accurate(const RoundingError& error, const RoundingError& plain);
+struct Accuracy {
+  RoundingError error;
+  bool is_kept =
+      false;  // whether the program may take the place of the plain one: none of its output arrays loses more
+};
 
 // `3.1 in double, 2.9 in float`
 std::string print(const RoundingError& error);
@@ -39,10 +42,11 @@ class AccurateResults {
   ~AccurateResults();
 
   // Of the program that these are the results of.
-  const RoundingError& error_of_plain() const;
+  RoundingError error_of_plain() const;
   // Of another program of the same function, with lanes or without.
-  RoundingError error_of(const Program& program) const;
-  bool are_kept_by(const Program& program) const { return is_as_accurate(error_of(program), error_of_plain()); }
+  Accuracy accuracy_of(const Program& program) const;
+  RoundingError error_of(const Program& program) const { return accuracy_of(program).error; }
+  bool are_kept_by(const Program& program) const { return accuracy_of(program).is_kept; }
 
  private:
   struct Results;

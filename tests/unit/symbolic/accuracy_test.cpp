@@ -76,6 +76,32 @@ TEST(Accuracy, DigitsLostOnADetourAreCounted) {
   EXPECT_TRUE(results.are_kept_by(program(detour("2.0"))));
 }
 
+// y and z are both x + y, by way of numbers.
+std::string two_detours(const std::string& of_y, const std::string& of_z) {
+  return "program detours\ninput x value a b\noutput y value 1 1\noutput z value 1 1\nsection s s\nin 0\ntmp t0 = x[0] "
+         "+ " +
+         of_y + "\ntmp t1 = t0 + x[1]\ntmp t2 = t1 - " + of_y + "\ntmp t3 = x[0] + " + of_z +
+         "\ntmp t4 = t3 + x[1]\ntmp t5 = t4 - " + of_z + "\nreturn y t2\nreturn z t5\n";
+}
+
+TEST(Accuracy, LossesOfOneArrayDoNotExcuseThoseOfAnother) {
+  const AccurateResults results(program(two_detours("1048576.0", "2.0")));
+  EXPECT_TRUE(results.are_kept_by(program(two_detours("1048577.0", "2.0"))));
+  EXPECT_FALSE(results.are_kept_by(program(two_detours("1048576.0", "4096.0"))));
+}
+
+// In float the plain program loses many digits in few states, the other some fewer in all.
+TEST(Accuracy, FewStatesDoNotExcuseLossesInAll) {
+  const AccurateResults results(program(
+      "program rare\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] * x[0]\ntmp t1 = t0 * t0\n"
+      "tmp t2 = t1 * t1\ntmp t3 = 1024.0 * t2\ntmp t4 = x[1] + t3\ntmp t5 = t4 - t3\nreturn y t5\n"));
+  const Program everywhere = program(
+      "program everywhere\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[1] + 16384.0\n"
+      "tmp t1 = t0 - 16384.0\nreturn y t1\n");
+  EXPECT_LT(results.error_of(everywhere).in_float, results.error_of_plain().in_float);
+  EXPECT_FALSE(results.are_kept_by(everywhere));
+}
+
 TEST(Accuracy, WhatOverflowsHasLostAll) {
   const AccurateResults results(program(kSum));
   EXPECT_TRUE(std::isinf(results.error_of(program(detour("1e300"))).in_float));
