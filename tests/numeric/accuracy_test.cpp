@@ -25,8 +25,9 @@ using symbolic::Program;
 constexpr double kShare = 4.0;
 // … or this many roundings: sums of other order differ by that.
 constexpr double kFloor = 32.0;
-// Where the plain program keeps fewer than this share of the result there is nothing to compare.
-constexpr double kLost = 1e-2;
+// Where the plain program loses more than this share of the result, or is not finite in this share of all states, there
+// are no digits to compare.
+constexpr double kLost = 1e-2, kOftenLost = 0.1;
 
 // Places far apart, and states close to each of them: near a singular position all errors are as large as that is near,
 // and one state alone tells of luck. Few places may as well: a program that seems to lose too much in them is judged in
@@ -167,6 +168,7 @@ std::string loss(const Program& program, const Sample& sample) {
       return program.name + ": " + name + " in " + precision + " is not finite in " + std::to_string(error.not_finite) +
              " of " + std::to_string(sample.states.size()) + " states, of the plain recursion in " +
              std::to_string(of_plain.not_finite) + "\n";
+    if (of_plain.not_finite > kOftenLost * static_cast<double>(sample.states.size())) continue;
     const double allowed = std::max(kShare * of_plain.mean_square, kFloor * kRounding);
     if (!(of_plain.mean_square < kLost) || error.mean_square <= allowed) continue;
     return program.name + ": error of " + name + " in " + precision + " is " +
