@@ -8,7 +8,7 @@
 #include "cart_pole/kernel/forward_dynamics.h"
 #include "cart_pole/kernel/inverse_dynamics.h"
 #include "dual.h"
-#include "hopper/kernel/bias_forces.h"
+#include "legs/floating/hopper/kernel/bias_forces.h"
 
 namespace robcogen::test {
 namespace {

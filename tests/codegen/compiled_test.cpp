@@ -5,9 +5,9 @@
 #include <random>
 
 #include "cart_pole/cart_pole.h"
-#include "hopper/hopper.h"
+#include "legs/floating/hopper/hopper.h"
+#include "my/robcogen/class/robot/robot.h"
 #include "plinth/plinth.h"
-#include "robot/robot.h"
 #include "samples.h"
 #include "symbolic/interpret.h"
 

@@ -7,12 +7,12 @@
 
 #include "cart_pole/cart_pole.h"
 #include "cart_pole/reflection.h"
-#include "hopper/hopper.h"
-#include "hopper/reflection.h"
+#include "legs/floating/hopper/hopper.h"
+#include "legs/floating/hopper/reflection.h"
+#include "my/robcogen/class/robot/robot.h"
+#include "my/robcogen/class/robot/robot_.h"
 #include "plinth/plinth.h"
 #include "plinth/reflection.h"
-#include "robot/robot.h"
-#include "robot/robot_.h"
 #include "samples.h"
 #include "symbolic/count.h"
 

@@ -111,16 +111,16 @@ TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
   EXPECT_EQ(found[0].inputs, (Names{"L_.data()", "x.data()"}));
 }
 
-TEST(Api, ParametersOfTwoKindsMayShareAName) {
+TEST(Api, ParametersAreMembersOfOneTypeWithAGetterEach) {
   Library library = test::leg_library();
   library.parameters = {
-      {"size", 1, false}, {"size", 2, true}, {"class", 3, true}, {"get_mass", 4, true}, {"mass", 5, true}};
+      {"size", 1, true, true}, {"class", 3, false, true}, {"get_mass", 4, false, true}, {"mass", 5, false, true}};
   for (const char* name : {"update_kinematics", "update_dynamics", "update_both"})
     library.updates.push_back(test::function("parameters", name, test::leg_program("return tau 0\n")));
   const Api names = api(library);
   EXPECT_TRUE(names.is_parametric());
-  EXPECT_EQ(names.fields, (Names{"size", "size", "class_", "get_mass", "mass"}));
-  EXPECT_EQ(names.getters, (Names{"get_size", "get_size", "get_class_", "get_get_mass", "get_mass_2"}));
+  EXPECT_EQ(names.fields, (Names{"size", "class_", "get_mass", "mass"}));
+  EXPECT_EQ(names.getters, (Names{"get_size", "get_class_", "get_get_mass", "get_mass_2"}));
 }
 
 TEST(Overloads, ParametersComeFirst) {

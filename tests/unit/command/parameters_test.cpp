@@ -24,11 +24,11 @@ TEST(Parameters, AreListedWithTheirPlaces) {
   const fs::path model = scratch.path / "arm.kindsl";
   write_text(model, kArm);
   const std::string expected = model.string() +
-                               ":4:29: note: 4 parameters: name[default] line:column [parameters]\n"
-                               "    mass properties: density 4:29\n"
-                               "    lengths, in mass properties too: len[0.4] 4:37\n"
-                               "    angles: tilt[-0.1] 7:61\n"
-                               "    lengths: height 8:48\n";
+                               ":4:35: note: 4 parameters: name[default] line:column [parameters]\n"
+                               "    mass properties: density 4:35\n"
+                               "    lengths, in mass properties too: len[0.4] 4:43\n"
+                               "    angles: tilt[-0.1] 7:67\n"
+                               "    lengths: height 8:47\n";
   const Outcome check = run_tool("check " + quoted(model));
   EXPECT_EQ(check.status, 0);
   EXPECT_EQ(check.errors, expected);
@@ -64,7 +64,7 @@ TEST(Parameters, ThatMayBeAccidentsAreErrorsInAStrictReading) {
   EXPECT_FALSE(fs::exists(out));
   EXPECT_EQ(check.status, 1);
   for (const std::string& errors : {strict.errors, check.errors})
-    EXPECT_NE(errors.find(":8:51: error: 'mm' is a parameter here, not a unit [unit-as-name]"), std::string::npos)
+    EXPECT_NE(errors.find(":8:50: error: 'mm' is a parameter here, not a unit [unit-as-name]"), std::string::npos)
         << errors;
   const Outcome lenient = run_tool("generate" + generate);
   EXPECT_EQ(lenient.status, 0);

@@ -86,7 +86,7 @@ TEST(SplitParameters, ComputesWithBothUpdatesWhatBothRead) {
   const SplitPrograms split = split_parameters({program}, {{true, true}, {true, false}, {false, true}});
   EXPECT_EQ(split.kinematics.outputs[0].rows, 0);
   EXPECT_EQ(split.dynamics.outputs[0].rows, 0);
-  EXPECT_EQ(split.programs[0].inputs[0].elements, (std::vector<std::string>{"turned", "torque", "length"}));
+  EXPECT_EQ(split.programs[0].inputs[0].elements, (std::vector<std::string>{"turned", "length", "torque"}));
   const std::vector<double> p = {0.5, 1.1, 3.0}, a = {0.7, -0.2};
   const std::vector<double> expected = run(program, {{"p", p}, {"a", a}});
   EXPECT_DOUBLE_EQ(run(split.programs[0], {{"p", cache(split, p)}, {"a", a}})[0], expected[0]);
