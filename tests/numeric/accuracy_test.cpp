@@ -244,6 +244,11 @@ TEST_P(IllRobots, LoseNoMoreDigitsThanThePlainRecursions) {
     expect_digits(ill_robot(static_cast<std::uint64_t>(i)), static_cast<std::uint64_t>(i));
 }
 
+// Robots whose losses hid behind those of another result, of a single state, or below a floor.
+TEST(IllRobotsOfOld, LoseNoMoreDigitsThanThePlainRecursions) {
+  for (const std::uint64_t seed : {170, 449, 525, 1871}) expect_digits(ill_robot(seed), seed);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shard, IllRobots, testing::Range(0, kShards));
 
 }  // namespace

@@ -23,8 +23,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShare = 2.5;
 // … or this many roundings, which is what different orders of the same sums differ by: as the root of the mean square,
 // which a single state near a singular position can decide, and as the geometric mean, which it cannot.
-constexpr double kFloor = 12.0;
-constexpr double kTypicalFloor = 6.0;
+constexpr double kFloor = 8.0;
+constexpr double kTypicalFloor = 4.0;
 
 // A state where results cancel is judged by this share of what they are otherwise.
 constexpr double kLeastScale = 0.25;
