@@ -8,9 +8,10 @@ function(compile standard messages)
   foreach(header IN LISTS ARGN)
     string(APPEND text "#include <${header}>\n")
   endforeach()
-  file(WRITE ${WORK_DIR}/standards.cpp "${text}")
+  cmake_path(GET COMPILER FILENAME compiler)  # tests of several compilers run at once
+  file(WRITE ${WORK_DIR}/standards.${compiler}.cpp "${text}")
   execute_process(
-    COMMAND ${COMPILER} -std=c++${standard} -fsyntax-only ${warnings} -isystem ${EIGEN} -I${HEADERS} ${WORK_DIR}/standards.cpp
+    COMMAND ${COMPILER} -std=c++${standard} -fsyntax-only ${warnings} -isystem ${EIGEN} -I${HEADERS} ${WORK_DIR}/standards.${compiler}.cpp
     ERROR_VARIABLE text)
   set(${messages} "${text}" PARENT_SCOPE)
 endfunction()

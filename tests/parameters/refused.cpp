@@ -38,7 +38,7 @@ double use() {
   sum += defaults::gravity_forces(defaults::ParameterValues(), q)(0);
 #endif
   const floating::Parameters<> carried;
-  const robcogen::Twist velocity;
+  [[maybe_unused]] const robcogen::Twist velocity;
   sum += floating::gravity_forces(carried, q, robcogen::kStandardGravity).tau(0);
 #ifdef NO_GRAVITY
   sum += floating::forward_dynamics(carried, q, q, q, velocity).qdd(0);

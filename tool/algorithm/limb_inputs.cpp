@@ -18,7 +18,7 @@ std::vector<LimbsInLanes> limbs_in_lanes(const model::KinematicTree& tree) {
   std::vector<LimbsInLanes> result;
   for (const model::LimbClass& limbs : model::limb_classes(tree)) {
     std::size_t first = 0;
-    for (const std::size_t width : {8, 4, 2}) {
+    for (const std::size_t width : {8U, 4U, 2U}) {
       for (; first + width <= limbs.count(); first += width) {
         LimbsInLanes lanes;
         for (std::size_t k = 0; k < limbs.length(); ++k) {

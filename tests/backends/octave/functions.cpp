@@ -70,7 +70,8 @@ std::optional<backend::Library> load(
 Call shape(const backend::Library& library, const backend::Function& function) {
   Call call;
   call.function = dotted(library.enclosing) + library.name + "." + dotted(function.scope) + function.name;
-  if (function.name == "inverse") call.function += "_H";  // `inverse` is a built-in function
+  // `inverse` is a built-in function.
+  if (function.name == "inverse") call.function += function.scope == "inertia_factor" ? "_H" : "_";
   for (const InputArray& array : function.program.inputs) call.arguments.push_back(argument(library, array));
   for (const OutputArray& array : function.program.outputs)
     call.results.push_back({array.name, array.rows, array.columns});
