@@ -7,7 +7,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 set(work_dir ${WORK_DIR}/transforms)
 set(build_dir ${work_dir}/build)
 set(document ${work_dir}/crane.motdsl)
-set(generated ${build_dir}/robcogen.gen/crane/crane)
+set(generated ${build_dir}/robcogen.gen/crane/harbour/crane)
 file(REMOVE_RECURSE ${work_dir})
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/consumers/transforms/crane.motdsl DESTINATION ${work_dir})
 run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/transforms -B ${build_dir}
