@@ -3,8 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <string>
+
+#include "dice.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -15,20 +16,6 @@ using model::JointType;
 using model::KinematicTree;
 using model::Placement;
 using model::Quantity;
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * unit(); }
-  int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  bool chance(double probability) { return unit() < probability; }
-  double sign() { return chance(0.5) ? 1.0 : -1.0; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 // As a document has it: a decimal.
 Quantity decimal(double value) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "dice.h"
 #include "reference_tables.h"
 #include "rewritten_robot.h"
 #include "robcogen/reference/dynamics.h"
@@ -26,21 +27,6 @@ using reference::Vector;
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
-
-// Random numbers that are the same with every standard library.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * unit(); }
-  // 0 … n - 1.
-  int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  bool chance(double probability) { return unit() < probability; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 Quantity length(Dice& dice) {
   return dice.chance(0.35) ? Quantity() : Quantity(dice.between(-0.5, 0.5));

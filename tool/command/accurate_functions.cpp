@@ -44,7 +44,7 @@ RobotFunction optimised(RobotFunction function, const std::vector<std::string>& 
   return function;
 }
 
-// Sets the rounding errors of the function; whether they are no larger than they may be.
+// Sets the rounding errors of the function; returns whether they are small enough.
 bool measure(RobotFunction& function, const AccurateResults& results) {
   const symbolic::Accuracy accuracy = results.accuracy_of(function.program);
   function.error = accuracy.error;

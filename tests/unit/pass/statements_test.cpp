@@ -63,7 +63,7 @@ TEST(EliminateCommonSubexpressions, ComputesEqualStatementsOnce) {
       "return out product -first -sine sine\n");
 }
 
-// Of opposite operands nothing is equal, however alike the statements look.
+// Statements with opposite operands differ, although their texts look the same.
 TEST(EliminateCommonSubexpressions, TheSignOfAnOperandMatters) {
   const std::string different =
       "in 0\n"
