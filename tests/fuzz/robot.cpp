@@ -1,5 +1,5 @@
 // Any robot document: from text to model, from model to programs, through all passes, into the interpreter.
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "check.h"
 #include "import/kinematics.h"
 

@@ -1,6 +1,6 @@
 // Any list of desired transforms, on a robot with the frames that the seeds like to name: traced, through all passes,
 // into the interpreter.
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "check.h"
 #include "import/kinematics.h"
 

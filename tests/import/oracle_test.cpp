@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "pass/passes.h"
 #include "random_urdf.h"
 #include "reading.h"

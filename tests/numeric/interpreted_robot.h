@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "pass/passes.h"
 #include "reference_tables.h"
 #include "robcogen/reference/check_control.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../unit/model/descriptions.h"
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "packed_programs.h"
 #include "pass/pack_lanes.h"
 #include "pass/passes.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "../unit/model/descriptions.h"
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "interpreted_robot.h"
 #include "packed_programs.h"
 #include "pass/pack_lanes.h"
@@ -196,12 +196,12 @@ void expect_same_results(
   std::vector<std::string> passes = steps;
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.effort = effort;
-  algorithm::Formulations formulations(tree, formulation);
+  algorithm::FormulationChoices formulations(tree, formulation);
+  auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
   for (const std::string& group : algorithm::groups()) {
     const std::vector<algorithm::RobotFunction> functions = algorithm::functions(tree, {}, group, formulations);
-    std::optional<algorithm::Formulations> typical = formulations.with_typical_limbs();
     std::vector<std::optional<Program>> alike;
-    if (typical) alike = algorithm::alike_programs(tree, group, *typical);
+    if (tree.parameters.empty()) alike = algorithm::congruent_programs(tree, group, for_congruent_limbs);
     alike.resize(functions.size());
     for (std::size_t i = 0; i < functions.size(); ++i) {
       const Program program = pass::run(functions[i].program, passes);
@@ -281,12 +281,13 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
     return model::build(d, diagnostics).value();
   };
   const KinematicTree with_zeros = robot(true), without = robot(false);
-  algorithm::Formulations formulations(with_zeros, {}), of_others(without, {});
-  std::optional<algorithm::Formulations> typical = formulations.with_typical_limbs();
-  ASSERT_TRUE(typical);
-  EXPECT_FALSE(of_others.with_typical_limbs()) << "nothing differs";
+  algorithm::FormulationChoices formulations(with_zeros, {}), of_others(without, {});
+  auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
+  auto for_others = algorithm::FormulationChoices::for_congruent_limbs(of_others);
   for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
-    const auto alike = algorithm::alike_programs(with_zeros, group, *typical);
+    const auto alike = algorithm::congruent_programs(with_zeros, group, for_congruent_limbs);
+    for (const auto& program : algorithm::congruent_programs(without, group, for_others))
+      EXPECT_FALSE(program) << "nothing differs";
     const auto others = algorithm::functions(without, {}, group, of_others);
     ASSERT_EQ(alike.size(), others.size()) << group;
     for (std::size_t i = 0; i < others.size(); ++i) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/limb_inputs.h"
+#include "algorithm/formulation/congruent_limbs.h"
 #include "import/kinematics.h"
 #include "pass/correspondence.h"
 #include "symbolic/interpret.h"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "import/kinematics.h"
 #include "pass/passes.h"
 #include "pass/split_parameters.h"
@@ -52,7 +52,7 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
     for (const model::Parameter& p : robot.parameters)
       interfaces.push_back({model::is_kinematics(p), model::is_dynamics(p)});
 
-    algorithm::Formulations parametric_frames(robot, {.effort = 1}), constant_frames(constant, {.effort = 1});
+    algorithm::FormulationChoices parametric_frames(robot, {.effort = 1}), constant_frames(constant, {.effort = 1});
     std::vector<symbolic::Program> programs, constants;
     for (const std::string& group : algorithm::groups()) {
       if (group == "transforms" || group == "jacobians") continue;

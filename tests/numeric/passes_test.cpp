@@ -96,7 +96,7 @@ TEST(LinkFrames, ThatAreFoundChangeNoResult) {
     const KinematicTree robot = random_robot(seed, {.max_joints = 8});
     algorithm::Formulation formulation;
     formulation.effort = 1;
-    algorithm::Formulations formulations(robot, formulation);
+    algorithm::FormulationChoices formulations(robot, formulation);
     for (const algorithm::LinkFrames& frames :
          {formulations.newton_euler().frames, formulations.inertia().frames,
           formulations.forward_dynamics().formulation.frames}) {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <random>
 
-#include "algorithm/geometry.h"
-#include "algorithm/transform_programs.h"
+#include "algorithm/catalogue/transform_functions.h"
+#include "algorithm/spatial/pose.h"
 #include "export/frames.h"
 #include "import/frames.h"
 #include "import/kinematics.h"

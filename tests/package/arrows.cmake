@@ -1,8 +1,9 @@
 # A folder of tool/ includes headers of its own and of the folders that its library links, and no others. The linker
 # alone would not notice: every object ends in one executable.
 #
-# cmake -D ARROWS=list -D SOURCE_DIR=dir -P arrows.cmake
+# cmake -D ARROWS=list -D ROOMS=list -D SOURCE_DIR=dir -P arrows.cmake
 # ARROWS: a word for each library: its name and those of the libraries that it links, with commas between.
+# ROOMS: a word for each folder inside a library: the folder, and those of its neighbours whose headers it includes.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -25,6 +26,31 @@ foreach(arrow IN LISTS ARROWS)
     file(STRINGS ${file} includes REGEX "^#include \"")
     foreach(include IN LISTS includes)
       if(NOT include MATCHES "\"([a-z]+)/" OR NOT CMAKE_MATCH_1 IN_LIST allowed_${folder})
+        list(APPEND violations "${file}: ${include}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+# The folders inside a library follow one another too.
+separate_arguments(ROOMS)
+foreach(room IN LISTS ROOMS)
+  string(REPLACE "," ";" neighbours "${room}")
+  list(POP_FRONT neighbours folder)
+  cmake_path(GET folder PARENT_PATH library)
+  cmake_path(GET folder FILENAME name)
+  set(allowed_${folder} ${name})
+  foreach(neighbour IN LISTS neighbours)
+    list(APPEND allowed_${folder} ${allowed_${library}/${neighbour}})
+  endforeach()
+  file(GLOB_RECURSE files ${SOURCE_DIR}/tool/${folder}/*.h ${SOURCE_DIR}/tool/${folder}/*.cpp)
+  if(NOT files)
+    list(APPEND violations "${folder}: no files")
+  endif()
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} includes REGEX "^#include \"${library}/")
+    foreach(include IN LISTS includes)
+      if(NOT include MATCHES "\"${library}/([a-z]+)/" OR NOT CMAKE_MATCH_1 IN_LIST allowed_${folder})
         list(APPEND violations "${file}: ${include}")
       endif()
     endforeach()

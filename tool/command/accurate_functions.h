@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "symbolic/accuracy.h"
 
 namespace robcogen::command {

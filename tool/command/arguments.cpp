@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithm/dynamics.h"
+#include "algorithm/dynamics/dynamics.h"
 #include "support/diagnostics.h"
 
 namespace robcogen::command {

@@ -23,7 +23,7 @@ struct NamePattern {
 };
 
 // Read off the functions between two frames of the robot.
-std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::Formulations& formulations) {
+std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::FormulationChoices& formulations) {
   const std::vector<model::Frame> frames = tree.frames();
   const model::FramePair pair = {frames.front(), frames.back()};
   const model::DesiredTransforms desired = {{pair}, {pair}};
@@ -101,7 +101,7 @@ std::optional<EvaluableFunction> find_update(const Robot& robot, const std::stri
 
 EvaluableFunction find_function(const Robot& robot, const std::string& name, const Steps& steps) {
   const auto [formulation, passes] = split(steps);
-  algorithm::Formulations formulations(robot.tree, formulation);
+  algorithm::FormulationChoices formulations(robot.tree, formulation);
   std::vector<std::string> names;
   const auto chosen = [&](std::vector<RobotFunction> functions) {
     std::vector<RobotFunction> overloads;

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <map>
 
-#include "algorithm/limb_inputs.h"
-#include "algorithm/model_numbers.h"
-#include "algorithm/primitive_product.h"
+#include "algorithm/catalogue/model_numbers.h"
+#include "algorithm/formulation/congruent_limbs.h"
+#include "algorithm/kinematics/primitive_product.h"
 #include "command/accurate_functions.h"
 #include "command/model_data.h"
 #include "command/parameter_list.h"
@@ -198,16 +198,16 @@ struct Traced {
 Traced trace(const Robot& robot, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes) {
   require_traceable(robot);
   const SplitSteps choices = split(steps);
-  algorithm::Formulations formulations(robot.tree, choices.formulation);
+  algorithm::FormulationChoices formulations(robot.tree, choices.formulation);
   std::vector<std::vector<algorithm::RobotFunction>> of_groups(groups.size());
   for_each_index(groups.size(), [&](std::size_t g) {
     of_groups[g] = algorithm::functions(robot.tree, robot.desired, groups[g], formulations);
   });
   std::vector<std::vector<std::optional<symbolic::Program>>> alike_of_groups(groups.size());
-  std::optional<algorithm::Formulations> typical = for_lanes ? formulations.with_typical_limbs() : std::nullopt;
-  if (typical) {
+  if (for_lanes && !algorithm::limbs_in_lanes(robot.tree).empty()) {
+    auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
     for_each_index(groups.size(), [&](std::size_t g) {
-      alike_of_groups[g] = algorithm::alike_programs(robot.tree, groups[g], *typical);
+      alike_of_groups[g] = algorithm::congruent_programs(robot.tree, groups[g], for_congruent_limbs);
     });
   }
   Traced result;

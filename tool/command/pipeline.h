@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/primitive_product.h"
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
+#include "algorithm/kinematics/primitive_product.h"
 #include "backend/library.h"
 #include "command/status.h"
 #include "import/urdf.h"

@@ -1,7 +1,7 @@
 // Coordinate transforms with no robot: from documents of motions or of transforms to libraries.
 #pragma once
 
-#include "algorithm/transform_programs.h"
+#include "algorithm/catalogue/transform_functions.h"
 #include "command/pipeline.h"
 
 namespace robcogen::command {

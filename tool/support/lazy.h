@@ -6,23 +6,16 @@
 
 namespace robcogen {
 
-// Threads may ask at the same time: one makes it, the others wait. Copied and looked at while nobody asks.
+// Threads may ask at the same time: one makes it, the others wait.
 template <class T>
 class Lazy {
  public:
-  Lazy() = default;
-  Lazy(const Lazy& other) : value_(other.value_) {}
-  Lazy& operator=(const Lazy&) = delete;
-
   template <class Make>
   const T& get(Make make) {
     const std::scoped_lock lock(mutex_);
     if (!value_) value_ = make();
     return *value_;
   }
-
-  // If it was made.
-  std::optional<T>& made() { return value_; }
 
  private:
   std::mutex mutex_;

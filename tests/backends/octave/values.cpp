@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "functions.h"
 #include "symbolic/interpret.h"
 

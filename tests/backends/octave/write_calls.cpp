@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-#include "algorithm/robot_programs.h"
+#include "algorithm/catalogue/catalogue.h"
 #include "backend/cpp/api.h"
 #include "backend/cpp/printers.h"
 #include "functions.h"

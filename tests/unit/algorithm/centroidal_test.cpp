@@ -1,7 +1,7 @@
 // Centre of mass, its Jacobian and the centroidal momentum matrix, of robots by hand.
 #include <cmath>
 
-#include "algorithm/dynamics.h"
+#include "algorithm/dynamics/dynamics.h"
 #include "hand_robots.h"
 
 namespace robcogen::algorithm {

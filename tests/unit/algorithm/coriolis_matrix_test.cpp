@@ -1,5 +1,5 @@
 // The Coriolis matrix of robots by hand.
-#include "algorithm/dynamics.h"
+#include "algorithm/dynamics/dynamics.h"
 
 #include <cmath>
 

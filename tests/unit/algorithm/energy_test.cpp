@@ -1,7 +1,7 @@
 // Energies of robots by hand.
 #include <cmath>
 
-#include "algorithm/dynamics.h"
+#include "algorithm/dynamics/dynamics.h"
 #include "hand_robots.h"
 
 namespace robcogen::algorithm {

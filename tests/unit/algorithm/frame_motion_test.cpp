@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithm/kinematics.h"
+#include "algorithm/kinematics/kinematics.h"
 #include "hand_robots.h"
 
 namespace robcogen::algorithm {

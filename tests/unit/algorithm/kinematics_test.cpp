@@ -1,5 +1,5 @@
 // Transforms and Jacobians of every pair of frames against plain products of matrices.
-#include "algorithm/kinematics.h"
+#include "algorithm/kinematics/kinematics.h"
 
 #include <Eigen/Dense>
 #include <map>

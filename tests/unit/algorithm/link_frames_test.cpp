@@ -1,14 +1,14 @@
 // Link frames: placements split along axes, and what the search finds. That results do not depend on frames is a
 // property of random robots (tests/numeric/passes_test.cpp).
-#include "algorithm/link_frames.h"
+#include "algorithm/formulation/link_frames.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
-#include "algorithm/dynamics.h"
-#include "algorithm/frame_search.h"
+#include "algorithm/dynamics/dynamics.h"
+#include "algorithm/search/frame_search.h"
 #include "hand_robots.h"
 #include "symbolic/count.h"
 

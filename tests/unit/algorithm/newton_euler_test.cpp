@@ -1,5 +1,5 @@
 // Mass properties, motions and wrenches of links against sums over point masses.
-#include "algorithm/newton_euler.h"
+#include "algorithm/dynamics/newton_euler.h"
 
 #include <Eigen/Geometry>
 
@@ -142,13 +142,26 @@ TEST_P(NewtonEuler, MassPropertiesMoveToTheParent) {
 
 TEST_P(NewtonEuler, WrenchesMoveToTheParent) {
   const RandomPose random(n);
-  const Spatial wrench{n.vector(), n.vector()};
+  const Force wrench{n.vector(), n.vector()};
   const Vector3d force = random.transform.linear() * n.value(wrench.linear);
   const Vector3d moment =
-      random.transform.linear() * n.value(wrench.angular) + random.transform.translation().cross(force);
-  const Spatial moved = to_parent(random.pose, wrench);
+      random.transform.linear() * n.value(wrench.moment) + random.transform.translation().cross(force);
+  const Force moved = to_parent(random.pose, wrench);
   EXPECT_TRUE(n.value(moved.linear).isApprox(force, kTolerance));
-  EXPECT_TRUE(n.value(moved.angular).isApprox(moment, kTolerance));
+  EXPECT_TRUE(n.value(moved.moment).isApprox(moment, kTolerance));
+}
+
+// The power of a force is the same in both frames, and the way back undoes the way.
+TEST_P(NewtonEuler, MotionsMoveAgainstWrenches) {
+  const RandomPose random(n);
+  const Motion motion{n.vector(), n.vector()};
+  const Force wrench{n.vector(), n.vector()};
+  const double power = n.value(dot(wrench, motion));
+  const Motion moved = to_parent(random.pose, motion);
+  EXPECT_NEAR(n.value(dot(to_parent(random.pose, wrench), moved)), power, 10 * kTolerance * (1 + std::abs(power)));
+  const Motion back = to_child(random.pose, moved);
+  EXPECT_TRUE(n.value(back.angular).isApprox(n.value(motion.angular), kTolerance));
+  EXPECT_TRUE(n.value(back.linear).isApprox(n.value(motion.linear), 10 * kTolerance));
 }
 
 // Of the equivalent forms of the moment, whichever is cheapest where angular velocity or acceleration have zeros.
@@ -168,12 +181,12 @@ TEST_P(NewtonEuler, TheWrenchThatMovesALink) {
     moment += r.cross(inertial);
   }
   const MassProperties m = body.symbols(n);
-  const Spatial wrench = link_wrench(n.trace, m, motion);
+  const Force wrench = link_wrench(n.trace, m, motion);
   // Sums of five points of some newtons.
   EXPECT_LT((n.value(wrench.linear) - force).norm(), 10 * kTolerance * (1 + force.norm()));
-  EXPECT_LT((n.value(wrench.angular) - moment).norm(), 10 * kTolerance * (1 + moment.norm()));
-  const Spatial only_z = link_wrench(n.trace, m, motion, true);
-  EXPECT_NEAR(n.value(only_z.angular[2]), moment.z(), 10 * kTolerance * (1 + moment.norm()));
+  EXPECT_LT((n.value(wrench.moment) - moment).norm(), 10 * kTolerance * (1 + moment.norm()));
+  const Force only_z = link_wrench(n.trace, m, motion, true);
+  EXPECT_NEAR(n.value(only_z.moment[2]), moment.z(), 10 * kTolerance * (1 + moment.norm()));
 }
 
 TEST_P(NewtonEuler, VelocityProductsOfAngularState) {
@@ -194,12 +207,12 @@ TEST_P(NewtonEuler, MotionOfAChild) {
   const Vector3d z = Vector3d::UnitZ(), along = random.transform.linear() * z;
   const Vector3d carried = a + wd.cross(p) + w.cross(w.cross(p));
 
-  const LinkMotion turned = child_motion(random.pose, true, parent, qd, qdd);
+  const LinkMotion turned = across_joint(Joint{0, 1, model::JointType::revolute}, random.pose, parent, qd, qdd);
   EXPECT_TRUE(n.value(turned.angular.w).isApprox(r * w + rate * z, kTolerance));
   EXPECT_TRUE(n.value(turned.angular.wd).isApprox(r * (wd + w.cross(rate * along)) + acceleration * z, kTolerance));
   EXPECT_TRUE(n.value(turned.a).isApprox(r * carried, kTolerance));
 
-  const LinkMotion slid = child_motion(random.pose, false, parent, qd, qdd);
+  const LinkMotion slid = across_joint(Joint{0, 1, model::JointType::prismatic}, random.pose, parent, qd, qdd);
   EXPECT_TRUE(n.value(slid.angular.w).isApprox(r * w, kTolerance));
   EXPECT_TRUE(n.value(slid.angular.wd).isApprox(r * wd, kTolerance));
   const Vector3d coriolis = 2 * w.cross(rate * along);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/geometry.h"
+#include "algorithm/spatial/pose.h"
 #include "symbolic/count.h"
 #include "symbolic/interpret.h"
 

@@ -1,0 +1,66 @@
+// Every program of a robot, by name: what the back ends print, `eval` runs and `ops` counts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithm/search/choices.h"
+#include "model/kinematic_tree.h"
+#include "symbolic/accuracy.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+// One function of the API. Overloads share `scope` and `name` and differ in inputs.
+struct RobotFunction {
+  std::string group;                 // one of groups()
+  std::string scope;                 // "", inertia_factor, transforms::homogeneous, transforms::motion, jacobians, …
+  std::string name;                  // `inverse_dynamics`, `fr_base_X_fr_foot`
+  std::vector<std::string> summary;  // what, frames, units, source
+  std::vector<int> columns;          // jacobians: the joint of each column
+  model::FramePair frames;           // of what is about two frames
+  symbolic::Program program;         // program.name is unique among the robot's functions
+  std::string method = {};           // how it is computed, where there was a choice; a line of the summary too
+  std::optional<symbolic::RoundingError> error = {};  // once it was measured
+};
+
+// In canonical order.
+const std::vector<std::string>& groups();
+
+// Those whose functions are about two frames each: the pairs of the desired transforms.
+const std::vector<std::string>& groups_between_frames();
+
+// The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
+const std::vector<std::string>& default_groups();
+
+// Whether the robot's mass properties allow the functions of this group: those that divide by the joint-space inertia
+// matrix need one that is regular, those of the centre of mass some mass, all of the dynamics some inertia.
+bool is_available(const model::KinematicTree& tree, const std::string& group);
+
+// The functions of one group; none where it is not available. Gravity, where it enters, is folded to (0, 0, -9.81) in a
+// fixed-base robot's first overload and an input in the others; external wrenches are inputs of the last.
+std::vector<RobotFunction> functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    FormulationChoices& choices);
+std::vector<RobotFunction> functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    const Formulation& formulation = {});
+
+// The programs of these functions by the plain formulation, without names; nothing for groups that no formulation has a
+// part in.
+std::vector<symbolic::Program> plain_programs(const model::KinematicTree& tree, const std::string& group);
+
+// The programs of these functions with congruent limbs that fold in the same way, for lanes, by
+// FormulationChoices::for_congruent_limbs; nullopt where these are the same, and nothing for groups that no limbs have
+// a part in.
+std::vector<std::optional<symbolic::Program>> congruent_programs(
+    const model::KinematicTree& tree,
+    const std::string& group,
+    FormulationChoices& for_congruent_limbs);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,44 @@
+// The functions of each group (robot_programs.h).
+#pragma once
+
+#include <vector>
+
+#include "algorithm/catalogue/catalogue.h"
+
+namespace robcogen::algorithm {
+
+// ---- Dynamics: of all limbs together.
+
+std::vector<RobotFunction> inverse_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> bias_forces_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> forward_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> joint_space_inertia_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> joint_space_inertia_factor_functions(
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
+std::vector<RobotFunction> coriolis_matrix_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> energy_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+
+// ---- Kinematics: of each pair of frames that is desired.
+
+std::vector<RobotFunction> transforms_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+std::vector<RobotFunction> jacobians_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+std::vector<RobotFunction> jacobian_references_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+std::vector<RobotFunction> jacobian_derivatives_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+std::vector<RobotFunction> velocities_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+std::vector<RobotFunction> accelerations_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+
+}  // namespace robcogen::algorithm

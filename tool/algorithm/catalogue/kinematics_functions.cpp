@@ -1,0 +1,159 @@
+#include <functional>
+
+#include "algorithm/catalogue/groups.h"
+#include "algorithm/kinematics/kinematics.h"
+#include "algorithm/kinematics/path.h"
+#include "algorithm/kinematics/transform_kinds.h"
+#include "support/parallel.h"
+
+namespace robcogen::algorithm {
+
+using model::KinematicTree;
+
+namespace {
+
+// One function for each desired Jacobian: `fr_base_<letter>_fr_foot`. Programs are called by `prefix` too, where the
+// name is one of several scopes.
+using BuildBetween = std::function<symbolic::Program(const model::FramePair& frames, const std::string& name)>;
+
+void add_for_jacobians(
+    std::vector<RobotFunction>& list,
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    const std::string& scope,
+    const std::string& letter,
+    const std::function<std::string(const std::string& left, const std::string& right)>& summary,
+    const BuildBetween& build,
+    const std::string& prefix = "") {
+  for (const model::FramePair& pair : desired.jacobians) {
+    const std::string name = pair.left.name + "_" + letter + "_" + pair.right.name;
+    symbolic::Program program = build(pair, prefix + name);
+    const bool has_columns = symbolic::is_jacobian(program.outputs.front().role);
+    list.push_back(
+        {group,
+         scope,
+         name,
+         {summary(pair.left.name, pair.right.name)},
+         has_columns ? chain_joints(tree, pair) : std::vector<int>{},
+         pair,
+         std::move(program)});
+  }
+}
+
+}  // namespace
+
+std::vector<RobotFunction> transforms_functions(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  const model::RigidMotions motions = model::motions_of(tree);
+  const model::MotionGraph graph(motions);
+  std::vector<Path> paths;
+  for (const model::FramePair& pair : desired.transforms) paths.push_back(path_between(tree, graph, pair));
+  const std::vector<TransformKind> kinds = transform_kinds();
+  std::vector<RobotFunction> list(kinds.size() * paths.size());
+  for_each_index(list.size(), [&](std::size_t k) {
+    const TransformKind& kind = kinds[k / paths.size()];
+    const std::size_t i = k % paths.size();
+    const model::FramePair& pair = desired.transforms[i];
+    const std::string name = pair.left.name + "_X_" + pair.right.name;
+    list[k] = {
+        "transforms",
+        "transforms::" + kind.scope,
+        name,
+        {kind.summary(pair.left.name, pair.right.name)},
+        {},
+        pair,
+        transform_along(tree, paths[i], kind.form, kind.scope + "_" + name)};
+  });
+  return list;
+}
+
+std::vector<RobotFunction> jacobians_functions(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "jacobians", "jacobians", "J",
+      [](const std::string& left, const std::string& right) {
+        return "Geometric Jacobian: angular velocity of " + right + " and velocity of its origin, with respect to " +
+               left + " and in its axes; angular rows first (Siciliano et al. 2009, ch. 3).";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return geometric_jacobian(tree, pair, name); });
+  return list;
+}
+
+std::vector<RobotFunction> jacobian_references_functions(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "jacobian_references", "jacobians::in_target", "J",
+      [](const std::string& left, const std::string& right) {
+        return "Geometric Jacobian: angular velocity of " + right + " and velocity of its origin, with respect to " +
+               left + ", in axes of " + right + "; angular rows first.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) {
+        return geometric_jacobian(tree, pair, name, JacobianReference::in_target);
+      },
+      "in_target_");
+  add_for_jacobians(
+      list, tree, desired, "jacobian_references", "jacobians::spatial", "J",
+      [](const std::string& left, const std::string& right) {
+        return "Spatial Jacobian: twist of " + right + " with respect to " + left + ", in coordinates of " + left +
+               ": angular velocity, then velocity of the point of " + right + " that is at the origin of " + left +
+               "; angular rows first (Featherstone 2008, ch. 2).";
+      },
+      [&](const model::FramePair& pair, const std::string& name) {
+        return geometric_jacobian(tree, pair, name, JacobianReference::spatial);
+      },
+      "spatial_");
+  return list;
+}
+
+std::vector<RobotFunction> jacobian_derivatives_functions(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "jacobian_derivatives", "jacobians", "Jd",
+      [](const std::string& left, const std::string& right) {
+        return "Time derivative of the geometric Jacobian " + left + "_J_" + right + ", angular rows first.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return jacobian_derivative(tree, pair, name); });
+  add_for_jacobians(
+      list, tree, desired, "jacobian_derivatives", "jacobians", "Jd_qd",
+      [](const std::string& left, const std::string& right) {
+        return "Time derivative of " + left + "_J_" + right + " times the joint velocities: what is added to " + left +
+               "_J_" + right + " qdd in the angular acceleration (rad/s^2) of " + right +
+               " and the acceleration (m/s^2) of its origin, with respect to " + left + " and in its axes.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) {
+        return jacobian_derivative_times_velocity(tree, pair, name);
+      });
+  return list;
+}
+
+std::vector<RobotFunction> velocities_functions(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "velocities", "velocities", "V",
+      [](const std::string& left, const std::string& right) {
+        return "Twist of " + right + " with respect to " + left + ", in coordinates of " + left +
+               ": angular velocity (rad/s), then velocity (m/s) of the point of " + right +
+               " that is at the origin of " + left + ".";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return frame_velocity(tree, pair, name); });
+  return list;
+}
+
+std::vector<RobotFunction> accelerations_functions(const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  std::vector<RobotFunction> list;
+  add_for_jacobians(
+      list, tree, desired, "accelerations", "accelerations", "A",
+      [](const std::string& left, const std::string& right) {
+        return "Spatial acceleration of " + right + " with respect to " + left +
+               ": the time derivative (rad/s^2, m/s^2) of its twist in coordinates of " + left +
+               ", angular first (Featherstone 2008, ch. 2).";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return frame_acceleration(tree, pair, name); });
+  return list;
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,74 @@
+#include "algorithm/catalogue/model_numbers.h"
+
+#include "algorithm/spatial/trace.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using model::Quantity;
+using symbolic::Role;
+
+struct Column {
+  Trace& trace;
+  std::vector<Expression>& values;
+
+  void add(const Quantity& q) { values.push_back(trace.lift(q)); }
+  void add(const std::array<Quantity, 3>& q) {
+    for (const Quantity& component : q) add(component);
+  }
+};
+
+void add_link(Column column, const model::Link& link) {
+  if (!link.inertia) {
+    for (int i = 0; i < kNumbersOfLink; ++i) column.add(Quantity());
+    return;
+  }
+  const model::RigidBodyInertia body = model::in_link_frame(*link.inertia);
+  column.add(body.mass);
+  if (!link.inertia->reference) {
+    column.add(link.inertia->com);
+  } else {
+    for (const Quantity& moment : body.first_moment) column.add(body.mass.is_zero() ? Quantity() : moment / body.mass);
+  }
+  for (const Quantity* q : {&body.ixx, &body.iyy, &body.izz, &body.ixy, &body.ixz, &body.iyz}) column.add(*q);
+}
+
+void add_placement(Column column, const model::Placement& placement) {
+  column.add(placement.translation);
+  column.add(placement.rotation);
+}
+
+const model::Placement& placement_of(const model::KinematicTree& tree, const model::Frame& frame) {
+  static const model::Placement none;
+  const auto index = static_cast<std::size_t>(frame.index);
+  if (frame.kind == model::Frame::Kind::joint) return tree.joints[index].placement;
+  return frame.kind == model::Frame::Kind::user ? tree.user_frames[index].placement : none;
+}
+
+}  // namespace
+
+symbolic::Program model_numbers(const model::KinematicTree& tree) {
+  Trace trace(tree);
+  std::vector<Expression> links, joints, frames;
+  for (const model::Link& link : tree.links) {
+    trace.section(link.name, "link " + link.name);
+    add_link({trace, links}, link);
+  }
+  for (const model::Joint& joint : tree.joints) {
+    trace.section(joint.name, "joint " + joint.name);
+    add_placement({trace, joints}, joint.placement);
+  }
+  for (const model::Frame& frame : tree.frames()) {
+    trace.section(frame.name, "frame " + frame.name);
+    add_placement({trace, frames}, placement_of(tree, frame));
+  }
+  const auto output = [&](const char* name, int rows, const std::vector<Expression>& values) {
+    trace.output(name, Role::value, rows, static_cast<int>(values.size()) / rows, values);
+  };
+  output("links", kNumbersOfLink, links);
+  output("joints", kNumbersOfPlacement, joints);
+  output("frames", kNumbersOfPlacement, frames);
+  return trace.program("model_numbers");
+}
+
+}  // namespace robcogen::algorithm

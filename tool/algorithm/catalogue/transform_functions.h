@@ -1,0 +1,48 @@
+// Coordinate transforms with no robot: every program of a document of transforms.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithm/kinematics/kinematics.h"
+#include "algorithm/kinematics/primitive_product.h"
+#include "model/coordinate_transforms.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+// What a transform depends on, as its primitives are written.
+struct Arguments {
+  std::vector<int> variables;  // indices into the document's, in its order
+  bool parameters = false;     // all of the document's, or none
+};
+Arguments arguments_of(const model::CoordinateTransforms& document, const model::CoordinateTransform& transform);
+
+// parameters, variables -> X. An array that would be empty is left out.
+symbolic::Program transform_program(
+    const model::CoordinateTransforms& document,
+    const model::CoordinateTransform& transform,
+    TransformForm form,
+    const std::string& name);
+
+// The product as the document writes it, for primitives of this convention: parameters, variables -> amounts.
+PrimitiveProduct primitive_product(
+    const model::CoordinateTransforms& document,
+    const model::CoordinateTransform& transform,
+    model::MovedFramePosition position);
+
+// The user's name, or `A_X_B`.
+std::string name_of(const model::CoordinateTransform& transform);
+
+// One function of the API.
+struct TransformFunction {
+  std::size_t transform = 0;         // into CoordinateTransforms::transforms
+  std::string scope;                 // transforms::homogeneous, transforms::motion, transforms::force
+  std::string name;                  // see name_of
+  std::vector<std::string> summary;  // what, frames
+  symbolic::Program program;         // program.name is unique among the document's functions
+};
+
+std::vector<TransformFunction> transform_functions(const model::CoordinateTransforms& document);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,116 @@
+// Articulated-body algorithm in two parts: the wrenches at zero joint and base acceleration by Newton-Euler, then a
+// homogeneous pass for what the accelerations add. No velocity term remains in the second part.
+#include "algorithm/dynamics/articulated_body.h"
+
+#include "algorithm/dynamics/composite_rigid_body.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+// What the passes know of a joint.
+struct JointState {
+  Force U;               // articulated inertia times the joint's motion subspace S
+  Expression inverse_D;  // 1 / (S' U)
+  Expression u;          // tau minus the force that the bias motion needs
+};
+
+class ArticulatedBodies {
+ public:
+  ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
+      : robot_(robot), in_(in), load_(load), joints_(in.tau.size()) {}
+
+  // Down with velocities, up with inertias and bias wrenches, of one link and all beyond it.
+  void collect(int link, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
+    const std::string& name = robot_.link_name(link);
+    SpatialInertia children_inertia;
+    Force children_bias;
+    for (const Joint& joint : robot_.children(link)) collect_child(joint, motion, children_inertia, children_bias);
+    if (robot_.is_base(link) && !robot_.floating()) return;
+    robot_.trace.section(name, "link " + name + ": articulated inertia and bias wrench");
+    Force own = link_wrench(robot_.trace, robot_.mass(link), motion);
+    robot_.subtract_external(load_, link, own);
+    bias = {children_bias.moment + own.moment, children_bias.linear + own.linear};
+    inertia = children_inertia + rigid_body_inertia(robot_.mass(link));
+    algorithm::name(graph(), inertia, name);
+    algorithm::name(graph(), bias.moment, name + "_n");
+    algorithm::name(graph(), bias.linear, name + "_f");
+  }
+
+  // Down with accelerations.
+  void accelerate(int link, const Motion& parent) {
+    for (const Joint& joint : robot_.children(link)) {
+      const std::string& name = robot_.link_name(joint.child);
+      robot_.trace.section(name, "link " + name + ": acceleration");
+      Motion a = to_child(robot_.pose(joint.index), parent);
+      const JointState& state = joints_[at(joint.index)];
+      // Without the component of `a` along the axis in the product, the link's own component comes out, joint
+      // acceleration included.
+      const Expression carried = take_rate(joint, a);
+      const Expression total = (state.u - dot(state.U, a)) * state.inverse_D;
+      qdd[at(joint.index)] = total - carried;
+      add_rate(joint, total, a);
+      algorithm::name(graph(), a.angular, name + "_dw");
+      algorithm::name(graph(), a.linear, name + "_da");
+      accelerate(joint.child, a);
+    }
+  }
+
+ private:
+  const TracedRobot& robot_;
+  const StateInputs& in_;
+  const LoadInputs& load_;
+  std::vector<JointState> joints_;
+
+  Graph& graph() { return robot_.trace.graph; }
+
+  void collect_child(const Joint& joint, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
+    const Pose& X_PC = robot_.pose(joint.index);
+    const std::string& name = robot_.link_name(joint.child);
+    robot_.trace.section(name, "link " + name + ": velocity and bias acceleration");
+    const LinkMotion child = across_joint(joint, X_PC, motion, in_.qd[at(joint.index)], Expression());
+    algorithm::name(graph(), child.angular.w, name + "_w");
+    algorithm::name(graph(), child.angular.wd, name + "_wd");
+    algorithm::name(graph(), child.a, name + "_a");
+    SpatialInertia x;
+    Force p;
+    collect(joint.child, child, x, p);
+
+    const std::string& joint_name = robot_.tree().joints[at(joint.index)].name;
+    robot_.trace.section(name, "joint " + joint_name + ": articulated inertia about its axis");
+    JointState& state = joints_[at(joint.index)];
+    state.U = times_subspace(x, joint);
+    state.inverse_D = graph().one() / project(joint, state.U);
+    state.u = in_.tau[at(joint.index)] - project(joint, p);
+    graph().name(state.inverse_D, name + "_Dinv");
+    graph().name(state.u, name + "_u");
+    if (!robot_.parent_matters(joint.child)) return;
+    const Force gain = state.inverse_D * state.U;
+    x = released(x, joint, state.U, gain);
+    p += state.u * gain;
+    // The joint passes exactly tau along its axis.
+    set_projection(joint, in_.tau[at(joint.index)], p);
+    inertia = inertia + to_parent(X_PC, x);
+    bias += to_parent(X_PC, p);
+  }
+
+ public:
+  std::vector<Expression> qdd = std::vector<Expression>(in_.tau.size());
+};
+
+}  // namespace
+
+ForwardMotion by_articulated_bodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load) {
+  ArticulatedBodies bodies(robot, in, load);
+  SpatialInertia inertia;
+  Force bias;
+  bodies.collect(0, base_motion(in.base_velocity, {}, load.gravity), inertia, bias);
+  Motion acceleration;
+  if (robot.floating()) {
+    robot.trace.section(robot.link_name(0), "base: acceleration");
+    acceleration = free_acceleration(inertia, bias);
+  }
+  bodies.accelerate(0, acceleration);
+  return {bodies.qdd, acceleration};
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,122 @@
+// Centre of mass, its Jacobian and the centroidal momentum matrix, from composite rigid bodies.
+#include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/dynamics.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// The whole robot as its momentum is told: composites by link, all that moves, and where its centre of mass is.
+struct WholeBody {
+  explicit WholeBody(const TracedRobot& r)
+      : robot(r), composite(composite_bodies(r)), total(moving_body(r, composite)) {
+    const std::string& base = robot.tree().links[0].name;
+    robot.trace.section(base, "centre of mass");
+    if (total.mass.is_zero()) return;
+    per_mass = robot.trace.graph.one() / total.mass;
+    com = per_mass * total.first_moment;
+    name(robot.trace.graph, com, "com_");
+  }
+
+  const TracedRobot& robot;
+  std::vector<MassProperties> composite;
+  MassProperties total;
+  Expression per_mass;  // 1 / mass; zero without mass
+  Vector3 com;
+};
+
+// Momentum of the robot when one joint moves at unit rate: about the base origin, in base axes.
+Force unit_momentum(const WholeBody& body, int joint) {
+  const TracedRobot& robot = body.robot;
+  const model::Joint& moving = robot.tree().joints[at(joint)];
+  const std::string& link = robot.link_name(moving.child);
+  robot.trace.section(link, "link " + link + ": momentum of joint " + moving.name);
+  Force momentum = times_subspace(body.composite[at(moving.child)], robot.joint(joint));
+  for (int i = joint; i >= 0; i = robot.tree().parent_joint_of(i)) momentum = to_parent(robot.pose(i), momentum);
+  return momentum;
+}
+
+void append(std::vector<Expression>& columns, const Vector3& v) {
+  columns.insert(columns.end(), v.element.begin(), v.element.end());
+}
+
+Vector3 unit_vector(Trace& trace, std::size_t axis) {
+  Vector3 v;
+  v[axis] = trace.graph.one();
+  return v;
+}
+
+}  // namespace
+
+Program total_mass(const model::KinematicTree& tree, const std::string& name) {
+  Trace trace(tree);
+  Expression mass;
+  for (const model::Link& link : tree.links)
+    if (link.inertia && (tree.floating_base || link.parent_joint >= 0)) mass += trace.lift(link.inertia->mass);
+  trace.output("mass", Role::mass, std::vector<Expression>{mass});
+  return trace.program(name);
+}
+
+Program center_of_mass(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const TracedRobot robot(trace, trace.joint_input("q", Role::joint_position), representative);
+  const WholeBody body(robot);
+  trace.output("com", Role::position, std::vector<Expression>{body.com[0], body.com[1], body.com[2]});
+  return trace.program(name);
+}
+
+Program center_of_mass_jacobian(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const TracedRobot robot(trace, trace.joint_input("q", Role::joint_position), representative);
+  const WholeBody body(robot);
+  std::vector<Expression> columns;
+  if (tree.floating_base) {
+    for (std::size_t k = 0; k < 3; ++k) append(columns, cross(unit_vector(trace, k), body.com));
+    for (std::size_t k = 0; k < 3; ++k) append(columns, unit_vector(trace, k));
+  }
+  for (int j = 0; j < tree.dof(); ++j) append(columns, body.per_mass * unit_momentum(body, j).linear);
+  trace.output("J", Role::matrix, 3, static_cast<int>(columns.size() / 3), columns);
+  return trace.program(name);
+}
+
+Program centroidal_momentum_matrix(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const TracedRobot robot(trace, trace.joint_input("q", Role::joint_position), representative);
+  const WholeBody body(robot);
+  const Vector3& first_moment = body.total.first_moment;
+  std::vector<Expression> columns;
+  if (tree.floating_base) {
+    // About the centre of mass, turning has no part in what sliding causes; with the inertia tensor I about the base
+    // origin, that about the centre of mass is I + [h]x [com]x.
+    const Matrix3 inertia = inertia_tensor(body.total);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 e = unit_vector(trace, k), velocity = cross(e, body.com);
+      append(columns, Vector3{inertia[0][k], inertia[1][k], inertia[2][k]} - cross(first_moment, velocity));
+      append(columns, cross(e, first_moment));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      append(columns, Vector3());
+      append(columns, body.total.mass * unit_vector(trace, k));
+    }
+  }
+  for (int j = 0; j < tree.dof(); ++j) {
+    const Force momentum = unit_momentum(body, j);
+    append(columns, momentum.moment - cross(body.com, momentum.linear));
+    append(columns, momentum.linear);
+  }
+  trace.output("A", Role::matrix, 6, static_cast<int>(columns.size() / 6), columns);
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,124 @@
+#include "algorithm/dynamics/composite_rigid_body.h"
+
+#include <functional>
+
+#include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/ldl.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+void name_composite(Trace& trace, const std::string& link, const MassProperties& m) {
+  name(trace.graph, m.first_moment, link + "_h");
+  const char* axes = "xyz";
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j) trace.graph.name(m.pseudo_inertia[i][j], link + "_S" + axes[i] + axes[j]);
+}
+
+void collect(const TracedRobot& robot, int link, std::vector<MassProperties>& composite) {
+  const auto l = at(link);
+  composite[l] = robot.mass(link);
+  for (const Joint& joint : robot.children(link)) {
+    collect(robot, joint.child, composite);
+    if (!robot.parent_matters(joint.child)) continue;
+    const std::string& name = robot.link_name(link);
+    robot.trace.section(name, "link " + name + ": composite inertia");
+    composite[l] = composite[l] + to_parent(robot.pose(joint.index), composite[at(joint.child)]);
+  }
+  name_composite(robot.trace, robot.link_name(link), composite[l]);
+}
+
+}  // namespace
+
+std::vector<MassProperties> composite_bodies(const TracedRobot& robot) {
+  std::vector<MassProperties> composite(robot.tree().links.size());
+  collect(robot, 0, composite);
+  return composite;
+}
+
+MassProperties moving_body(const TracedRobot& robot, const std::vector<MassProperties>& composite) {
+  if (robot.floating()) return composite[0];
+  MassProperties total;
+  for (const Joint& joint : robot.children(0))
+    total = total + to_parent(robot.pose(joint.index), composite[at(joint.child)]);
+  return total;
+}
+
+Motion free_acceleration(const SpatialInertia& body, const Force& missing) {
+  std::vector<Expression> right;
+  for (const Expression& e : missing.moment.element) right.push_back(-e);
+  for (const Expression& e : missing.linear.element) right.push_back(-e);
+  const std::vector<Expression> a = solve(matrix(body), std::move(right));
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+
+void add_composite_forces(
+    const TracedRobot& robot,
+    const std::vector<MassProperties>& composite,
+    const Motion& base_acceleration,
+    std::vector<Expression>& tau) {
+  const std::function<void(int, const Motion&)> descend = [&](int link, const Motion& parent) {
+    for (const Joint& joint : robot.children(link)) {
+      const std::string& name = robot.link_name(joint.child);
+      robot.trace.section(name, "link " + name + ": share of the base acceleration");
+      const Motion a = to_child(robot.pose(joint.index), parent);
+      tau[at(joint.index)] += dot(times_subspace(composite[at(joint.child)], joint), a);
+      descend(joint.child, a);
+    }
+  };
+  descend(0, base_acceleration);
+}
+
+SquareMatrix joint_space_inertia(const TracedRobot& robot) {
+  const model::KinematicTree& tree = robot.tree();
+  const std::vector<MassProperties> composite = composite_bodies(robot);
+  const int base = tree.floating_base ? 6 : 0;
+  SquareMatrix H(base + tree.dof());
+  const auto set = [&](int row, int column, const Expression& value) { H(row, column) = H(column, row) = value; };
+  for (int j = 0; j < tree.dof(); ++j) {
+    Joint joint = robot.joint(j);
+    const std::string& link = robot.link_name(joint.child);
+    robot.trace.section(link, "link " + link + ": column of joint " + tree.joints[at(j)].name);
+    Force wrench = times_subspace(composite[at(joint.child)], joint);
+    while (true) {
+      set(base + joint.index, base + j, project(joint, wrench));
+      if (!robot.parent_matters(joint.child)) break;
+      wrench = to_parent(robot.pose(joint.index), wrench);
+      const int parent = tree.parent_joint_of(joint.index);
+      if (parent < 0) break;
+      joint = robot.joint(parent);
+    }
+    if (!tree.floating_base) continue;
+    for (int k = 0; k < 3; ++k) {
+      set(k, base + j, wrench.moment[at(k)]);
+      set(3 + k, base + j, wrench.linear[at(k)]);
+    }
+  }
+  if (tree.floating_base) {
+    const SquareMatrix body = matrix(rigid_body_inertia(composite[0]));
+    for (int r = 0; r < 6; ++r)
+      for (int c = 0; c < 6; ++c) H(r, c) = body(r, c);
+  }
+  return H;
+}
+
+std::vector<int> elimination_order(const model::KinematicTree& tree) {
+  std::vector<int> order;
+  const int base = tree.floating_base ? 6 : 0;
+  for (int k = 0; k < base; ++k) order.push_back(k);
+  for (const int j : tree.topological()) order.push_back(base + j);
+  return order;
+}
+
+Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  const SquareMatrix H = joint_space_inertia(TracedRobot(trace, in.q, formulation));
+  trace.output("H", Role::inertia_matrix, H.size(), H.size(), H.columns());
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,139 @@
+// The dynamics algorithms, each written once over symbolic scalars: model in, program out.
+//
+// Conventions of all of them: SI units; joint arrays in the order of the document's joints; 6D vectors angular first;
+// base twist, base acceleration (spatial, gravity not included), gravity and base wrench in base coordinates about the
+// base origin; an external wrench acts on its link, in link coordinates about the link's origin.
+#pragma once
+
+#include <string>
+
+#include "algorithm/dynamics/loads.h"
+#include "algorithm/formulation/formulation.h"
+#include "model/kinematic_tree.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+// Recursive Newton-Euler (Featherstone 2008, table 5.1). Fixed base: q, qd, qdd -> tau. Floating base, fully actuated:
+// q, qd, qdd, base_velocity, base_acceleration -> tau, base_wrench.
+symbolic::Program newton_euler(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// Floating base that nothing holds (Featherstone 2008, table 9.6): q, qd, qdd, base_velocity -> tau, base_acceleration.
+symbolic::Program unactuated_base_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// Forces at zero acceleration: q, qd [, base_velocity] -> tau [, base_wrench].
+symbolic::Program bias_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// The part of the bias forces that velocities cause.
+symbolic::Program coriolis_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
+
+// The part that gravity causes, from the first moments of composite bodies: q -> tau [, base_wrench].
+symbolic::Program gravity_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+enum class ForwardDynamicsMethod {
+  articulated_bodies,  // Featherstone 2008, table 7.1
+  inertia_matrix,      // bias forces, inertia matrix and elimination along ancestors: tables 5.1, 6.2, sec. 6.5
+};
+
+struct ForwardDynamicsChoice {
+  ForwardDynamicsMethod method = ForwardDynamicsMethod::articulated_bodies;
+  Formulation formulation;
+};
+
+// q, qd, tau [, base_velocity] -> qdd [, base_acceleration].
+symbolic::Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const ForwardDynamicsChoice& choice);
+
+// Composite-rigid-body algorithm (Featherstone 2008, table 6.2): q -> H, n x n, or (6 + n) x (6 + n) base first. The
+// zeros that branches induce are literal.
+symbolic::Program joint_space_inertia(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
+
+// L of H = L^T L with the sparsity that branches induce (Featherstone 2008, sec. 6.5): q -> L, of the size of H, and
+// the reciprocals of its diagonal. L(i, j) is a literal zero unless j is i or an ancestor of i; so L is lower
+// triangular where the document declares joints after the ones that carry them. H must be positive definite: results
+// are not finite otherwise.
+symbolic::Program joint_space_inertia_factor(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
+// What goes on from a factor; `factor` is the program above: L, inverse_diagonal, x -> y = H^-1 x.
+symbolic::Program inertia_factor_solve(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+// L, inverse_diagonal -> L^-1, as sparse as L.
+symbolic::Program inertia_factor_inverse_L(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+// L, inverse_diagonal -> H^-1: zero where no coordinate is an ancestor of both.
+symbolic::Program inertia_factor_inverse(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+
+// A factorisation of the Coriolis forces that makes dH/dt - 2 C skew symmetric (Niemeyer and Slotine 1991; recursive
+// with composite bodies: Echeandia and Wensing 2021): q, qd [, base_velocity] -> C, of the size of H. C v plus the
+// gravity forces are the bias forces.
+symbolic::Program coriolis_matrix(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
+
+// What moves: every link but a fixed base. Its mass, a number of the parameters alone: -> mass.
+symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
+// Its centre of mass: q -> com, base coordinates; zero where nothing that moves has mass.
+symbolic::Program center_of_mass(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative = {});
+// Velocity of that point, in base axes: q -> J, 3 x n, or 3 x (6 + n) base twist first.
+symbolic::Program center_of_mass_jacobian(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative = {});
+// Spatial momentum about that point, in base axes (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base twist
+// first; angular rows first.
+symbolic::Program centroidal_momentum_matrix(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative = {});
+
+// q, qd [, base_velocity] -> T, summed over the links.
+symbolic::Program kinetic_energy(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation = {});
+// q -> V of what moves, zero where its centre of mass is at the base origin.
+symbolic::Program potential_energy(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const RepresentativeLinks& representative = {});
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,59 @@
+// Kinetic and potential energy.
+#include <functional>
+
+#include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/dynamics.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// m v v + 2 v (w x h) + w I w, all about the link's origin.
+Expression twice_energy(const MassProperties& m, const Motion& twist) {
+  const Vector3 &w = twist.angular, &v = twist.linear;
+  const Vector3 sliding = m.mass * v, twice_h = m.first_moment + m.first_moment;
+  const Expression linear = dot(v, sliding + cross(w, twice_h));
+  return linear + dot(w, multiply(inertia_tensor(m), w));
+}
+
+}  // namespace
+
+Program kinetic_energy(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const TracedRobot robot(trace, in.q, formulation);
+
+  Expression twice;
+  const std::function<void(int, const Motion&)> visit = [&](int link, const Motion& twist) {
+    twice += twice_energy(robot.mass(link), twist);
+    for (const Joint& joint : robot.children(link)) {
+      const std::string& child = robot.link_name(joint.child);
+      trace.section(child, "link " + child + ": velocity and energy");
+      const Motion moved = across_joint(joint, robot.pose(joint.index), twist, in.qd[at(joint.index)]);
+      algorithm::name(trace.graph, moved.angular, child + "_w");
+      algorithm::name(trace.graph, moved.linear, child + "_v");
+      visit(joint.child, moved);
+    }
+  };
+  visit(0, in.base_velocity);
+  trace.output("T", Role::energy, std::vector<Expression>{0.5 * twice});
+  return trace.program(name);
+}
+
+Program potential_energy(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, representative);
+  const MassProperties body = moving_body(robot, composite_bodies(robot));
+  trace.output("V", Role::energy, std::vector<Expression>{-dot(load.gravity, body.first_moment)});
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

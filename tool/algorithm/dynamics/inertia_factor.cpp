@@ -1,0 +1,189 @@
+// The factor L of H = L^T L and what goes on from it, along the ancestors of each coordinate only (Featherstone 2008,
+// sec. 6.5): L(i, j) is zero unless j is i or an ancestor of i, because elimination from the leaves fills nothing in.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/dynamics.h"
+#include "support/index.h"
+#include "symbolic/count.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using model::KinematicTree;
+using symbolic::Operand;
+using symbolic::Program;
+using symbolic::Role;
+
+// What the rows of H stand for.
+struct Coordinate {
+  std::string name;            // the joint's; `base_wx`, …
+  std::string link;            // that it moves
+  std::vector<int> ancestors;  // nearest last
+};
+
+// A floating base's six coordinates, each the ancestor of the next, then the joints.
+std::vector<Coordinate> coordinates_of(const KinematicTree& tree) {
+  static const std::array<const char*, 6> kBase = {"base_wx", "base_wy", "base_wz", "base_vx", "base_vy", "base_vz"};
+  std::vector<Coordinate> list;
+  std::vector<int> base;
+  if (tree.floating_base) {
+    for (const char* name : kBase) {
+      list.push_back({name, tree.links[0].name, base});
+      base.push_back(static_cast<int>(base.size()));
+    }
+  }
+  const int first = static_cast<int>(base.size());
+  for (const model::Joint& joint : tree.joints) list.push_back({joint.name, tree.links[at(joint.child)].name, base});
+  for (const int j : tree.topological()) {
+    const int parent = tree.parent_joint_of(j);
+    if (parent < 0) continue;
+    std::vector<int>& ancestors = list[at(first + j)].ancestors;
+    ancestors = list[at(first + parent)].ancestors;
+    ancestors.push_back(first + parent);
+  }
+  return list;
+}
+
+void enter(ProgramTrace& trace, const Coordinate& c, const std::string& what) {
+  trace.section(c.link, what + " " + c.name);
+}
+
+// A factor that was computed before, as the first inputs of a program.
+struct GivenFactor {
+  // Elements that the factor's own program leaves at zero, whatever q is, are zero here too.
+  GivenFactor(ProgramTrace& trace, const KinematicTree& tree, const Program& factor)
+      : coordinates(coordinates_of(tree)), order(elimination_order(tree)), L(size()) {
+    std::vector<std::string> elements, diagonal;
+    for (const Coordinate& column : coordinates)
+      for (const Coordinate& row : coordinates) elements.push_back(row.name + "_" + column.name);
+    for (const Coordinate& c : coordinates) diagonal.push_back(c.name);
+    const std::vector<Expression> given = trace.input("L", Role::inertia_factor, elements);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const Operand& value = factor.outputs[0].values[k];
+      const bool zero = is_constant(value) && factor.constants[at(value.index)].value() == 0;
+      if (!zero) L(static_cast<int>(k) % size(), static_cast<int>(k) / size()) = given[k];
+    }
+    inverse_diagonal = trace.input("inverse_diagonal", Role::inverse_diagonal, diagonal);
+  }
+
+  std::vector<Coordinate> coordinates;
+  std::vector<int> order;
+  SquareMatrix L;
+  std::vector<Expression> inverse_diagonal;
+
+  int size() const { return static_cast<int>(coordinates.size()); }
+};
+
+SquareMatrix inverse_of(ProgramTrace& trace, const GivenFactor& f) {
+  SquareMatrix inverse(f.size());
+  for (const int i : f.order) {
+    const Coordinate& c = f.coordinates[at(i)];
+    enter(trace, c, "inverse of L: row");
+    inverse(i, i) = f.inverse_diagonal[at(i)];
+    for (const int j : c.ancestors) {
+      Expression sum;
+      for (const int k : c.ancestors) sum += f.L(i, k) * inverse(k, j);
+      inverse(i, j) = -(f.inverse_diagonal[at(i)] * sum);
+    }
+  }
+  return inverse;
+}
+
+// How a row's elements reach the rows of its ancestors. Both forms give the same; the pivot is d = L(i, i)^2.
+enum class Elimination {
+  products_of_L,  // H(j, k) -= L(i, j) L(i, k): fewest operations
+  reciprocals,    // H(j, k) -= H(i, j) / d H(i, k): the next pivot does not wait for a square root
+};
+
+Program factor(
+    const KinematicTree& tree,
+    const std::string& name,
+    const Formulation& formulation,
+    Elimination elimination) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  const std::vector<Coordinate> coordinates = coordinates_of(tree);
+  const std::vector<int> order = elimination_order(tree);
+  const int size = static_cast<int>(coordinates.size());
+  SquareMatrix H = joint_space_inertia(TracedRobot(trace, in.q, formulation));
+  SquareMatrix L(size);
+  std::vector<Expression> inverse_diagonal(at(size));
+  for (auto next = order.rbegin(); next != order.rend(); ++next) {
+    const int i = *next;
+    const Coordinate& c = coordinates[at(i)];
+    enter(trace, c, "factor: row");
+    L(i, i) = sqrt(H(i, i));
+    const bool waits = elimination == Elimination::products_of_L;
+    const Expression reciprocal = trace.graph.one() / (waits ? L(i, i) : H(i, i));
+    inverse_diagonal[at(i)] = waits ? reciprocal : L(i, i) * reciprocal;
+    for (const int j : c.ancestors) L(i, j) = H(i, j) * inverse_diagonal[at(i)];
+    const SquareMatrix& row = waits ? L : H;
+    for (const int j : c.ancestors) {
+      const Expression share = waits ? L(i, j) : H(i, j) * reciprocal;
+      for (const int k : coordinates[at(j)].ancestors) H(j, k) -= share * row(i, k);
+      H(j, j) -= share * row(i, j);
+    }
+  }
+  trace.output("L", Role::inertia_factor, size, size, L.columns());
+  trace.output("inverse_diagonal", Role::inverse_diagonal, inverse_diagonal);
+  return trace.program(name);
+}
+
+}  // namespace
+
+Program joint_space_inertia_factor(const KinematicTree& tree, const std::string& name, const Formulation& formulation) {
+  Program small = factor(tree, name, formulation, Elimination::products_of_L);
+  Program quick = factor(tree, name, formulation, Elimination::reciprocals);
+  return symbolic::predicted_time(quick) < symbolic::predicted_time(small) ? quick : small;
+}
+
+Program inertia_factor_solve(const KinematicTree& tree, const Program& factor, const std::string& name) {
+  ProgramTrace trace;
+  const GivenFactor f(trace, tree, factor);
+  std::vector<std::string> elements;
+  for (const Coordinate& c : f.coordinates) elements.push_back(c.name);
+  std::vector<Expression> y = trace.input("x", Role::value, elements);
+  for (auto i = f.order.rbegin(); i != f.order.rend(); ++i) {
+    const Coordinate& c = f.coordinates[at(*i)];
+    enter(trace, c, "transpose of L: element");
+    y[at(*i)] = y[at(*i)] * f.inverse_diagonal[at(*i)];
+    for (const int j : c.ancestors) y[at(j)] -= f.L(*i, j) * y[at(*i)];
+  }
+  for (const int i : f.order) {
+    const Coordinate& c = f.coordinates[at(i)];
+    enter(trace, c, "L: element");
+    for (const int j : c.ancestors) y[at(i)] -= f.L(i, j) * y[at(j)];
+    y[at(i)] = y[at(i)] * f.inverse_diagonal[at(i)];
+  }
+  trace.output("y", Role::value, y);
+  return trace.program(name);
+}
+
+Program inertia_factor_inverse_L(const KinematicTree& tree, const Program& factor, const std::string& name) {
+  ProgramTrace trace;
+  const GivenFactor f(trace, tree, factor);
+  trace.output("inverse", Role::matrix, f.size(), f.size(), inverse_of(trace, f).columns());
+  return trace.program(name);
+}
+
+Program inertia_factor_inverse(const KinematicTree& tree, const Program& factor, const std::string& name) {
+  ProgramTrace trace;
+  const GivenFactor f(trace, tree, factor);
+  const SquareMatrix inverse_L = inverse_of(trace, f);
+  SquareMatrix inverse(f.size());
+  for (int i = 0; i < f.size(); ++i) {
+    enter(trace, f.coordinates[at(i)], "inverse of H: row");
+    for (int j = 0; j <= i; ++j) {
+      Expression sum;
+      for (int k = 0; k < f.size(); ++k) sum += inverse_L(i, k) * inverse_L(j, k);
+      inverse(i, j) = inverse(j, i) = sum;
+    }
+  }
+  trace.output("inverse", Role::inertia_matrix, f.size(), f.size(), inverse.columns());
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

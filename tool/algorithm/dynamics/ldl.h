@@ -1,0 +1,13 @@
+// Linear systems with a symmetric positive definite matrix, by factors without square roots.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/spatial/vectors.h"
+
+namespace robcogen::algorithm {
+
+// Solution of A x = b, by A = L^T D L from the last row up: zeros of A cost nothing. (Featherstone 2008, sec. 6.5.)
+std::vector<Expression> solve(SquareMatrix a, std::vector<Expression> b);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,41 @@
+#include "algorithm/dynamics/loads.h"
+
+namespace robcogen::algorithm {
+
+using symbolic::Role;
+
+StateInputs::StateInputs(Trace& trace, std::initializer_list<State> list) {
+  for (const State state : list) {
+    switch (state) {
+      case State::position:
+        q = trace.joint_input("q", Role::joint_position);
+        break;
+      case State::velocity:
+        qd = trace.joint_input("qd", Role::joint_velocity);
+        break;
+      case State::acceleration:
+        qdd = trace.joint_input("qdd", Role::joint_acceleration);
+        break;
+      case State::force:
+        tau = trace.joint_input("tau", Role::joint_force);
+        break;
+      case State::base_velocity:
+        if (trace.tree.floating_base) base_velocity = trace.motion_input("base_velocity", Role::base_velocity);
+        break;
+      case State::base_acceleration:
+        if (trace.tree.floating_base)
+          base_acceleration = trace.motion_input("base_acceleration", Role::base_acceleration);
+        break;
+    }
+  }
+}
+
+LoadInputs::LoadInputs(Trace& trace, Loads loads) {
+  // As the decimal that it is: products with exact numbers of the model stay exact.
+  const Number g = *Number::parse(print_double(kStandardGravity));
+  gravity = loads == Loads::standard_gravity ? Vector3{Expression(), Expression(), trace.graph.constant(-g)}
+                                             : trace.vector_input("gravity", Role::gravity);
+  if (loads == Loads::gravity_and_external) external = trace.link_wrench_input();
+}
+
+}  // namespace robcogen::algorithm

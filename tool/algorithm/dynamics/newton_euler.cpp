@@ -1,0 +1,122 @@
+#include "algorithm/dynamics/newton_euler.h"
+
+#include "algorithm/dynamics/dynamics.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// One pass down and up the tree, branch by branch: what a branch needs is computed where it is used.
+class Recursion {
+ public:
+  Recursion(
+      const TracedRobot& robot,
+      const std::vector<Expression>& qd,
+      const std::vector<Expression>& qdd,
+      const LoadInputs* loads)
+      : robot_(robot), qd_(qd), qdd_(qdd), loads_(loads), tau(qd.size()) {}
+
+  // The wrench that a link and all beyond it need, about the link's origin.
+  Force wrench_of(int link, const LinkMotion& motion) {
+    Force total;
+    for (const Joint& joint : robot_.children(link)) {
+      const Pose& X_PC = robot_.pose(joint.index);
+      const std::string& name = robot_.link_name(joint.child);
+      robot_.trace.section(name, "link " + name + ": velocity and acceleration");
+      const LinkMotion child = across_joint(joint, X_PC, motion, qd_[at(joint.index)], qdd_[at(joint.index)]);
+      name_motion(name, child);
+      const Force wrench = wrench_of(joint.child, child);
+      tau[at(joint.index)] = project(joint, wrench);
+      if (robot_.parent_matters(joint.child)) total += to_parent(X_PC, wrench);
+    }
+    const bool base = robot_.is_base(link);
+    if (base && !robot_.floating()) return total;
+    const std::string& name = robot_.link_name(link);
+    robot_.trace.section(name, "link " + name + ": force and moment");
+    const bool only_moment = !base && !robot_.parent_matters(link) && feels_only_moment(robot_.parent_joint(link));
+    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, only_moment);
+    if (loads_) robot_.subtract_external(*loads_, link, own);
+    total += own;
+    algorithm::name(robot_.trace.graph, total.linear, name + "_f");
+    algorithm::name(robot_.trace.graph, total.moment, name + "_n");
+    return total;
+  }
+
+ private:
+  const TracedRobot& robot_;
+  const std::vector<Expression>&qd_, &qdd_;
+  const LoadInputs* loads_;
+
+  void name_motion(const std::string& link, const LinkMotion& motion) {
+    Graph& graph = robot_.trace.graph;
+    algorithm::name(graph, motion.angular.w, link + "_w");
+    algorithm::name(graph, motion.angular.wd, link + "_wd");
+    algorithm::name(graph, motion.a, link + "_a");
+  }
+
+ public:
+  std::vector<Expression> tau;
+};
+
+Program write_forces(Trace& trace, const std::string& name, const Forces& forces) {
+  trace.output("tau", Role::joint_force, forces.tau);
+  if (trace.tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
+  return trace.program(name);
+}
+
+}  // namespace
+
+Forces newton_euler_forces(
+    const TracedRobot& robot,
+    const LinkMotion& base,
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& qdd,
+    const LoadInputs* loads) {
+  Recursion recursion(robot, qd, qdd, loads);
+  const Force base_wrench = recursion.wrench_of(0, base);
+  return {recursion.tau, base_wrench};
+}
+
+Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads) {
+  const std::vector<Expression> zeros(in.qd.size());
+  return newton_euler_forces(robot, base_motion(in.base_velocity, {}, loads.gravity), in.qd, zeros, &loads);
+}
+
+Program newton_euler(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(
+      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
+  return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, in.qdd, &load));
+}
+
+Program bias_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  return write_forces(trace, name, bias_forces(robot, in, load));
+}
+
+Program coriolis_forces(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const TracedRobot robot(trace, in.q, formulation);
+  const std::vector<Expression> zeros(in.qd.size());
+  const LinkMotion base = base_motion(in.base_velocity, {}, {});
+  return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, zeros, nullptr));
+}
+
+}  // namespace robcogen::algorithm

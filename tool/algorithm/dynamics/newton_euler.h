@@ -1,0 +1,26 @@
+// Recursive Newton-Euler as expressions, for algorithms that go on from its forces.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/dynamics/traced_robot.h"
+
+namespace robcogen::algorithm {
+
+struct Forces {
+  std::vector<Expression> tau;  // by joint
+  Force base_wrench;            // of a floating base
+};
+
+// The forces of a motion (Featherstone 2008, table 5.1). `loads`: none when it is null.
+Forces newton_euler_forces(
+    const TracedRobot& robot,
+    const LinkMotion& base,
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& qdd,
+    const LoadInputs* loads);
+
+// At zero joint and base acceleration.
+Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,71 @@
+#include "algorithm/formulation/base_parameters.h"
+
+#include <algorithm>
+
+namespace robcogen::algorithm {
+namespace {
+
+// Moment b and pseudo-inertia s on the axis z' of the joint, with the mass m at the point p of the axis, in the parent:
+//     m += m,   h += m p + b z,   S += m p p' + b (p z' + z p') + s z z'.
+MassProperties rod(const Vector3& p, const Vector3& z, const MassProperties& child) {
+  const Expression& b = child.first_moment[2];
+  const Expression& s = child.pseudo_inertia[2][2];
+  MassProperties result;
+  result.mass = child.mass;
+  Vector3 half;  // with S = half p' + p half' + s z z'
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.first_moment[i] = sum_of_products(child.mass, p[i], b, z[i]);
+    half[i] = sum_of_products(0.5 * child.mass, p[i], b, z[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      Expression& e = result.pseudo_inertia[i][j];
+      e = sum_of_products(half[i], p[j], p[i], half[j]);
+      e += (s * z[i]) * z[j];
+      result.pseudo_inertia[j][i] = e;
+    }
+  }
+  return result;
+}
+
+// Takes what a revolute joint does not feel from its child; the share of the parent.
+MassProperties take_revolute(Trace& trace, const Pose& pose, MassProperties& child) {
+  const Expression zero;
+  const Vector3 z = to_parent(pose.rotation, {zero, zero, trace.graph.one()});
+  const MassProperties share = rod(pose.offset + pose.slide * z, z, child);
+  child.mass = child.first_moment[2] = child.pseudo_inertia[2][2] = zero;
+  return share;
+}
+
+MassProperties take_prismatic(const Pose& pose, MassProperties& child) {
+  MassProperties share;
+  share.pseudo_inertia = symmetric_to_parent(pose.rotation, child.pseudo_inertia);
+  child.pseudo_inertia = {};
+  return share;
+}
+
+}  // namespace
+
+std::vector<MassProperties> regrouped(
+    Trace& trace,
+    const std::vector<Pose>& poses,
+    std::vector<MassProperties> masses) {
+  const model::KinematicTree& tree = trace.tree;
+  std::vector<int> from_leaves = tree.topological();
+  std::reverse(from_leaves.begin(), from_leaves.end());
+  for (int j : from_leaves) {
+    const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+    const Pose& pose = poses[static_cast<std::size_t>(j)];
+    const std::string& name = tree.links[static_cast<std::size_t>(joint.child)].name;
+    trace.section(name, "link " + name + ": mass properties that matter");
+    MassProperties& child = masses[static_cast<std::size_t>(joint.child)];
+    const bool revolute = joint.type == model::JointType::revolute;
+    const MassProperties share = revolute ? take_revolute(trace, pose, child) : take_prismatic(pose, child);
+    if (joint.parent == 0 && !tree.floating_base) continue;
+    MassProperties& parent = masses[static_cast<std::size_t>(joint.parent)];
+    parent = parent + share;
+  }
+  return masses;
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,64 @@
+#include "algorithm/formulation/congruent_limbs.h"
+
+#include <algorithm>
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Role;
+
+bool is_by_joint(Role role) {
+  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
+         role == Role::joint_force;
+}
+
+}  // namespace
+
+std::vector<LimbsInLanes> limbs_in_lanes(const model::KinematicTree& tree) {
+  std::vector<LimbsInLanes> result;
+  for (const model::LimbClass& limbs : model::limb_classes(tree)) {
+    std::size_t first = 0;
+    for (const std::size_t width : {8U, 4U, 2U}) {
+      for (; first + width <= limbs.count(); first += width) {
+        LimbsInLanes lanes;
+        for (std::size_t k = 0; k < limbs.length(); ++k) {
+          const std::vector<int> all = limbs.corresponding(k);
+          const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+          lanes.joints.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(width));
+        }
+        for (const int joint : lanes.joints.front())
+          lanes.names.push_back(tree.joints[static_cast<std::size_t>(joint)].name);
+        result.push_back(std::move(lanes));
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<int>> limb_inputs(
+    const model::KinematicTree& tree,
+    const LimbsInLanes& limbs,
+    const symbolic::Program& program) {
+  constexpr int kWrench = 6;
+  std::vector<std::vector<int>> tuples;
+  int begin = 0;
+  for (const symbolic::InputArray& array : program.inputs) {
+    const auto size = static_cast<int>(array.elements.size());
+    for (const std::vector<int>& joints : limbs.joints) {
+      if (is_by_joint(array.role) && size == tree.dof()) {
+        std::vector<int>& tuple = tuples.emplace_back();
+        for (const int joint : joints) tuple.push_back(begin + joint);
+      }
+      if (array.role != Role::link_wrenches) continue;
+      for (int k = 0; k < kWrench; ++k) {
+        std::vector<int>& tuple = tuples.emplace_back();
+        for (const int joint : joints)
+          tuple.push_back(begin + kWrench * tree.joints[static_cast<std::size_t>(joint)].child + k);
+      }
+    }
+    begin += size;
+  }
+  return tuples;
+}
+
+}  // namespace robcogen::algorithm

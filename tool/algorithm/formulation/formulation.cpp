@@ -1,0 +1,39 @@
+#include "algorithm/formulation/formulation.h"
+
+#include <array>
+
+namespace robcogen::algorithm {
+namespace {
+
+struct Choice {
+  const char* name;
+  bool Formulation::*on;
+};
+
+constexpr std::array kChoices = {
+    Choice{"regroup", &Formulation::regroup}, Choice{"choose-fd", &Formulation::choose_forward_dynamics},
+    Choice{"frames", &Formulation::choose_frames}, Choice{"turn-inertia", &Formulation::turn_inertia}};
+
+}  // namespace
+
+Formulation plain_formulation() {
+  std::vector<std::string> none;
+  return take_formulation(none);
+}
+
+const std::vector<std::string>& choices() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> list;
+    for (const Choice& choice : kChoices) list.emplace_back(choice.name);
+    return list;
+  }();
+  return all;
+}
+
+Formulation take_formulation(std::vector<std::string>& names) {
+  Formulation result;
+  for (const Choice& choice : kChoices) result.*choice.on = std::erase(names, choice.name) > 0;
+  return result;
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,144 @@
+// Velocities and accelerations of a frame with respect to another. What the target does is told from each frame of the
+// chain, from the last joint to the first: as seen from a frame, a joint adds to what is seen from behind it, and
+// everything turns into the axes of the frame before.
+#include <algorithm>
+
+#include "algorithm/kinematics/kinematics.h"
+#include "algorithm/kinematics/path.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// A joint's rate or acceleration, the way that the path passes it.
+Expression along(const JointOnPath& passed, const std::vector<Expression>& values) {
+  const Expression& value = values[at(passed.joint.index)];
+  return passed.backward ? -value : value;
+}
+
+// The target as seen from a frame of the chain: where its origin is, and how it and the target's axes move.
+struct Seen {
+  Vector3 position, velocity, acceleration;
+  Vector3 w, wd;
+};
+
+void add_joint(Seen& target, const Joint& joint, const Expression& rate, Graph& graph) {
+  const auto [axis, slide] = subspace(joint, graph);
+  if (!is_zero(axis)) {
+    const Expression twice = rate + rate, square = rate * rate;
+    target.acceleration += twice * cross(axis, target.velocity);
+    target.acceleration += square * cross(axis, cross(axis, target.position));
+    target.velocity += rate * cross(axis, target.position);
+    target.wd += rate * cross(axis, target.w);
+    target.w += rate * axis;
+  }
+  target.velocity += rate * slide;
+}
+
+void step_back(Seen& target, const Pose& pose) {
+  target.position[2] += pose.slide;
+  target.position = pose.offset + to_parent(pose.rotation, target.position);
+  for (Vector3* v : {&target.velocity, &target.acceleration, &target.w, &target.wd}) *v = to_parent(pose.rotation, *v);
+}
+
+// Left to right, for the derivative: a joint's motion subspace in axes of the left frame, and how the frame before it
+// moves.
+struct MovingSubspace {
+  Motion S;
+  Vector3 point;
+  Vector3 w, velocity;  // of the frame, and of its point at `point`
+};
+
+}  // namespace
+
+Program frame_velocity(const model::KinematicTree& tree, const model::FramePair& frames, const std::string& name) {
+  Trace trace(tree);
+  const auto q = trace.joint_input("q", Role::joint_position);
+  const auto qd = trace.joint_input("qd", Role::joint_velocity);
+  Path path = path_between(tree, frames);
+  std::reverse(path.begin(), path.end());
+  Motion twist;
+  for (const PathSegment& segment : path) {
+    const Pose pose = pose_of(trace, segment, q);
+    if (segment.joint) add_rate(segment.joint->joint, along(*segment.joint, qd), twist);
+    twist = to_parent(pose, twist);
+  }
+  trace.output("V", Role::frame_velocity, twist);
+  return trace.program(name);
+}
+
+Program frame_acceleration(const model::KinematicTree& tree, const model::FramePair& frames, const std::string& name) {
+  Trace trace(tree);
+  const auto q = trace.joint_input("q", Role::joint_position);
+  const auto qd = trace.joint_input("qd", Role::joint_velocity);
+  const auto qdd = trace.joint_input("qdd", Role::joint_acceleration);
+  Path path = path_between(tree, frames);
+  std::reverse(path.begin(), path.end());
+  Motion twist, acceleration;
+  for (const PathSegment& segment : path) {
+    const Pose pose = pose_of(trace, segment, q);
+    if (const auto& passed = segment.joint) {
+      const Expression rate = along(*passed, qd);
+      acceleration += rate * cross_subspace(passed->joint, twist);
+      add_rate(passed->joint, along(*passed, qdd), acceleration);
+      add_rate(passed->joint, rate, twist);
+    }
+    twist = to_parent(pose, twist);
+    acceleration = to_parent(pose, acceleration);
+  }
+  trace.output("A", Role::frame_acceleration, acceleration);
+  return trace.program(name);
+}
+
+Program jacobian_derivative_times_velocity(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name) {
+  Trace trace(tree);
+  const auto q = trace.joint_input("q", Role::joint_position);
+  const auto qd = trace.joint_input("qd", Role::joint_velocity);
+  Path path = path_between(tree, frames);
+  std::reverse(path.begin(), path.end());
+  Seen target;
+  for (const PathSegment& segment : path) {
+    const Pose pose = pose_of(trace, segment, q);
+    if (segment.joint) add_joint(target, segment.joint->joint, along(*segment.joint, qd), trace.graph);
+    step_back(target, pose);
+  }
+  trace.output("a", Role::frame_bias_acceleration, Motion{target.wd, target.acceleration});
+  return trace.program(name);
+}
+
+Program jacobian_derivative(const model::KinematicTree& tree, const model::FramePair& frames, const std::string& name) {
+  Trace trace(tree);
+  const auto q = trace.joint_input("q", Role::joint_position);
+  const auto qd = trace.joint_input("qd", Role::joint_velocity);
+  std::vector<MovingSubspace> columns;
+  Vector3 w, velocity, last;  // of the frame reached, and of its point at `last`
+  const Path path = path_between(tree, frames);
+  const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
+    velocity += cross(w, here.position - last);
+    last = here.position;
+    const auto& [joint, backward] = *segment.joint;
+    const Motion S = in_axes(here.rotation, subspace(joint, trace.graph), backward);
+    columns.push_back({S, last, w, velocity});
+    const Expression& rate = qd[at(joint.index)];
+    w += rate * S.angular;
+    velocity += rate * S.linear;
+  });
+  velocity += cross(w, end.position - last);
+  std::vector<Expression> values;
+  for (const MovingSubspace& column : columns) {
+    const Vector3 angular = cross(column.w, column.S.angular);
+    Vector3 linear = cross(column.w, column.S.linear);
+    linear += cross(angular, end.position - column.point);
+    linear += cross(column.S.angular, velocity - column.velocity);
+    for (const Vector3& part : {angular, linear}) values.insert(values.end(), part.element.begin(), part.element.end());
+  }
+  trace.output("Jd", Role::jacobian_derivative, 6, static_cast<int>(columns.size()), values);
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,25 @@
+#include "algorithm/kinematics/joint_poses.h"
+
+#include <stdexcept>
+
+#include "model/rigid_motions.h"
+
+namespace robcogen::algorithm {
+
+std::vector<Pose> joint_poses(Trace& trace, const std::vector<Expression>& q) {
+  const model::KinematicTree& tree = trace.tree;
+  const model::RigidMotions motions = model::motions_of(tree);
+  const model::MotionGraph graph(motions);
+  std::vector<Pose> poses;
+  for (const model::Joint& joint : tree.joints) {
+    const std::string parent = tree.links[static_cast<std::size_t>(joint.parent)].name;
+    const std::string child = tree.links[static_cast<std::size_t>(joint.child)].name;
+    const auto transform = graph.transform_between("fr_" + parent, "fr_" + child);
+    if (!transform) throw std::logic_error("the motions of a robot do not connect its links");
+    trace.section(joint.name, "joint " + joint.name + ": placement");
+    poses.push_back(pose_of(trace, transform->primitives, q));
+  }
+  return poses;
+}
+
+}  // namespace robcogen::algorithm

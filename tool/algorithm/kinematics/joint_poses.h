@@ -1,0 +1,13 @@
+// The poses of a robot's links.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/spatial/pose.h"
+
+namespace robcogen::algorithm {
+
+// Pose of the child link frame in the parent link frame, of every joint, from the robot's motions document.
+std::vector<Pose> joint_poses(Trace& trace, const std::vector<Expression>& q);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,100 @@
+#include "algorithm/kinematics/path.h"
+
+#include <stdexcept>
+
+#include "model/rigid_motions.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using model::PrimitiveTransform;
+
+std::optional<JointOnPath> joint_of(const model::KinematicTree& tree, const PrimitiveTransform& primitive) {
+  const model::Quantity& amount = primitive.amount;
+  if (amount.op() == model::Quantity::Op::variable)
+    return JointOnPath{algorithm::joint_of(tree, amount.index()), false};
+  if (amount.op() == model::Quantity::Op::negate && amount.left().op() == model::Quantity::Op::variable)
+    return JointOnPath{algorithm::joint_of(tree, amount.left().index()), true};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Path path_between(const model::KinematicTree& tree, const model::FramePair& frames) {
+  const model::RigidMotions motions = model::motions_of(tree);
+  return path_between(tree, model::MotionGraph(motions), frames);
+}
+
+Path path_between(const model::KinematicTree& tree, const model::MotionGraph& motions, const model::FramePair& frames) {
+  const auto transform = motions.transform_between(frames.left.name, frames.right.name);
+  if (!transform) throw std::logic_error("the motions of a robot do not connect its frames");
+  Path path(1);
+  for (const PrimitiveTransform& primitive : transform->primitives) {
+    path.back().primitives.push_back(primitive);
+    path.back().joint = joint_of(tree, primitive);
+    if (!path.back().joint) continue;
+    path.back().subject = tree.joints[at(path.back().joint->joint.index)].name;
+    path.back().passed = "joint " + path.back().subject;
+    path.emplace_back();
+  }
+  return path;
+}
+
+int behind_last_turn(const Path& path) {
+  int number = 0;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    for (const PrimitiveTransform& primitive : path[i].primitives)
+      if (primitive.rotation) number = static_cast<int>(i);
+  const std::vector<PrimitiveTransform>& last = path[at(number)].primitives;
+  const bool ends_by_turning = !last.empty() && last.back().rotation;
+  return ends_by_turning && at(number) + 1 < path.size() ? number + 1 : number;
+}
+
+Pose pose_of(ProgramTrace& trace, const PathSegment& segment, const std::vector<Expression>& variables) {
+  if (segment.subject.empty())
+    trace.section("end", "to the last frame");
+  else
+    trace.section(segment.subject, "past " + segment.passed);
+  return pose_of(trace, segment.primitives, variables);
+}
+
+Reached walk(
+    ProgramTrace& trace,
+    const Path& path,
+    const std::vector<Expression>& variables,
+    const std::function<void(const PathSegment&, const Reached&)>& behind,
+    int moment_from) {
+  Reached here = start(trace.graph, moment_from);
+  for (const PathSegment& segment : path) {
+    advance(here, pose_of(trace, segment, variables));
+    if (segment.subject.empty()) continue;
+    behind(segment, here);
+    name_reached(trace.graph, here, segment.subject);
+  }
+  return here;
+}
+
+symbolic::Program transform_along(
+    const model::KinematicTree& tree,
+    const Path& path,
+    TransformForm form,
+    const std::string& name) {
+  return cheapest_transform(form, behind_last_turn(path), [&](int moment_from) {
+    Trace trace(tree);
+    const auto q = trace.joint_input("q", symbolic::Role::joint_position);
+    output_transform(trace, path, q, form, moment_from);
+    return trace.program(name);
+  });
+}
+
+void output_transform(
+    ProgramTrace& trace,
+    const Path& path,
+    const std::vector<Expression>& variables,
+    TransformForm form,
+    int moment_from) {
+  const auto nothing = [](const PathSegment&, const Reached&) {};
+  output_transform(trace, walk(trace, path, variables, nothing, moment_from), form);
+}
+
+}  // namespace robcogen::algorithm

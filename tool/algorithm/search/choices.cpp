@@ -1,0 +1,72 @@
+#include "algorithm/search/choices.h"
+
+#include "algorithm/dynamics/traced_robot.h"
+#include "symbolic/count.h"
+
+namespace robcogen::algorithm {
+
+using model::KinematicTree;
+
+FormulationChoices::FormulationChoices(FormulationChoices& original)
+    : tree_(original.tree_),
+      original_(&original),
+      common_(with_representatives(original.common_)),
+      representative_of_model_(representative_links(original.tree_)) {}
+
+Formulation FormulationChoices::searched(const Formulation& start, const TraceOf& trace) const {
+  Formulation result = start;
+  result.frames = cheap_frames(tree_, start, trace);
+  return result;
+}
+
+Formulation FormulationChoices::with_representatives(Formulation formulation) const {
+  formulation.representative = representative_links(tree_, formulation);
+  return formulation;
+}
+
+const Formulation& FormulationChoices::newton_euler() {
+  return newton_euler_.get([&] {
+    if (original_) return with_representatives(original_->newton_euler());
+    return searched(common_, [&](const KinematicTree& part, const Formulation& f) {
+      return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree_), f);
+    });
+  });
+}
+
+const Formulation& FormulationChoices::unactuated_base() {
+  return unactuated_base_.get([&] {
+    if (original_) return with_representatives(original_->unactuated_base());
+    return searched(newton_euler(), [](const KinematicTree& part, const Formulation& f) {
+      return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
+    });
+  });
+}
+
+const Formulation& FormulationChoices::inertia() {
+  return inertia_.get([&] {
+    if (original_) return with_representatives(original_->inertia());
+    return searched(common_, [](const KinematicTree& part, const Formulation& f) {
+      return joint_space_inertia(part, "joint_space_inertia", f);
+    });
+  });
+}
+
+const ForwardDynamicsChoice& FormulationChoices::forward_dynamics() {
+  return forward_dynamics_.get([&] {
+    if (!original_) return forward_dynamics_choice(tree_, common_);
+    ForwardDynamicsChoice choice = original_->forward_dynamics();
+    choice.formulation = with_representatives(choice.formulation);
+    return choice;
+  });
+}
+
+Formulation FormulationChoices::cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace) {
+  const auto work = [&](Formulation formulation) {
+    formulation.is_draft = true;
+    formulation.representative.clear();
+    return symbolic::work(trace(formulation));
+  };
+  return work(newton_euler()) < work(common_) ? newton_euler() : common_;
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,46 @@
+// The formulations of a robot's programs, each chosen once.
+#pragma once
+
+#include <functional>
+
+#include "algorithm/search/forward_dynamics_choice.h"
+#include "algorithm/search/frame_search.h"
+#include "support/lazy.h"
+
+namespace robcogen::algorithm {
+
+// How the programs of a robot are traced: the frames that suit an algorithm are looked for when it is first asked for.
+// Several threads may ask.
+class FormulationChoices {
+ public:
+  FormulationChoices(const model::KinematicTree& tree, const Formulation& common) : tree_(tree), common_(common) {}
+
+  // The choices of `original`, for programs whose congruent limbs fold in the same way (representative_limbs.h).
+  static FormulationChoices for_congruent_limbs(FormulationChoices& original) { return FormulationChoices(original); }
+
+  const Formulation& common() const { return common_; }
+  const Formulation& newton_euler();
+  const Formulation& unactuated_base();
+  const Formulation& inertia();
+  const ForwardDynamicsChoice& forward_dynamics();
+  // For a program that no frames were looked for: those of Newton-Euler, or the model's.
+  Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);
+  // For programs of the model as it is; empty but for congruent limbs.
+  const RepresentativeLinks& representative_of_model() const { return representative_of_model_; }
+
+ private:
+  explicit FormulationChoices(FormulationChoices& original);
+
+  const model::KinematicTree& tree_;
+  FormulationChoices* original_ = nullptr;
+  Formulation common_;
+  RepresentativeLinks representative_of_model_;
+  Lazy<Formulation> newton_euler_, unactuated_base_, inertia_;
+  Lazy<ForwardDynamicsChoice> forward_dynamics_;
+
+  // With frames that suit these traces, looked for from those of `start` on.
+  Formulation searched(const Formulation& start, const TraceOf& trace) const;
+  Formulation with_representatives(Formulation formulation) const;
+};
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,21 @@
+// Which algorithm computes a robot's forward dynamics, and in which link frames.
+#pragma once
+
+#include <string>
+
+#include "algorithm/dynamics/dynamics.h"
+
+namespace robcogen::algorithm {
+
+// The method of less predicted time, the longer of the critical path and half the instructions; each in the link frames
+// that suit it.
+ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation = {});
+
+// As chosen.
+symbolic::Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+}  // namespace robcogen::algorithm

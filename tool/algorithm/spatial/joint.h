@@ -1,0 +1,59 @@
+// A joint as the recursions see it: what it adds to the motion of its child, and what it feels of a force on it.
+//
+// All that the recursions know of joint types is here. The motion subspace S of a joint is constant in the axes of the
+// child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) of a revolute joint, (0 0 0 0 0 1) of a
+// prismatic one (Featherstone 2008, table 4.1).
+#pragma once
+
+#include "algorithm/spatial/link_motion.h"
+#include "algorithm/spatial/spatial_inertia.h"
+
+namespace robcogen::algorithm {
+
+struct Joint {
+  int index = 0;
+  int child = 0;  // link
+  model::JointType type = model::JointType::revolute;
+};
+
+Joint joint_of(const model::KinematicTree& tree, int index);
+
+// ---- The motion subspace.
+
+// S.
+Motion subspace(const Joint& joint, Graph& graph);
+// V_C += S rate.
+void add_rate(const Joint& joint, const Expression& rate, Motion& V_C);
+// The same of its two parts.
+void add_rate(const Joint& joint, const Expression& rate, Vector3& w, Vector3& v);
+// S' F_C: the joint force.
+Expression project(const Joint& joint, const Force& F_C);
+// Changes F_C so that S' F_C is `value`.
+void set_projection(const Joint& joint, const Expression& value, Force& F_C);
+// The part of V_C along S, which is left without it.
+Expression take_rate(const Joint& joint, Motion& V_C);
+// S x V: how unit rate of the joint changes a motion in axes that stay behind.
+Motion cross_subspace(const Joint& joint, const Motion& V_C);
+// Whether of the force on a link without children the joint feels the moment about z alone.
+bool feels_only_moment(const Joint& joint);
+
+// ---- Across the joint, from the parent P to the child C.
+
+Motion across_joint(const Joint& joint, const Pose& X_PC, const Motion& V_P, const Expression& qd);
+LinkMotion across_joint(
+    const Joint& joint,
+    const Pose& X_PC,
+    const LinkMotion& parent,
+    const Expression& qd,
+    const Expression& qdd);
+
+// ---- Inertias.
+
+// I S: the force that accelerates the body by one unit of the joint from rest, and its momentum at unit rate.
+Force times_subspace(const MassProperties& body, const Joint& joint);
+Force times_subspace(const SpatialInertia& body, const Joint& joint);
+// I - U U' / D, what is left of an inertia with a joint that gives way: U = I S, `gain` = U / D. Row and column of S
+// become zero.
+SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,39 @@
+// How a link moves, and what that takes, in 3-vectors.
+//
+// With U = [wd]x + [w]x [w]x, the classical acceleration of a point r of the link is a + U r, so that force and moment
+// about the origin are
+//     f = U h + m a,     n = (axial vector of U S) + h x a,
+// with the mass properties (m, h, S). Accelerations carry gravity: the base accelerates by -g. (Featherstone 2008, ch.
+// 5, in the notation of ch. 2 split into 3-vectors.)
+#pragma once
+
+#include "algorithm/spatial/mass_properties.h"
+
+namespace robcogen::algorithm {
+
+struct AngularState {
+  Vector3 w;   // angular velocity
+  Vector3 wd;  // angular acceleration
+
+  // An element of U. Made when it is asked for, so that the cost of a form of the moment can be told.
+  Expression u(std::size_t row, std::size_t column) const;
+};
+
+// U v; elements of U that meet a zero of v are not made.
+Vector3 multiply_u(const AngularState& state, const Vector3& v);
+
+// Motion of one link: everything in link axes; `a` is the classical acceleration of the origin minus gravity.
+struct LinkMotion {
+  AngularState angular;
+  Vector3 a;
+};
+
+// Of a base with this twist and spatial acceleration, which stands for gravity too.
+LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const Vector3& gravity);
+
+// The wrench that gives the link this motion, about its origin. Of three equivalent forms of the moment, the one that
+// adds fewest operations to what is computed already. With `only_z_moment` nothing but that component of the moment is
+// computed.
+Force link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& motion, bool only_z_moment = false);
+
+}  // namespace robcogen::algorithm

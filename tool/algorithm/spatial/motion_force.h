@@ -1,0 +1,30 @@
+// Spatial vectors (Featherstone 2008, ch. 2): motions and forces are different types, because they change coordinates
+// by different rules.
+#pragma once
+
+#include "algorithm/spatial/vectors.h"
+
+namespace robcogen::algorithm {
+
+// A motion about a point: angular and linear velocity, or a change of them.
+struct Motion {
+  Vector3 angular;
+  Vector3 linear;
+};
+
+// A force about a point, or a momentum: moment and linear force.
+struct Force {
+  Vector3 moment;
+  Vector3 linear;
+};
+
+Motion& operator+=(Motion& a, const Motion& b);
+Motion operator*(const Expression& k, const Motion& a);
+Force& operator+=(Force& a, const Force& b);
+Force& operator-=(Force& a, const Force& b);
+Force operator*(const Expression& k, const Force& a);
+
+// The power of a force along a motion.
+Expression dot(const Force& a, const Motion& b);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,42 @@
+// Rotations as products of quarter turns and plane rotations: the cheap form that the recursions turn vectors by. Never
+// a dense 3 x 3 matrix.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "algorithm/spatial/vectors.h"
+
+namespace robcogen::algorithm {
+
+// Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions a vector.
+struct PlaneRotation {
+  int axis = 2;           // 0, 1, 2
+  Expression c;           // cosine
+  Expression s;           // sine
+  Expression angle = {};  // rad, where it matters
+};
+
+// A rotation by a multiple of 90 degrees: image[i] is the axis that row i picks, sign[i] its sign. (P v)_i =
+// sign[i] v_image[i]. Free.
+struct QuarterTurns {
+  std::array<int, 3> image{0, 1, 2};
+  std::array<int, 3> sign{1, 1, 1};
+};
+QuarterTurns quarter_turn(int axis, int turns);
+QuarterTurns operator*(const QuarterTurns& a, const QuarterTurns& b);
+QuarterTurns inverse(const QuarterTurns& q);
+
+// R = quarter * planes[0] * planes[1] * …: coordinates in the rotated (child) frame to those in the parent frame.
+struct Rotation {
+  QuarterTurns quarter;
+  std::vector<PlaneRotation> planes;
+};
+
+Vector3 to_parent(const Rotation& r, const Vector3& v);  // R v
+Vector3 to_child(const Rotation& r, const Vector3& v);   // R' v
+// R M R'. The symmetric form wants a symmetric matrix, both triangles of it, and returns one.
+Matrix3 symmetric_to_parent(const Rotation& r, const Matrix3& m);
+Matrix3 general_to_parent(const Rotation& r, const Matrix3& m);
+
+}  // namespace robcogen::algorithm

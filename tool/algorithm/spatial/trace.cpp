@@ -1,0 +1,156 @@
+#include "algorithm/spatial/trace.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace robcogen::algorithm {
+
+using model::Quantity;
+using symbolic::Role;
+
+namespace {
+
+const std::vector<std::string> kAxes = {"x", "y", "z"};
+
+std::vector<std::string> spatial_elements(Role role, const std::string& prefix = "") {
+  const bool wrench = role == Role::base_wrench || role == Role::link_wrenches;
+  std::vector<std::string> names;
+  for (const char* part : {wrench ? "n" : "w", wrench ? "f" : "v"})
+    for (const std::string& axis : kAxes) names.push_back(prefix + part + axis);
+  return names;
+}
+
+}  // namespace
+
+Trace::Trace(const model::KinematicTree& robot) : tree(robot) {
+  parameter_input(tree.parameters);
+}
+
+std::vector<double> parameter_values(const model::KinematicTree& tree) {
+  std::vector<double> values;
+  for (const model::Parameter& p : tree.parameters) {
+    const double number = static_cast<double>(values.size());
+    values.push_back(p.default_value.value_or(1.0 + 0.5 / (2.0 + number)));
+  }
+  return values;
+}
+
+void ProgramTrace::parameter_input(const std::vector<model::Parameter>& parameters) {
+  if (parameters.empty()) return;
+  std::vector<std::string> names;
+  for (const model::Parameter& p : parameters) names.push_back(p.name);
+  parameters_ = input("parameters", Role::parameters, std::move(names));
+}
+
+std::vector<Expression> ProgramTrace::input(const std::string& name, Role role, std::vector<std::string> elements) {
+  std::vector<Expression> values;
+  for (std::size_t i = 0; i < elements.size(); ++i) values.push_back(graph.input(input_elements_++));
+  inputs_.push_back({name, role, std::move(elements)});
+  return values;
+}
+
+std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
+  std::vector<std::string> names;
+  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
+  return input(name, role, std::move(names));
+}
+
+Vector3 Trace::vector_input(const std::string& name, Role role) {
+  const std::vector<Expression> v = input(name, role, kAxes);
+  return {v[0], v[1], v[2]};
+}
+
+Motion Trace::motion_input(const std::string& name, Role role) {
+  const std::vector<Expression> v = input(name, role, spatial_elements(role));
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+std::vector<Force> Trace::link_wrench_input() {
+  std::vector<std::string> names;
+  for (const model::Link& link : tree.links)
+    for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_"))
+      names.push_back(std::move(element));
+  const std::vector<Expression> v = input("external", Role::link_wrenches, std::move(names));
+  std::vector<Force> wrenches;
+  for (std::size_t i = 0; i < v.size(); i += 6)
+    wrenches.push_back(Force{Vector3{v[i], v[i + 1], v[i + 2]}, Vector3{v[i + 3], v[i + 4], v[i + 5]}});
+  return wrenches;
+}
+
+void ProgramTrace::output(const std::string& name, Role role, const std::vector<Expression>& values) {
+  output(name, role, static_cast<int>(values.size()), 1, values);
+}
+
+void ProgramTrace::output(const std::string& name, Role role, const Motion& value) {
+  const Vector3 &w = value.angular, &v = value.linear;
+  output(name, role, std::vector<Expression>{w[0], w[1], w[2], v[0], v[1], v[2]});
+}
+
+void ProgramTrace::output(const std::string& name, Role role, const Force& value) {
+  const Vector3 &n = value.moment, &f = value.linear;
+  output(name, role, std::vector<Expression>{n[0], n[1], n[2], f[0], f[1], f[2]});
+}
+
+void ProgramTrace::output(
+    const std::string& name,
+    Role role,
+    int rows,
+    int columns,
+    const std::vector<Expression>& values) {
+  shapes_.push_back({name, role, rows, columns, {}});
+  outputs_.push_back(values);
+}
+
+void ProgramTrace::section(const std::string& subject, const std::string& title) {
+  graph.begin_section(title, subject);
+}
+
+Expression ProgramTrace::lift(const Quantity& q, const std::vector<Expression>& variables) {
+  switch (q.op()) {
+    case Quantity::Op::constant:
+      return graph.constant(q.number());
+    case Quantity::Op::parameter:
+      return parameters_[static_cast<std::size_t>(q.index())];
+    case Quantity::Op::variable:
+      return variables.at(static_cast<std::size_t>(q.index()));
+    default:
+      break;
+  }
+  const Expression left = lift(q.left(), variables);
+  const auto right = [&] { return lift(q.right(), variables); };
+  switch (q.op()) {
+    case Quantity::Op::negate:
+      return -left;
+    case Quantity::Op::add:
+      return left + right();
+    case Quantity::Op::subtract:
+      return left - right();
+    case Quantity::Op::multiply:
+      return left * right();
+    case Quantity::Op::divide:
+      return left / right();
+    case Quantity::Op::sine:
+      return sin(left);
+    case Quantity::Op::cosine:
+      return cos(left);
+    case Quantity::Op::tangent: {
+      const Expression sine = sin(left);
+      return sine / cos(left);
+    }
+    case Quantity::Op::square_root:
+      return sqrt(left);
+    default:
+      break;
+  }
+  throw std::logic_error("unknown quantity");
+}
+
+Vector3 ProgramTrace::lift(const std::array<Quantity, 3>& q, const std::vector<Expression>& variables) {
+  return {lift(q[0], variables), lift(q[1], variables), lift(q[2], variables)};
+}
+
+symbolic::Program ProgramTrace::program(const std::string& name) const {
+  return graph.program(name, inputs_, shapes_, outputs_);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,71 @@
+// One run of an algorithm: its inputs, its graph, and the model's quantities as expressions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithm/spatial/motion_force.h"
+#include "model/kinematic_tree.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+// A program in the making, over quantities of any model.
+class ProgramTrace {
+ public:
+  ProgramTrace() = default;
+
+  Graph graph;
+
+  // Inputs, outputs: arrays in the order of the calls. Matrices are given column by column.
+  std::vector<Expression> input(const std::string& name, symbolic::Role role, std::vector<std::string> elements);
+  // Declares the input `parameters`, unless there are none. Quantities that depend on one can be lifted from then on.
+  void parameter_input(const std::vector<model::Parameter>& parameters);
+
+  void output(const std::string& name, symbolic::Role role, const std::vector<Expression>& values);
+  void output(const std::string& name, symbolic::Role role, const Motion& value);
+  void output(const std::string& name, symbolic::Role role, const Force& value);
+  void output(
+      const std::string& name,
+      symbolic::Role role,
+      int rows,
+      int columns,
+      const std::vector<Expression>& values);
+
+  // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
+  void section(const std::string& subject, const std::string& title);
+
+  // `variables` are the values of the model's variables; for robots the joint positions.
+  Expression lift(const model::Quantity& q, const std::vector<Expression>& variables = {});
+  Vector3 lift(const std::array<model::Quantity, 3>& q, const std::vector<Expression>& variables = {});
+
+  symbolic::Program program(const std::string& name) const;
+
+ private:
+  std::vector<Expression> parameters_;
+  std::vector<symbolic::InputArray> inputs_;
+  std::vector<symbolic::OutputArray> shapes_;
+  std::vector<std::vector<Expression>> outputs_;
+  int input_elements_ = 0;
+};
+
+// Values that a robot's parameters may have: their defaults, or numbers near one.
+std::vector<double> parameter_values(const model::KinematicTree& tree);
+
+// A program in the making over a robot.
+class Trace : public ProgramTrace {
+ public:
+  // A parametric robot's parameters are the first input array of every program.
+  explicit Trace(const model::KinematicTree& tree);
+
+  const model::KinematicTree& tree;
+
+  // Joint arrays have one element a joint.
+  std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
+  Vector3 vector_input(const std::string& name, symbolic::Role role);
+  Motion motion_input(const std::string& name, symbolic::Role role);
+  // One wrench a link, base first, in link coordinates about the link's origin.
+  std::vector<Force> link_wrench_input();
+};
+
+}  // namespace robcogen::algorithm
