@@ -338,6 +338,35 @@ TEST(Urdf, AnglesOfLinksWithoutMassAreNotCounted) {
   EXPECT_TRUE(result.of_code("angles-near-multiples").empty());
 }
 
+// --- a root that is not declared ---------------------------------------------------------------------------------
+
+TEST(ImplicitWorld, IsTheRootThatADocumentWithItHas) {
+  const std::string body =
+      link("upper") + link("lower", inertial("", "2", R"(ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1")")) +
+      joint("mount", "fixed", "world", "upper", R"(<origin xyz="0 0 1"/>)") +
+      joint("hinge", "revolute", "upper", "lower", kAboutZ) + joint("other", "revolute", "world", "side", kAboutZ) +
+      link("side");
+  const auto result = test::imported(robot(body));
+  ASSERT_TRUE(result.tree) << result.diagnostics.render();
+  EXPECT_EQ(result.of_code("implicit-world").size(), 1u);
+  const auto declared = test::imported(robot(body + link("world", "")));
+  ASSERT_TRUE(declared.tree);
+  EXPECT_TRUE(declared.of_code("implicit-world").empty());
+  EXPECT_EQ(result.tree->links[0].name, "world");
+  ASSERT_EQ(result.tree->links.size(), declared.tree->links.size());
+  for (std::size_t l = 0; l < declared.tree->links.size(); ++l)
+    EXPECT_EQ(result.tree->links[l].name, declared.tree->links[l].name);
+  EXPECT_EQ(text(frame(*result.tree, "upper").placement), text(frame(*declared.tree, "upper").placement));
+  EXPECT_EQ(moments(inertia_of(*result.tree, "lower")), moments(inertia_of(*declared.tree, "lower")));
+}
+
+TEST(ImplicitWorld, MayCarryTheJointOfAFloatingBase) {
+  const auto result = test::imported(robot(link("trunk") + joint("root", "floating", "world", "trunk", "")));
+  ASSERT_TRUE(result.tree) << result.diagnostics.render();
+  EXPECT_TRUE(result.tree->floating_base);
+  EXPECT_EQ(result.tree->links[0].name, "trunk");
+}
+
 // --- sizes -------------------------------------------------------------------------------------------------------
 
 // A chain in which every other joint is fixed, with names in alphabetical order.

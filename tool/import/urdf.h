@@ -25,6 +25,7 @@ struct UrdfOptions {
 // - A link frame of the model has z along the joint's axis and coincides with URDF's own frame where that is so
 // already.
 //   Every URDF link, the root and lumped ones too, is a user frame of its name at its URDF pose.
+// - A link `world` that joints refer to and that is not declared is the root, where nothing else can be: with a warning.
 // - Mass properties are those of all lumped bodies, about the origin and in the axes of the model's link frame.
 // - Links and joints keep the order of the file; joint positions keep their zero and their sign.
 // - Limits of 1e9 and beyond are none: that is how a URDF says so where it must give a number.

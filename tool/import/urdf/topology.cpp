@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/name_index.h"
 #include "support/index.h"
@@ -172,6 +173,24 @@ class Connector {
 };
 
 }  // namespace
+
+void declare_world(Document& document, Diagnostics& diagnostics) {
+  const auto first = std::find_if(
+      document.joints.begin(), document.joints.end(), [](const Joint& joint) { return joint.parent.text == "world"; });
+  if (first == document.joints.end()) return;
+  std::set<std::string> children;
+  for (const Joint& joint : document.joints) children.insert(joint.child.text);
+  // A declared `world` is one of these, or a child.
+  const bool has_root = std::any_of(
+      document.links.begin(), document.links.end(), [&](const Link& l) { return !children.contains(l.name.text); });
+  if (has_root || children.contains("world")) return;
+  diagnostics
+      .warning(
+          "implicit-world", first->parent.place,
+          "link 'world' is not declared: it becomes the root link, without inertia")
+      .hint = "declare <link name=\"world\"/>";
+  document.links.push_back({first->parent, std::nullopt});
+}
 
 std::optional<Topology> connect(const Document& document, Diagnostics& diagnostics) {
   return Connector(document, diagnostics).connect();

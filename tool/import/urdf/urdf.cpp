@@ -52,6 +52,7 @@ std::optional<model::KinematicTree> urdf(
   const std::optional<Element> root = read_xml(source, diagnostics);
   if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
+  declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
   if (!options.allow_implausible)
     check_inertials(document, topology ? &*topology : nullptr, options.floating_base, diagnostics);
