@@ -341,11 +341,11 @@ TEST(Urdf, AnglesOfLinksWithoutMassAreNotCounted) {
 // --- a root that is not declared ---------------------------------------------------------------------------------
 
 TEST(ImplicitWorld, IsTheRootThatADocumentWithItHas) {
-  const std::string body =
-      link("upper") + link("lower", inertial("", "2", R"(ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1")")) +
-      joint("mount", "fixed", "world", "upper", R"(<origin xyz="0 0 1"/>)") +
-      joint("hinge", "revolute", "upper", "lower", kAboutZ) + joint("other", "revolute", "world", "side", kAboutZ) +
-      link("side");
+  const std::string body = link("upper") +
+                           link("lower", inertial("", "2", R"(ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1")")) +
+                           joint("mount", "fixed", "world", "upper", R"(<origin xyz="0 0 1"/>)") +
+                           joint("hinge", "revolute", "upper", "lower", kAboutZ) +
+                           joint("other", "revolute", "world", "side", kAboutZ) + link("side");
   const auto result = test::imported(robot(body));
   ASSERT_TRUE(result.tree) << result.diagnostics.render();
   EXPECT_EQ(result.of_code("implicit-world").size(), 1u);

@@ -102,6 +102,28 @@ TEST(Accuracy, FewStatesDoNotExcuseLossesInAll) {
   EXPECT_FALSE(results.are_kept_by(everywhere));
 }
 
+// 1e12 sqrt(3 + x), and beside it the reciprocal of the pivot 3 + x that went by way of a number: what is lost of the
+// pivot, the larger element hides.
+std::string hidden_pivot(const std::string& number) {
+  return "program pivot\ninput x value a\noutput y value 2 1\nsection s s\nin 0\ntmp t0 = x[0] + 3.0\ntmp t1 = sqrt "
+         "t0\n"
+         "tmp t2 = t1 * 1e12\ntmp t3 = t0 + " +
+         number + "\ntmp t4 = t3 - " + number + "\ntmp t5 = 1.0 / t4\nreturn y t2 t5\n";
+}
+
+TEST(Accuracy, PivotsThatLargerElementsHideAreCounted) {
+  const AccurateResults results(program(hidden_pivot("2.0")));
+  EXPECT_TRUE(results.are_kept_by(program(hidden_pivot("4096.0"))));
+  EXPECT_LT(results.error_of(program(hidden_pivot("16777216.0"))).in_float, 8.0);
+  EXPECT_FALSE(results.are_kept_by(program(hidden_pivot("16777216.0"))));
+}
+
+// As often finite as the plain program is the plain program.
+TEST(Accuracy, WherePivotsAreLostNothingTakesThePlaceOfThePlainProgram) {
+  const Program plain = program(hidden_pivot("16777216.0"));
+  EXPECT_FALSE(AccurateResults(plain).are_kept_by(plain));
+}
+
 TEST(Accuracy, WhatOverflowsHasLostAll) {
   const AccurateResults results(program(kSum));
   EXPECT_TRUE(std::isinf(results.error_of(program(detour("1e300"))).in_float));
