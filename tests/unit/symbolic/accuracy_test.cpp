@@ -102,13 +102,12 @@ TEST(Accuracy, FewStatesDoNotExcuseLossesInAll) {
   EXPECT_FALSE(results.are_kept_by(everywhere));
 }
 
-// 1e12 sqrt(3 + x), and beside it the reciprocal of the pivot 3 + x that went by way of a number: what is lost of the
-// pivot, the larger element hides.
+// The reciprocal of the pivot 3 + x, which went by way of a number, and 1e12 times the root of another pivot: what is
+// lost of the first, the larger element hides.
 std::string hidden_pivot(const std::string& number) {
-  return "program pivot\ninput x value a\noutput y value 2 1\nsection s s\nin 0\ntmp t0 = x[0] + 3.0\ntmp t1 = sqrt "
-         "t0\n"
-         "tmp t2 = t1 * 1e12\ntmp t3 = t0 + " +
-         number + "\ntmp t4 = t3 - " + number + "\ntmp t5 = 1.0 / t4\nreturn y t2 t5\n";
+  return "program pivot\ninput x value a\noutput y value 2 1\nsection s s\nin 0\ntmp t0 = x[0] + 3.0\ntmp t1 = t0 + " +
+         number + "\ntmp t2 = t1 - " + number +
+         "\ntmp t3 = 1.0 / t2\ntmp t4 = t0 * 0.3\ntmp t5 = sqrt t4\ntmp t6 = t5 * 1e12\nreturn y t3 t6\n";
 }
 
 TEST(Accuracy, PivotsThatLargerElementsHideAreCounted) {
