@@ -72,9 +72,7 @@ std::string row(const Api& api, const std::string& space, const Callable& callab
 
 bool may_omit_gravity(const Api& api, const Callable& callable) {
   for (const backend::cpp::Overload& o : overloads(api, callable.function->group, callable.function->scope))
-    if (o.callable == &callable &&
-        (o.adds_standard_gravity || (!o.arguments.empty() && !o.arguments.back().default_value.empty())))
-      return true;
+    if (o.callable == &callable && o.adds_standard_gravity) return true;
   return false;
 }
 

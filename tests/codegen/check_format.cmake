@@ -1,7 +1,7 @@
 # Generated text is formatted as the project's own: CLANG_FORMAT, STYLE (file), DIRECTORIES.
 set(files "")
 foreach(directory IN LISTS DIRECTORIES)
-  file(GLOB_RECURSE found ${directory}/*.h ${directory}/*.cpp)
+  file(GLOB_RECURSE found ${directory}/*.h ${directory}/*.inc ${directory}/*.cpp)
   if(NOT found)
     message(FATAL_ERROR "no generated files in ${directory}")
   endif()

@@ -7,7 +7,6 @@
 #include "literals/reflection.h"
 #include "my/robcogen/class/robot/reflection.h"
 #include "my/robcogen/class/robot/robot.h"
-#include "my/robcogen/class/robot/robot_.h"
 #include "plinth/plinth.h"
 #include "plinth/reflection.h"
 

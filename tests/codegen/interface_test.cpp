@@ -10,7 +10,6 @@
 #include "legs/floating/hopper/hopper.h"
 #include "legs/floating/hopper/reflection.h"
 #include "my/robcogen/class/robot/robot.h"
-#include "my/robcogen/class/robot/robot_.h"
 #include "plinth/plinth.h"
 #include "plinth/reflection.h"
 #include "samples.h"

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "literals/literals_.h"
+#include "literals/literals.h"
 #include "samples.h"
 
 namespace robcogen::test {

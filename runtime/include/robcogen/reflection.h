@@ -104,6 +104,65 @@ struct FrameFunction {
   void (*call)(const double* inputs, double* outputs) noexcept;
 };
 
+// Where arrays begin among the scalars that a function of the tables reads, or writes.
+template <int... offsets>
+struct At {};
+
+namespace detail {
+
+template <auto kernel, class Read, class Written>
+struct Flat;
+
+template <auto kernel, int... read, int... written>
+struct Flat<kernel, At<read...>, At<written...>> {
+  static void call([[maybe_unused]] const double* in, [[maybe_unused]] double* out) noexcept {
+    kernel(in + read..., out + written...);
+  }
+};
+
+template <auto kernel, class Before, class Behind, class Written>
+struct FlatCore;
+
+template <auto kernel, int... before, int... behind, int... written>
+struct FlatCore<kernel, At<before...>, At<behind...>, At<written...>> {
+  static void call(const double* in, const double* sin_q, const double* cos_q, [[maybe_unused]] double* out) noexcept {
+    kernel(in + before..., sin_q, cos_q, in + behind..., out + written...);
+  }
+};
+
+template <auto kernel, bool has_parameters, class Read, class Written>
+struct FlatBatch;
+
+template <auto kernel, bool has_parameters, int... read, int... written>
+struct FlatBatch<kernel, has_parameters, At<read...>, At<written...>> {
+  static void call(
+      [[maybe_unused]] const double* parameters,
+      std::ptrdiff_t n,
+      [[maybe_unused]] const batch::Strided<const double>& in,
+      [[maybe_unused]] const batch::Strided<double>& out,
+      batch::Level most) noexcept {
+    if constexpr (has_parameters)
+      kernel(parameters, n, in.from(read)..., out.from(written)..., most);
+    else
+      kernel(n, in.from(read)..., out.from(written)..., most);
+  }
+};
+
+}  // namespace detail
+
+// A kernel under one signature for all: the arrays that it reads stand one after another, and so do those that it
+// writes.
+template <auto kernel, class Read, class Written>
+inline constexpr auto* kFlat = &detail::Flat<kernel, Read, Written>::call;
+
+// The same of a kernel that takes sines and cosines between some of these arrays and the others.
+template <auto kernel, class Before, class Behind, class Written>
+inline constexpr auto* kFlatCore = &detail::FlatCore<kernel, Before, Behind, Written>::call;
+
+// The same of a function over many states, whose parameters stand apart, if there are some.
+template <auto kernel, bool has_parameters, class Read, class Written>
+inline constexpr auto* kFlatBatch = &detail::FlatBatch<kernel, has_parameters, Read, Written>::call;
+
 struct OperationCount {
   int mul;
   int add;

@@ -35,8 +35,7 @@ Names signatures(const Library& library, const std::string& group) {
   const Api names = api(library);
   for (const Overload& o : overloads(names, group, "")) {
     std::string text = o.result + " " + o.callable->kernel + "(";
-    for (const Argument& a : o.arguments)
-      text += (text.back() == '(' ? "" : ", ") + a.type + " " + a.name + (a.default_value.empty() ? "" : " = default");
+    for (const Argument& a : o.arguments) text += (text.back() == '(' ? "" : ", ") + a.type + " " + a.name;
     result.push_back(text + ")" + (o.adds_standard_gravity ? " + standard gravity" : ""));
   }
   return result;
@@ -57,12 +56,13 @@ TEST(Overloads, GravityIsOptionalBesideExternalWrenchesWhenNoFunctionDoesWithout
           "JointState bias_external(JointState q, JointState qd, LinkWrenches external) + standard gravity"}));
 }
 
-TEST(Overloads, GravityHasADefaultWhenNoFunctionDoesWithout) {
+TEST(Overloads, GravityIsOptionalAtTheEndWhenNoFunctionDoesWithout) {
   Library library = test::leg_library();
   library.functions = {dynamics("gravity_forces", "gravity_forces", {"q", "gravity"}, {"tau", "base_wrench"})};
   EXPECT_EQ(
-      signatures(library, "gravity_forces"),
-      (Names{"GeneralizedForce gravity_forces(JointState q, Gravity gravity = default)"}));
+      signatures(library, "gravity_forces"), (Names{
+                                                 "GeneralizedForce gravity_forces(JointState q, Gravity gravity)",
+                                                 "GeneralizedForce gravity_forces(JointState q) + standard gravity"}));
 }
 
 TEST(Overloads, FunctionsWithoutGravityStayAsTheyAre) {

@@ -24,14 +24,14 @@ TEST(Outputs, AreAFunctionOfNameAndGroups) {
   EXPECT_EQ(
       outputs("leg", kGroups),
       (Names{
-          "leg/model.h", "leg/types.h", "leg/parameters.h", "leg/trigonometry.h", "leg/robot.h", "leg/reflection.h",
-          "leg/leg.h", "leg/kernel/parameters.h", "leg/parameters.cpp", "leg/kernel/trigonometry.h",
-          "leg/trigonometry.cpp", "leg/inverse_dynamics.h", "leg/kernel/inverse_dynamics.h", "leg/inverse_dynamics.cpp",
-          "leg/transforms.h", "leg/kernel/transforms.h", "leg/transforms.cpp"}));
+          "leg/model.h", "leg/types.h", "leg/parameters.h", "leg/reflection.h", "leg/leg.h", "leg/detail/kernels.h",
+          "leg/detail/functions.inc", "leg/kernel/parameters.h", "leg/parameters.cpp", "leg/kernel/trigonometry.h",
+          "leg/trigonometry.cpp", "leg/kernel/inverse_dynamics.h", "leg/inverse_dynamics.cpp",
+          "leg/kernel/transforms.h", "leg/transforms.cpp"}));
 }
 
 TEST(Outputs, ARobotMayHaveTheNameOfAHeader) {
-  for (const std::string name : {"robot", "Model", "TYPES", "transforms", "reflection", "Parameters"}) {
+  for (const std::string name : {"kernel", "Model", "TYPES", "transforms", "reflection", "Parameters"}) {
     std::set<std::string> seen;
     for (std::string path : outputs(name, kGroups)) {
       std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -41,7 +41,7 @@ TEST(Outputs, ARobotMayHaveTheNameOfAHeader) {
 }
 
 TEST(Outputs, AreWhatPrintMakes) {
-  for (const std::string name : {"leg", "robot"}) {
+  for (const std::string name : {"leg", "types"}) {
     Library library = test::leg_library();
     library.name = name;
     library.groups = kGroups;
@@ -161,40 +161,89 @@ TEST(Print, Instantiations) {
 
 namespace leg::kernel {
 
-template void inverse_dynamics(const double*, const double*, double*) noexcept;
-template void inverse_dynamics(const float*, const float*, float*) noexcept;
-
-template void inverse_dynamics_gravity(const double*, const double*, const double*, double*) noexcept;
-template void inverse_dynamics_gravity(const float*, const float*, const float*, float*) noexcept;
+template decltype(inverse_dynamics<double>) inverse_dynamics<double>;
+template decltype(inverse_dynamics<float>) inverse_dynamics<float>;
+template decltype(inverse_dynamics_gravity<double>) inverse_dynamics_gravity<double>;
+template decltype(inverse_dynamics_gravity<float>) inverse_dynamics_gravity<float>;
 
 }  // namespace leg::kernel
 )";
   EXPECT_EQ(file(library_with_kernels(), "leg/inverse_dynamics.cpp"), expected);
 }
 
+// What a user reads: each function once, without the kernel beneath it.
 TEST(Print, Interface) {
   const std::string part = R"(
+namespace leg {
+
 // Summary of inverse_dynamics.
+JointState inverse_dynamics(const JointState& q, const JointState& qd) noexcept;
+
+// Summary of inverse_dynamics_gravity.
+JointState inverse_dynamics(const JointState& q, const JointState& qd, const Gravity& gravity) noexcept;
+
+}  // namespace leg
+
+// The definitions, in each precision.
+#include "leg/detail/kernels.h"
+
+namespace leg {
+namespace here = ::leg;
+#include "leg/detail/functions.inc"
+}  // namespace leg
+
+namespace leg::f32 {
+namespace here = ::leg::f32;
+#include "leg/detail/functions.inc"
+}  // namespace leg::f32
+)";
+  const std::string text = file(library_with_kernels(), "leg/leg.h");
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+// A line that overloads have in common stands above the first one.
+TEST(Print, OverloadsSayOnceWhatTheyHaveInCommon) {
+  Library library = library_with_kernels();
+  library.functions[0].summary = {"Joint forces.", "Standard gravity."};
+  library.functions[1].summary = {"Joint forces.", "`gravity` in base coordinates."};
+  const std::string part = R"(
+// Joint forces.
+// Standard gravity.
+JointState inverse_dynamics(const JointState& q, const JointState& qd) noexcept;
+
+// `gravity` in base coordinates.
+JointState inverse_dynamics(const JointState& q, const JointState& qd, const Gravity& gravity) noexcept;
+)";
+  const std::string text = file(library, "leg/leg.h");
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(Print, HowAKernelIsComputedStandsInTheKernelOnly) {
+  Library library = library_with_kernels();
+  library.functions[0].method = "By substitution.";
+  for (const OutputFile& f : print(library))
+    EXPECT_EQ(f.text.find("By substitution.") != std::string::npos, f.path == "leg/kernel/inverse_dynamics.h")
+        << f.path;
+}
+
+TEST(Print, DefinitionsServeBothPrecisions) {
+  const std::string part = R"(
 inline JointState inverse_dynamics(const JointState& q, const JointState& qd) noexcept {
   JointState tau;
   kernel::inverse_dynamics(q.data(), qd.data(), tau.data());
   return tau;
 }
 
-// Summary of inverse_dynamics_gravity.
 inline JointState inverse_dynamics(const JointState& q, const JointState& qd, const Gravity& gravity) noexcept {
   JointState tau;
   kernel::inverse_dynamics_gravity(q.data(), qd.data(), gravity.data(), tau.data());
   return tau;
 }
-
-namespace f32 {
-
-inline JointState inverse_dynamics(const JointState& q, const JointState& qd) noexcept {
-  JointState tau;
 )";
-  const std::string text = file(library_with_kernels(), "leg/inverse_dynamics.h");
+  const std::string text = file(library_with_kernels(), "leg/detail/functions.inc");
   EXPECT_NE(text.find(part), std::string::npos) << text;
+  EXPECT_EQ(text.find("double"), std::string::npos);
+  EXPECT_EQ(text.find("float"), std::string::npos);
 }
 
 TEST(Print, PrintingIsDeterministic) {

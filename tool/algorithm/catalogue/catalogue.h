@@ -21,7 +21,7 @@ struct RobotFunction {
   std::vector<int> columns;          // jacobians: the joint of each column
   model::FramePair frames;           // of what is about two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
-  std::string method = {};           // how it is computed, where there was a choice; a line of the summary too
+  std::string method = {};           // how it is computed, where there was a choice
   std::optional<symbolic::RoundingError> error = {};  // once it was measured
 };
 

@@ -13,11 +13,8 @@ using Build = std::function<symbolic::Program(const std::string& kernel, Loads l
 // Says how functions are computed.
 void add_method(std::vector<RobotFunction>& list, const std::string& name, const std::string& method) {
   if (method.empty()) return;
-  for (RobotFunction& f : list) {
-    if (f.name != name) continue;
-    f.method = method;
-    f.summary.push_back(method);
-  }
+  for (RobotFunction& f : list)
+    if (f.name == name) f.method = method;
 }
 
 // The overloads of one function. With a floating base gravity is always an argument: it says how the base is oriented.
@@ -118,17 +115,17 @@ std::vector<RobotFunction> forward_dynamics_functions(const KinematicTree& tree,
   std::vector<RobotFunction> list;
   const ForwardDynamicsChoice& choice = choices.forward_dynamics();
   const bool by_matrix = choice.method == ForwardDynamicsMethod::inertia_matrix;
-  const std::string method =
-      by_matrix ? "bias forces, and elimination in the joint-space inertia matrix (Featherstone 2008, ch. 6)."
-                : "articulated-body algorithm (Featherstone 2008, ch. 7).";
-  std::vector<std::string> summary{"Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau: " + method};
+  const std::string method = by_matrix ? "By bias forces and elimination in the joint-space inertia matrix."
+                                       : "By the articulated-body algorithm.";
+  const std::string source = by_matrix ? "(Featherstone 2008, ch. 6)" : "(Featherstone 2008, ch. 7)";
+  std::vector<std::string> summary{"Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau " + source + "."};
   if (tree.floating_base)
     summary.push_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
   add_overloads(
       list, tree, "forward_dynamics", "forward_dynamics", summary,
       [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads, choice); });
   add_method(list, "forward_dynamics", description(tree, choice.formulation.frames));
-  for (RobotFunction& f : list) f.method = "By " + method + (f.method.empty() ? "" : " " + f.method);
+  for (RobotFunction& f : list) f.method = method + (f.method.empty() ? "" : " " + f.method);
   return list;
 }
 

@@ -116,17 +116,17 @@ Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
     if (!with_gravity && input.role == Role::gravity) continue;
     if (input.role == Role::variables) {
       const std::vector<std::string> variables = variable_names(api, input);
-      for (const std::string& variable : variables) result.arguments.push_back({"Scalar", variable, ""});
+      for (const std::string& variable : variables) result.arguments.push_back({"Scalar", variable});
       result.packed.push_back({names[i].name, variables});
       result.inputs.push_back(names[i].name);
     } else if (input.role == Role::parameters && !api.library->has_robot()) {
-      result.arguments.push_back({"Parameters", names[i].name, ""});
+      result.arguments.push_back({"Parameters", names[i].name});
       result.packed.push_back({kParameterValues, members_of(names[i].name, api.parameters)});
       result.inputs.push_back(kParameterValues);
     } else if (is_kept(input.role)) {
       result.inputs.push_back(kept_name(input.name) + ".data()");
     } else {
-      result.arguments.push_back({type_of(input), names[i].name, ""});
+      result.arguments.push_back({type_of(input), names[i].name});
       result.inputs.push_back(names[i].name + ".data()");
     }
   }
@@ -270,12 +270,7 @@ std::vector<Overload> overloads(const Api& api, const std::vector<const Callable
     const bool optional = std::none_of(callables.begin(), callables.end(), [&](const Callable* other) {
       return signature(other->function->program, true) == without;
     });
-    if (!optional) continue;
-    Argument& last = result.back().arguments.back();
-    if (last.type == alias(Role::gravity))
-      last.default_value = "Gravity::standard()";
-    else
-      result.push_back(overload(api, *callable, false));
+    if (optional) result.push_back(overload(api, *callable, false));
   }
   const std::vector<Overload> plain = result;
   for (const Overload& o : plain)
@@ -293,7 +288,7 @@ Overload with_sines(const Api& api, const Overload& plain) {
     if (role == Role::gravity && plain.adds_standard_gravity) continue;
     if (role == Role::joint_position) {
       result.takes_sines = true;
-      result.arguments[a] = {kTrigonometryType, kTrigonometryName, ""};
+      result.arguments[a] = {kTrigonometryType, kTrigonometryName};
       const std::string at = kTrigonometryName;
       std::vector<std::string> inputs = {at + ".q().data()"};
       if (plain.callable->function->parts) inputs.insert(inputs.end(), {at + ".sin_data()", at + ".cos_data()"});

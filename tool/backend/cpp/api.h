@@ -52,7 +52,6 @@ Api api(const Library& library);
 struct Argument {
   std::string type;
   std::string name;
-  std::string default_value;  // empty: none
 };
 
 // An array of a kernel whose elements a function takes one by one.
@@ -71,10 +70,10 @@ struct Overload {
   std::vector<std::string> inputs = {};  // what the kernel gets, unless adds_standard_gravity
 };
 
-// The overloads that these functions make, all of one scope and name. With a fixed base gravity may be left out wherever
-// no function of its own does without it: then it is standard gravity. With a floating base it says how the base is
-// oriented, and no overload does without it. Behind those that take joint positions come those that take
-// JointTrigonometry, where there is one.
+// The overloads that these functions make, all of one scope and name. With a fixed base gravity may be left out
+// wherever no function of its own does without it: an overload of its own then adds standard gravity. With a floating
+// base it says how the base is oriented, and no overload does without it. Behind those that take joint positions come
+// those that take JointTrigonometry, where there is one.
 std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables);
 
 // The overloads of a group's free functions in this scope, in order.

@@ -25,7 +25,7 @@ std::string name_of(const std::string& folder) {
 }  // namespace
 
 std::vector<std::string> stems(bool has_robot) {
-  if (has_robot) return {"model", "types", kParameters, kTrigonometry, "robot", "reflection"};
+  if (has_robot) return {"model", "types", kParameters, "reflection"};
   return {"model", "types", "reflection"};
 }
 
@@ -45,6 +45,14 @@ std::string umbrella_path(const std::string& folder) {
 
 std::string header_path(const std::string& folder, const std::string& stem) {
   return folder + "/" + stem + (lower_case(name_of(folder)) == stem ? "_" : "") + ".h";
+}
+
+std::string kernels_path(const std::string& folder) {
+  return folder + "/detail/kernels.h";
+}
+
+std::string functions_path(const std::string& folder) {
+  return folder + "/detail/functions.inc";
 }
 
 std::string kernel_path(const std::string& folder, const std::string& group) {
@@ -88,12 +96,12 @@ std::vector<std::string> outputs(
     bool has_batches) {
   std::vector<std::string> files;
   for (const std::string& stem : stems(has_robot)) files.push_back(header_path(folder, stem));
-  files.push_back(umbrella_path(folder));
+  files.insert(files.end(), {umbrella_path(folder), kernels_path(folder), functions_path(folder)});
   if (has_robot)
     for (const char* stem : {kParameters, kTrigonometry})
       files.insert(files.end(), {kernel_path(folder, stem), source_path(folder, stem)});
   for (const std::string& group : groups)
-    files.insert(files.end(), {header_path(folder, group), kernel_path(folder, group), source_path(folder, group)});
+    files.insert(files.end(), {kernel_path(folder, group), source_path(folder, group)});
   if (!has_batches) return files;
   files.insert(files.end(), {header_path(folder, kBatch), source_path(folder, kBatch)});
   for (const std::string& group : groups) {
@@ -115,10 +123,10 @@ std::vector<OutputFile> print(const Library& library) {
   add(header_path(name, "model"), print_model);
   add(header_path(name, "types"), print_types);
   if (library.has_robot()) add(header_path(name, kParameters), print_parameters);
-  if (library.has_robot()) add(header_path(name, kTrigonometry), print_trigonometry);
-  if (library.has_robot()) add(header_path(name, "robot"), print_robot);
   add(header_path(name, "reflection"), library.has_robot() ? print_reflection : print_factors);
   add(umbrella_path(name), print_umbrella);
+  add(kernels_path(name), print_kernel_declarations);
+  add(functions_path(name), print_definitions);
   const auto add_kernels = [&](const std::string& group) {
     add(kernel_path(name, group), print_kernels, group);
     add(source_path(name, group), print_instantiations, group);
@@ -127,10 +135,7 @@ std::vector<OutputFile> print(const Library& library) {
     add_kernels(kParameters);
     add_kernels(kTrigonometry);
   }
-  for (const std::string& group : library.groups) {
-    add(header_path(name, group), print_interface, group);
-    add_kernels(group);
-  }
+  for (const std::string& group : library.groups) add_kernels(group);
   if (library.has_batches) {
     add(header_path(name, kBatch), print_batch);
     add(source_path(name, kBatch), print_batch_choice);

@@ -18,14 +18,18 @@ std::string blanks(std::size_t count) {
 }
 
 std::string text(const Field& field) {
+  if (!field.template_name.empty()) return field.template_name + "<" + joined(field.items, ", ") + ">";
   return field.braces ? braced(field.items) : field.items.front();
 }
 
 // The field and a comma, as lines at this indentation.
 std::string lines(const Field& field, std::size_t indent) {
   const std::string line = blanks(indent) + text(field) + ",\n";
-  if (line.size() <= kColumns + 1 || !field.braces) return line;
+  if (line.size() <= kColumns + 1) return line;
   const std::string separator = ",\n" + blanks(indent + 4);
+  if (!field.template_name.empty())
+    return blanks(indent) + field.template_name + "<\n" + blanks(indent + 4) + joined(field.items, separator) + ">,\n";
+  if (!field.braces) return line;
   return blanks(indent) + "{\n" + blanks(indent + 4) + joined(field.items, separator) + ",\n" + blanks(indent) + "},\n";
 }
 

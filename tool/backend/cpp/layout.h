@@ -41,15 +41,18 @@ std::string remarked_list(
 // `head = {items};` in one line if they fit, else one a line, each with its number.
 std::string numbered_list(const std::string& head, const std::vector<std::string>& items, std::size_t indent = 0);
 
-// A field of a table: one item, or a list in braces.
+// A field of a table: one item, a list in braces, or a template with a list of arguments.
 struct Field {
   Field(const char* text) : items{text} {}
   Field(const std::string& text) : items{text} {}
   Field(int number) : items{std::to_string(number)} {}
   Field(std::vector<std::string> list) : items(std::move(list)), braces(true) {}
+  Field(std::string name, std::vector<std::string> arguments)
+      : items(std::move(arguments)), template_name(std::move(name)) {}
 
   std::vector<std::string> items;
   bool braces = false;
+  std::string template_name;
 };
 
 // `head = {…};` with one row of fields a line, each with its number; one field a line where rows are too long for that.

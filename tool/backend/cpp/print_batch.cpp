@@ -228,7 +228,6 @@ std::string scope_text(const Api& api, const std::string& group, const std::stri
   for (const Overload& o : overloads(api, group, scope)) {
     if (o.takes_sines) continue;
     add(*o.callable, !o.adds_standard_gravity);
-    if (!o.arguments.empty() && !o.arguments.back().default_value.empty()) add(*o.callable, false);
   }
   for (const Callable* c : callables_of(api, group))
     if (!c->owner.empty() && c->function->scope == scope) add(*c, true);
@@ -246,43 +245,12 @@ std::string interface(const Api& api, bool single_precision) {
   return in_namespace(single_precision ? "f32::batch" : "batch", paragraphs(parts));
 }
 
-// A function under one signature for all: what it reads of a state stands one after another, and so does what it
-// writes.
-std::string flat_function(const Api& api, const Callable& callable) {
-  std::vector<std::string> list = {"const double*", "std::ptrdiff_t n"}, arguments = {"n"};
-  int read = 0, written = 0;
-  for (const Array& a : arrays(callable.function->program)) {
-    if (a.is_parameters) {
-      list.front() = "const double* parameters";
-      arguments.insert(arguments.begin(), "parameters");
-      continue;
-    }
-    int& offset = a.is_output ? written : read;
-    const std::string all = a.is_output ? "out" : "in";
-    arguments.push_back(offset == 0 ? all : all + ".from(" + std::to_string(offset) + ")");
-    offset += a.size;
-  }
-  const std::string strided = "const robcogen::batch::Strided<";
-  list.push_back(strided + "const double>&" + (read > 0 ? " in" : ""));
-  list.push_back(strided + "double>&" + (written > 0 ? " out" : ""));
-  list.emplace_back("robcogen::batch::Level most");
-  arguments.emplace_back("most");
-  return declaration("inline void " + callable.kernel, list, " noexcept {") +
-         call("::" + api.space + "::batch::kernel::" + callable.kernel + "<double>", arguments, 2) + "}\n";
-}
-
 }  // namespace
 
 std::string batch_kernel_declarations(const Api& api) {
   std::vector<std::string> choosers;
   for (const Callable& c : api.callables) choosers.push_back(chooser_declaration(c, " noexcept;"));
   return in_namespace("batch::kernel", paragraphs(choosers));
-}
-
-std::string flat_batch_functions(const Api& api) {
-  std::vector<std::string> functions;
-  for (const Callable& c : api.callables) functions.push_back(flat_function(api, c));
-  return in_namespace("flat::batch", paragraphs(functions));
 }
 
 std::string print_batch(const Api& api, const std::string& path) {

@@ -138,7 +138,7 @@ std::string print_factors(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   return paragraphs(
       {banner(library, path, "its transforms as tables"), "#pragma once\n",
-       includes({"\"" + header_path(folder(library), "transforms") + "\"", "\"robcogen/transform_tables.h\""}),
+       includes({cpp::quoted(umbrella_path(folder(library))), "\"robcogen/transform_tables.h\""}),
        in_namespace(api.space + "::reflection", Tables(api).text())});
 }
 

@@ -1,8 +1,10 @@
-// <name>/<group>.h, Eigen functions over the kernels, and <name>/robot.h, the same as static members of a type.
+// <name>/<name>.h, which declares the functions over Eigen types, and <name>/detail/functions.inc, which defines them
+// over the kernels and has them as static members of a type. The first includes the second once in each precision.
 //
 // The functions are inline: compiled with the user's options, so that options of the library's own translation units
 // can never change how Eigen lays out what crosses the border.
 #include <algorithm>
+#include <set>
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
@@ -11,12 +13,13 @@
 namespace robcogen::backend::cpp {
 namespace {
 
+// The namespace of the precision that <name>/detail/functions.inc is included in: members of Robot call its functions.
+constexpr const char* kHere = "here";
+
 std::vector<std::string> parameter_list(const Overload& overload) {
   std::vector<std::string> list;
-  for (const Argument& a : overload.arguments) {
-    const std::string type = a.type == "Scalar" ? a.type + " " : "const " + a.type + "& ";
-    list.push_back(type + a.name + (a.default_value.empty() ? "" : " = " + a.default_value));
-  }
+  for (const Argument& a : overload.arguments)
+    list.push_back((a.type == "Scalar" ? a.type + " " : "const " + a.type + "& ") + a.name);
   return list;
 }
 
@@ -59,14 +62,6 @@ std::vector<std::string> passed_on(const Overload& overload) {
   return arguments;
 }
 
-std::string documentation(const Overload& overload) {
-  if (overload.takes_sines) return comment("As above, with sines and cosines that are known.");
-  if (overload.adds_standard_gravity) return comment("As above, under standard gravity.");
-  std::string result;
-  for (const std::string& line : overload.callable->function->summary) result += comment(line);
-  return result;
-}
-
 std::string body(const Overload& overload) {
   if (overload.adds_standard_gravity) return call("return " + overload.callable->name, passed_on(overload), 2);
   if (!returns_object(overload.callable->function->program)) return call_of_kernel(overload);
@@ -83,33 +78,28 @@ std::string constructor(const Overload& maker) {
   std::vector<std::string> arguments = maker.inputs;
   for (const symbolic::OutputArray& output : maker.callable->function->program.outputs)
     arguments.push_back(kept_name(output.name) + ".data()");
-  return declaration("explicit " + maker.result, parameter_list(maker), " noexcept {", 2) +
+  return declaration("explicit Basic" + maker.result, parameter_list(maker), " noexcept {", 2) +
          call(kernel_of(maker), arguments, 4) + "  }\n";
 }
 
-std::string method(const Overload& overload, bool documented) {
+std::string method(const Overload& overload) {
   std::string text;
-  if (documented)
-    for (const std::string& line : overload.callable->function->summary) text += comment(line, 2);
+  for (const std::string& line : overload.callable->function->summary) text += comment(line, 2);
   const std::string head = overload.result + " " + overload.callable->name;
   return text + declaration(head, parameter_list(overload), " const noexcept {", 2) + call_of_kernel(overload, 4) +
          "  }\n";
 }
 
-// The type of what a function returns, where it has one of its own.
-std::string object_type(const Api& api, const Overload& maker, bool documented) {
-  std::string getters, data;
-  for (const symbolic::OutputArray& output : maker.callable->function->program.outputs) {
-    const std::string type = matrix_type(output.rows, output.columns), name = kept_name(output.name);
-    getters += "  const " + type + "& " + output.name + "() const noexcept { return " + name + "; }\n";
-    data += "  " + type + " " + name + ";\n";
-  }
-  std::string constructors = constructor(maker);
-  if (const Overload other = with_sines(api, maker); other.takes_sines) constructors += constructor(other);
-  std::vector<std::string> parts = {constructors, getters};
-  for (const Overload& member : members(api, maker.result)) parts.push_back(method(member, documented));
-  const std::string remark = documented ? comment("What " + maker.callable->name + " returns.") : "";
-  return remark + "class " + maker.result + " {\n public:\n" + paragraphs(parts) + "\n private:\n" + data + "};\n";
+// The names of types as they are in the class template of a factor.
+std::string types_of_members(const Api& api) {
+  const std::string size = api.library->floating_base ? "6 + kDof" : "kDof";
+  std::string text =
+      "  template <int kRows, int kColumns>\n  using Matrix = Eigen::Matrix<Scalar, kRows, kColumns>;\n  using "
+      "InertiaMatrix = Matrix<" +
+      size + ", " + size + ">;\n  using JointState = JointVector<Scalar>;\n";
+  if (api.takes_sines())
+    text += "  using " + std::string(kTrigonometryType) + " = Basic" + kTrigonometryType + "<Scalar>;\n";
+  return text;
 }
 
 std::string columns_constant(const Api& api, const Callable& callable) {
@@ -121,27 +111,66 @@ std::string columns_constant(const Api& api, const Callable& callable) {
       "inline constexpr std::array<Joint, " + std::to_string(joints.size()) + "> " + callable.columns, joints);
 }
 
-// The functions of one scope. Documentation and constants stand with the first precision only.
-std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
-  std::vector<std::string> parts;
-  for (const Overload& o : overloads(api, group, scope)) {
-    const bool is_first = !o.takes_sines;
-    if (is_first && returns_object(o.callable->function->program))
-      parts.push_back(object_type(api, o, !single_precision));
-    if (single_precision) {
-      parts.push_back(function(o));
-      continue;
+// The functions of one name as a user reads them: what an overload adds to those above it is said once.
+std::string declarations(const Api& api, const std::vector<Overload>& set) {
+  std::string text;
+  std::set<std::string> said;
+  const bool alone = std::count_if(set.begin(), set.end(), [](const Overload& o) { return !o.takes_sines; }) == 1;
+  bool has_sines = false;
+  for (const Overload& o : set) {
+    std::string remark;
+    if (o.takes_sines) {
+      if (!has_sines && !alone) remark = comment("The same with known sines and cosines.");
+      has_sines = true;
+    } else if (o.adds_standard_gravity) {
+      remark = comment("Under standard gravity.");
+    } else {
+      for (const std::string& line : o.callable->function->summary)
+        if (said.insert(line).second) remark += comment(line);
     }
-    if (is_first) parts.push_back(columns_constant(api, *o.callable));
-    parts.push_back(documentation(o) + function(o));
+    text += (text.empty() || remark.empty() ? "" : "\n") + remark;
+    if (!o.takes_sines) text += columns_constant(api, *o.callable);
+    text += declaration(o.result + " " + o.callable->name, parameter_list(o), " noexcept;");
   }
-  const std::string prefix = single_precision ? (scope.empty() ? "f32" : "f32::") : "";
-  if (prefix.empty() && scope.empty()) return paragraphs(parts);
-  return in_namespace(prefix + scope, paragraphs(parts));
+  return text;
+}
+
+// The overloads of one name stand together.
+std::vector<std::vector<Overload>> sets(const Api& api, const std::string& group, const std::string& scope) {
+  std::vector<std::vector<Overload>> result;
+  for (Overload& o : overloads(api, group, scope)) {
+    if (result.empty() || result.back().front().callable->name != o.callable->name) result.emplace_back();
+    result.back().push_back(std::move(o));
+  }
+  return result;
+}
+
+std::string in_scope(const std::string& scope, const std::string& text) {
+  return scope.empty() ? text : in_namespace(scope, text);
+}
+
+std::string declarations(const Api& api, const std::string& group) {
+  std::vector<std::string> parts;
+  for (const std::string& scope : scopes(api, group)) {
+    std::vector<std::string> functions;
+    for (const std::vector<Overload>& set : sets(api, group, scope)) functions.push_back(declarations(api, set));
+    parts.push_back(in_scope(scope, paragraphs(functions)));
+  }
+  return paragraphs(parts);
+}
+
+std::string definitions(const Api& api, const std::string& group) {
+  std::vector<std::string> parts;
+  for (const std::string& scope : scopes(api, group)) {
+    std::vector<std::string> functions;
+    for (const Overload& o : overloads(api, group, scope)) functions.push_back(function(o));
+    parts.push_back(in_scope(scope, paragraphs(functions)));
+  }
+  return paragraphs(parts);
 }
 
 // A robot with parameters carries them.
-std::string member_function(const Overload& overload, const std::string& space) {
+std::string member_function(const Overload& overload) {
   const bool carries = !overload.arguments.empty() && overload.arguments.front().type == kParametersType;
   const std::string head = (carries ? "" : "static ") + overload.result + " " + overload.callable->name;
   const std::string tail = carries ? " const noexcept {" : " noexcept {";
@@ -150,7 +179,7 @@ std::string member_function(const Overload& overload, const std::string& space) 
   std::vector<std::string> names;
   for (const Argument& a : overload.arguments) names.push_back(a.name);
   const auto body = [&](std::size_t indent) {
-    return call("return " + space + "::" + overload.callable->name, names, indent);
+    return call("return " + std::string(kHere) + "::" + overload.callable->name, names, indent);
   };
   const std::string statement = body(0);
   const std::string line =
@@ -159,21 +188,22 @@ std::string member_function(const Overload& overload, const std::string& space) 
   return fits ? line : declaration(head, parameters, tail, 2) + body(4) + "  }\n";
 }
 
-std::string robot_type(const Api& api, const std::string& scalar, const std::string& space) {
+std::string robot_type(const Api& api) {
   const Library& library = *api.library;
   const auto constant = [](const std::string& type, const std::string& name, const std::string& value) {
     return "  static constexpr " + type + " " + name + " = " + value + ";\n";
   };
-  std::string types = "  using Scalar = " + scalar + ";\n";
-  std::vector<std::string> names = {"Gravity", "InertiaMatrix", "JointState", "LinkWrenches", "SpatialAcceleration",
-                                    "Twist",   "Vector3",       "Wrench"};
+  std::string types;
+  std::vector<std::string> names = {"Gravity",      "InertiaMatrix", "JointState",
+                                    "LinkWrenches", "Scalar",        "SpatialAcceleration",
+                                    "Twist",        "Vector3",       "Wrench"};
   if (library.floating_base)
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
   for (const Callable& c : api.callables)
     if (returns_object(c.function->program)) names.push_back(result_type(c.function->program));
   if (api.takes_sines()) names.push_back(kTrigonometryType);
   std::sort(names.begin(), names.end());
-  for (const std::string& name : names) types += "  using " + name + " = " + space + "::" + name + ";\n";
+  for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";
   std::vector<std::string> parts = {
       types, constant("int", "kDof", std::to_string(library.joints.size())) +
                  constant("int", "kLinkCount", std::to_string(library.links.size())) +
@@ -181,75 +211,91 @@ std::string robot_type(const Api& api, const std::string& scalar, const std::str
                  constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits")};
   for (const std::string& group : library.groups) {
     std::string members;
-    for (const Overload& o : overloads(api, group, "")) members += member_function(o, space);
+    for (const Overload& o : overloads(api, group, "")) members += member_function(o);
     parts.push_back(members);
   }
   if (api.is_parametric()) {
-    parts.front() += "  using Parameters = ::" + api.space + "::Parameters<" + scalar + ">;\n";
+    parts.front() += "  using Parameters = ::" + api.space + "::Parameters<Scalar>;\n";
     for (const std::string type : {"KinematicsParameters", "DynamicsParameters", "ParameterValues", "ParameterArray"})
       parts.front() += "  using " + type + " = ::" + api.space + "::" + type + ";\n";
     parts.push_back("  Parameters parameters;\n");
   }
-  return "struct Robot {\n" + paragraphs(parts) + "};\n";
+  return "// The robot as a type, for code that is generic over robots.\nstruct Robot {\n" + paragraphs(parts) + "};\n";
 }
 
-std::vector<std::string> group_headers(const Library& library) {
-  std::vector<std::string> headers;
-  for (const std::string& group : library.groups) headers.push_back("\"" + header_path(folder(library), group) + "\"");
-  return headers;
+// What holds for all functions.
+std::string conventions(const Api& api) {
+  const Library& library = *api.library;
+  std::string text = "They are pure functions: no state, no allocation, no exceptions. Units are SI, angles in rad.";
+  if (library.has_robot()) text += " Joint vectors are in the order of " + api.space + "::Joint.";
+  text += " " + api.space + "::f32 has the same types and functions in single precision.";
+  if (!library.has_robot()) return comment(text);
+  text += " " + api.space +
+          "::Robot, and f32::Robot, have all functions but transforms and Jacobians as members, for " +
+          "code that is generic over robots.";
+  if (api.takes_sines())
+    text += std::string(" Where sines and cosines of the joints are known, a ") + kTrigonometryType +
+            " takes the place of positions.";
+  return comment(text);
 }
 
-// What every function's declaration needs.
-std::vector<std::string> base_headers(const Api& api) {
-  std::vector<std::string> headers = {"\"" + header_path(folder(*api.library), "types") + "\""};
-  if (api.is_parametric()) headers.push_back("\"" + header_path(folder(*api.library), kParameters) + "\"");
-  if (api.takes_sines()) headers.push_back("\"" + header_path(folder(*api.library), kTrigonometry) + "\"");
-  return headers;
+// Includes the definitions into the namespace of a precision.
+std::string definitions_in(const Api& api, const std::string& space) {
+  const std::string alias =
+      api.library->has_robot() ? "namespace " + std::string(kHere) + " = ::" + space + ";\n" : std::string();
+  return "namespace " + space + " {\n" + alias + includes({cpp::quoted(functions_path(folder(*api.library)))}) +
+         "}  // namespace " + space + "\n";
 }
 
 }  // namespace
 
-std::string print_interface(const Api& api, const std::string& group, const std::string& path) {
-  const Library& library = *api.library;
-  std::vector<std::string> kernels, cores, parts;
-  bool tables = false;
+std::string factor_type(const Api& api) {
   for (const Callable& c : api.callables) {
-    if (c.function->group != group) continue;
-    kernels.push_back(kernel_declaration(c));
-    if (c.function->parts) cores.push_back(core_declaration(c));
-    tables = tables || !c.columns.empty();
+    if (!returns_object(c.function->program)) continue;
+    const Overload maker = overloads(api, {&c}).front();
+    std::string getters, data;
+    for (const symbolic::OutputArray& output : c.function->program.outputs) {
+      const std::string type = matrix_type(output.rows, output.columns), name = kept_name(output.name);
+      getters += "  const " + type + "& " + output.name + "() const noexcept { return " + name + "; }\n";
+      data += "  " + type + " " + name + ";\n";
+    }
+    std::string constructors = constructor(maker);
+    if (const Overload other = with_sines(api, maker); other.takes_sines) constructors += constructor(other);
+    std::vector<std::string> parts = {constructors, getters};
+    for (const Overload& member : members(api, maker.result)) parts.push_back(method(member));
+    return comment("What " + c.name + " returns.") + "template <class Scalar>\nclass Basic" + maker.result + " {\n" +
+           types_of_members(api) + "\n public:\n" + paragraphs(parts) + "\n private:\n" + data + "};\n";
   }
-  kernels.push_back(in_namespace("core", paragraphs(cores)));
-  parts.push_back(in_namespace("kernel", paragraphs(kernels)));
-  for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, false));
-  for (const std::string& scope : scopes(api, group)) parts.push_back(scope_text(api, group, scope, true));
-  return paragraphs(
-      {banner(library, path, "functions over Eigen types, in double and (namespace f32) single precision"),
-       "#pragma once\n", tables ? includes({"<array>"}) : "", includes(base_headers(api)),
-       in_namespace(api.space, paragraphs(parts))});
-}
-
-std::string print_robot(const Api& api, const std::string& path) {
-  const Library& library = *api.library;
-  std::vector<std::string> headers = group_headers(library);
-  for (const std::string& header : base_headers(api)) headers.push_back(header);
-  const std::string body = paragraphs(
-      {"// The robot as a type, for code that is generic over robots.\n" + robot_type(api, "double", "::" + api.space),
-       in_namespace("f32", robot_type(api, "float", "::" + api.space + "::f32"))});
-  return paragraphs(
-      {banner(library, path, "the robot as a type"), "#pragma once\n", includes(headers),
-       in_namespace(api.space, body)});
+  return "";
 }
 
 std::string print_umbrella(const Api& api, const std::string& path) {
-  std::vector<std::string> headers = group_headers(*api.library);
-  for (const std::string& stem : stems(api.library->has_robot()))
-    if (stem != "reflection" && (stem != kParameters || api.is_parametric()) &&
-        (stem != kTrigonometry || api.takes_sines()))
-      headers.push_back("\"" + header_path(folder(*api.library), stem) + "\"");
+  const Library& library = *api.library;
+  std::vector<std::string> groups;
+  bool tables = false;
+  for (const Callable& c : api.callables) tables = tables || !c.columns.empty();
+  for (const std::string& group : library.groups) groups.push_back(declarations(api, group));
+  std::vector<std::string> headers;
+  for (const char* stem : {"model", "types"}) headers.push_back(header_path(folder(library), stem));
+  if (api.is_parametric()) headers.push_back(header_path(folder(library), kParameters));
+  for (std::string& header : headers) header = cpp::quoted(header);
   return paragraphs(
-      {banner(*api.library, path, "everything but the tables of " + header_path(folder(*api.library), "reflection")),
-       "#pragma once\n", includes(headers)});
+      {banner(library, path, library.has_robot() ? "its functions" : "its coordinate transforms") + "//\n" +
+           conventions(api),
+       "#pragma once\n", tables ? includes({"<array>"}) : "", includes(headers),
+       in_namespace(api.space, paragraphs(groups)),
+       comment("The definitions, in each precision.") + includes({cpp::quoted(kernels_path(folder(library)))}),
+       definitions_in(api, api.space), definitions_in(api, api.space + "::f32")});
+}
+
+std::string print_definitions(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  std::vector<std::string> parts = {
+      banner(library, path, "definitions of its functions") +
+      comment(umbrella_path(folder(library)) + " includes this file in the namespaces of both precisions.")};
+  for (const std::string& group : library.groups) parts.push_back(definitions(api, group));
+  if (library.has_robot()) parts.push_back(robot_type(api));
+  return paragraphs(parts);
 }
 
 }  // namespace robcogen::backend::cpp

@@ -128,6 +128,7 @@ std::string summary(const Callable& callable) {
   std::string result;
   const Function& function = *callable.function;
   for (const std::string& line : function.summary) result += comment(line);
+  if (!function.method.empty()) result += comment(function.method);
   // Of a transform that is a few products nobody asks.
   if (function.error && function.group != "transforms")
     result += comment("Rounding errors: " + symbolic::print(*function.error) + ", in units of one rounding.");
@@ -313,20 +314,20 @@ std::string conventions(const Library& library) {
   return overlap + " Joints: " + numbered(joints) + ".";
 }
 
-std::string explicit_instantiations(const std::string& kernel, const std::vector<Parameter>& parameters) {
+std::string explicit_instantiations(const std::string& kernel) {
   std::string result;
   for (const std::string scalar : {"double", "float"}) {
-    std::vector<std::string> types;
-    for (const Parameter& p : parameters) types.push_back(p.output ? scalar + "*" : "const " + scalar + "*");
-    result += declaration("template void " + kernel, types, " noexcept;");
+    const std::string name = kernel + "<" + scalar + ">";
+    const std::string type = "template decltype(" + name + ")";
+    const bool fits = type.size() + name.size() + 2 <= kColumns;
+    result += type + (fits ? " " : "\n    ") + name + ";\n";
   }
   return result;
 }
 
 std::string explicit_instantiations(const Callable& callable) {
-  std::string result;
-  if (callable.function->parts) result = explicit_instantiations("core::" + callable.kernel, callable.core_parameters);
-  return result + explicit_instantiations(callable.kernel, callable.parameters);
+  const std::string core = callable.function->parts ? explicit_instantiations("core::" + callable.kernel) : "";
+  return core + explicit_instantiations(callable.kernel);
 }
 
 // Of joint_trigonometry.
@@ -361,16 +362,20 @@ std::string whole_update(const Api& api) {
 
 }  // namespace
 
-std::string kernel_declaration(const Callable& callable) {
-  return signature("void " + callable.kernel, callable.parameters, " noexcept;");
-}
-
-std::string core_declaration(const Callable& callable) {
-  return signature("void " + callable.kernel, callable.core_parameters, " noexcept;");
-}
-
-std::string trigonometry_declaration(const Api& api) {
-  return signature("void joint_trigonometry", trigonometry_parameters(*api.library), " noexcept;");
+std::string print_kernel_declarations(const Api& api, const std::string& path) {
+  std::string kernels, cores;
+  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry}) {
+    for (const Callable& c : *list) {
+      kernels += signature("void " + c.kernel, c.parameters, " noexcept;");
+      if (c.function->parts) cores += signature("void " + c.kernel, c.core_parameters, " noexcept;");
+    }
+  }
+  if (api.takes_sines())
+    kernels += signature("void joint_trigonometry", trigonometry_parameters(*api.library), " noexcept;");
+  return paragraphs(
+      {banner(*api.library, path, "declarations of its kernels, which the library compiles for double and float"),
+       "#pragma once\n", in_namespace(api.space + "::kernel", kernels),
+       in_namespace(api.space + "::kernel::core", cores)});
 }
 
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
@@ -400,14 +405,13 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
 }
 
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
-  std::vector<std::string> kernels;
-  for (const Callable* c : callables_of(api, group)) kernels.push_back(explicit_instantiations(*c));
-  if (group == kTrigonometry && api.takes_sines())
-    kernels.push_back(explicit_instantiations("joint_trigonometry", trigonometry_parameters(*api.library)));
+  std::string kernels;
+  for (const Callable* c : callables_of(api, group)) kernels += explicit_instantiations(*c);
+  if (group == kTrigonometry && api.takes_sines()) kernels += explicit_instantiations("joint_trigonometry");
   return paragraphs(
       {banner(*api.library, path, "kernels compiled for double and float"),
        includes({"\"" + kernel_path(folder(*api.library), group) + "\""}),
-       in_namespace(api.space + "::kernel", paragraphs(kernels))});
+       in_namespace(api.space + "::kernel", kernels)});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -1,4 +1,4 @@
-// <name>/model.h, the robot's constants without Eigen, and <name>/types.h, its Eigen types.
+// <name>/model.h: the robot's constants, without Eigen.
 #include <cmath>
 
 #include "backend/cpp/layout.h"
@@ -123,43 +123,6 @@ std::string frame_tables(const Api& api) {
        "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
 }
 
-std::string matrix_alias(const std::string& scalar) {
-  return "template <int kRows, int kColumns>\nusing Matrix = Eigen::Matrix<" + scalar + ", kRows, kColumns>;\n";
-}
-
-std::string parameters_struct(const Api& api, const std::string& scalar) {
-  if (api.parameters.empty()) return "";
-  std::string members;
-  for (std::size_t i = 0; i < api.parameters.size(); ++i) {
-    const double value = api.library->parameters[i].default_value;
-    const std::string none = "std::numeric_limits<Scalar>::quiet_NaN()";
-    members += "  Scalar " + api.parameters[i] + " = " +
-               (std::isnan(value) ? none : "Scalar(" + print_double(value) + ")") + ";\n";
-  }
-  return comment("Values of the model's parameters, m or rad. What has no default is not a number until it is given.") +
-         "struct Parameters {\n  using Scalar = " + scalar + ";\n\n" + members + "};\n";
-}
-
-// One set of aliases; the text is the same for both scalars.
-std::string aliases(const Library& library, const std::string& scalar) {
-  const std::string size = library.floating_base ? "6 + kDof" : "kDof";
-  std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
-                       "using JointState = JointVector<" + scalar + ">;\n" + "using InertiaMatrix = Eigen::Matrix<" +
-                       scalar + ", " + size + ", " + size + ">;\n" + "using LinkWrenches = robcogen::LinkWrenches<" +
-                       scalar + ", Link, kLinkCount>;\n";
-  for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
-    result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
-  if (library.floating_base)
-    for (const std::string type : {"InverseDynamics", "GeneralizedForce", "GeneralizedAcceleration"})
-      result += "using " + type + " = robcogen::" + type + "<" + scalar + ", kDof>;\n";
-  return result + "\n" + matrix_alias(scalar);
-}
-
-// What functions of transforms take and return.
-std::string transform_types(const Api& api, const std::string& scalar) {
-  return paragraphs({"using Scalar = " + scalar + ";\n", matrix_alias(scalar), parameters_struct(api, scalar)});
-}
-
 }  // namespace
 
 std::string print_model(const Api& api, const std::string& path) {
@@ -174,29 +137,6 @@ std::string print_model(const Api& api, const std::string& path) {
   return paragraphs(
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n", includes({"<array>"}),
        includes(runtime), runtime_check(api), in_namespace(api.space, body)});
-}
-
-std::string print_types(const Api& api, const std::string& path) {
-  const Library& library = *api.library;
-  if (!library.has_robot()) {
-    const std::string types = paragraphs(
-        {transform_types(api, "double"),
-         "// The same in single precision.\n" + in_namespace("f32", transform_types(api, "float"))});
-    return paragraphs(
-        {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
-         library.parameters.empty() ? "" : includes({"<limits>"}),
-         includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, types)});
-  }
-  std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\"", "\"robcogen/spatial.h\""};
-  if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
-  const std::string body = paragraphs(
-      {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
-       "Eigen::Matrix<Scalar, kDof, 1>;\n",
-       aliases(library, "double"),
-       "// The same in single precision.\n" + in_namespace("f32", aliases(library, "float"))});
-  return paragraphs(
-      {banner(library, path, "Eigen types"), "#pragma once\n", includes({"<Eigen/Core>"}), includes(runtime),
-       includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, body)});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -252,18 +252,14 @@ std::string print_parameters(const Api& api, const std::string& path) {
   const std::string head = banner(library, path, "values of its parameters");
   if (!api.is_parametric())
     return paragraphs({head + "// It has none: all its quantities are constants.\n", "#pragma once\n"});
-  std::vector<std::string> kernels;
-  for (const Callable& c : api.updates) kernels.push_back(kernel_declaration(c));
   std::vector<std::string> parts;
   for (const Kind& kind : kKinds) parts.push_back(interface_type(api, kind));
   parts.push_back(shared_values_type(api));
   for (const Kind& kind : kKinds) parts.push_back(values_type(api, kind));
-  parts.insert(
-      parts.end(),
-      {all_values_type(api), array_type(api), in_namespace("kernel", paragraphs(kernels)), parameters_type(api)});
+  parts.insert(parts.end(), {all_values_type(api), array_type(api), parameters_type(api)});
   return paragraphs(
-      {head, "#pragma once\n", includes({"<array>", "<cstddef>", "<limits>"}), includes({"\"robcogen/version.h\""}),
-       runtime_check(api), in_namespace(api.space, paragraphs(parts))});
+      {head, "#pragma once\n", includes({"<array>", "<cstddef>", "<limits>"}),
+       includes({cpp::quoted(kernels_path(folder(library)))}), in_namespace(api.space, paragraphs(parts))});
 }
 
 }  // namespace robcogen::backend::cpp

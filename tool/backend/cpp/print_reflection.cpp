@@ -113,6 +113,81 @@ Table jacobians(const Api& api) {
   return result;
 }
 
+// Where an input stands when all arrays are put one after another.
+std::size_t offset_of(const symbolic::Program& program, std::size_t input) {
+  std::size_t offset = 0;
+  for (std::size_t i = 0; i < input; ++i) offset += program.inputs[i].elements.size();
+  return offset;
+}
+
+std::size_t positions_of(const symbolic::Program& program) {
+  std::size_t input = 0;
+  while (program.inputs[input].role != Role::joint_position) ++input;
+  return offset_of(program, input);
+}
+
+// `At<0, 3>`: where the arrays begin.
+std::string at(const std::vector<std::size_t>& offsets) {
+  std::string list;
+  for (const std::size_t offset : offsets) list += (list.empty() ? "" : ", ") + std::to_string(offset);
+  return "At<" + list + ">";
+}
+
+std::vector<std::size_t> offsets_of_inputs(const symbolic::Program& program) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) result.push_back(offset_of(program, i));
+  return result;
+}
+
+std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program) {
+  std::vector<std::size_t> result;
+  std::size_t offset = 0;
+  for (const symbolic::OutputArray& output : program.outputs) {
+    result.push_back(offset);
+    offset += static_cast<std::size_t>(output.rows) * static_cast<std::size_t>(output.columns);
+  }
+  return result;
+}
+
+// The kernel under the signature that all functions of the table have.
+Field flat(const Callable& c) {
+  const symbolic::Program& program = c.function->program;
+  return {"kFlat", {address(c), at(offsets_of_inputs(program)), at(offsets_of_outputs(program))}};
+}
+
+// And its core, which takes sines and cosines behind q.
+Field flat_core(const Callable& c) {
+  const symbolic::Program& program = c.function->program;
+  std::vector<std::size_t> before, behind;
+  bool is_behind = false;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    (is_behind ? behind : before).push_back(offset_of(program, i));
+    is_behind = is_behind || program.inputs[i].role == Role::joint_position;
+  }
+  return {
+      "kFlatCore",
+      {"&kernel::core::" + c.kernel + "<double>", at(before), at(behind), at(offsets_of_outputs(program))}};
+}
+
+// And the function over many states.
+Field flat_batch(const Callable& c) {
+  std::vector<std::size_t> read;
+  std::size_t offset = 0;
+  bool has_parameters = false;
+  for (const symbolic::InputArray& input : c.function->program.inputs) {
+    if (input.role == Role::parameters) {
+      has_parameters = true;
+      continue;
+    }
+    read.push_back(offset);
+    offset += input.elements.size();
+  }
+  return {
+      "kFlatBatch",
+      {"&batch::kernel::" + c.kernel + "<double>", has_parameters ? "true" : "false", at(read),
+       at(offsets_of_outputs(c.function->program))}};
+}
+
 // Functions that the table of FrameFunction is about.
 std::optional<std::string> frame_quantity(const Callable& c) {
   constexpr std::array kQuantities = {
@@ -137,7 +212,7 @@ Table frame_functions(const Api& api) {
     lists += columns.definition;
     rows.push_back(
         {quoted(c.kernel), *quantity, c.function->left_frame, c.function->right_frame, columns.reference,
-         c.function->program.outputs.front().columns, "&flat::" + c.kernel});
+         c.function->program.outputs.front().columns, flat(c)});
   }
   Table result = table("FrameFunction", "kFrameFunctions", rows);
   result.definition = paragraphs({lists, result.definition});
@@ -164,43 +239,6 @@ int output_count(const symbolic::Program& program) {
   return count;
 }
 
-// Where an input stands when all arrays are put one after another.
-std::size_t offset_of(const symbolic::Program& program, std::size_t input) {
-  std::size_t offset = 0;
-  for (std::size_t i = 0; i < input; ++i) offset += program.inputs[i].elements.size();
-  return offset;
-}
-
-std::size_t positions_of(const symbolic::Program& program) {
-  std::size_t input = 0;
-  while (program.inputs[input].role != Role::joint_position) ++input;
-  return offset_of(program, input);
-}
-
-// A kernel under one signature for all: its arrays stand one after another. Its core takes sines and cosines apart.
-std::string flat_function(const Callable& c, bool is_core) {
-  const symbolic::Program& program = c.function->program;
-  std::vector<std::string> arguments;
-  const auto append = [&](const std::string& array, std::size_t offset) {
-    arguments.push_back(offset == 0 ? array : array + " + " + std::to_string(offset));
-  };
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    append("in", offset_of(program, i));
-    if (is_core && program.inputs[i].role == Role::joint_position)
-      arguments.insert(arguments.end(), {"sin_q", "cos_q"});
-  }
-  std::size_t offset = 0;
-  for (const symbolic::OutputArray& output : program.outputs) {
-    append("out", offset);
-    offset += static_cast<std::size_t>(output.rows) * static_cast<std::size_t>(output.columns);
-  }
-  std::vector<std::string> parameters = {program.inputs.empty() ? "const double*" : "const double* in"};
-  if (is_core) parameters.insert(parameters.end(), {"const double* sin_q", "const double* cos_q"});
-  parameters.push_back(program.outputs.empty() ? "double*" : "double* out");
-  return declaration("inline void " + c.kernel, parameters, " noexcept {") +
-         call(std::string(is_core ? "kernel::core::" : "kernel::") + c.kernel + "<double>", arguments, 2) + "}\n";
-}
-
 // The kernels of sines and cosines under signatures that have `parameters` whether the robot has some or not.
 std::string flat_trigonometry(const Api& api) {
   if (!api.takes_sines()) return "";
@@ -214,24 +252,16 @@ std::string flat_trigonometry(const Api& api) {
     return declaration("inline void " + name, list, " noexcept {") + call("kernel::" + name + "<double>", arrays, 2) +
            "}\n";
   };
-  return paragraphs(
-      {function("joint_trigonometry", {"q"}), function(api.trigonometry.front().kernel, {"sin_joint", "cos_joint"})});
+  return in_namespace(
+      "flat", paragraphs(
+                  {function("joint_trigonometry", {"q"}),
+                   function(api.trigonometry.front().kernel, {"sin_joint", "cos_joint"})}));
 }
 
 std::string trigonometry(const Api& api) {
   if (!api.takes_sines()) return "{}";
   return "{" + std::to_string(api.library->trigonometry->angle_count) +
          ", &flat::joint_trigonometry, &flat::" + api.trigonometry.front().kernel + "}";
-}
-
-std::string flat_functions(const Api& api) {
-  std::vector<std::string> functions, cores;
-  for (const Callable* c : all_callables(api)) {
-    functions.push_back(flat_function(*c, false));
-    if (c->function->parts) cores.push_back(flat_function(*c, true));
-  }
-  functions.insert(functions.end(), {in_namespace("core", paragraphs(cores)), flat_trigonometry(api)});
-  return in_namespace("flat", paragraphs(functions));
 }
 
 Table functions(const Api& api) {
@@ -242,10 +272,10 @@ Table functions(const Api& api) {
     std::vector<std::string> counts;
     for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
       counts.push_back(std::to_string(k));
-    rows.push_back({quoted(c->kernel), counts, input_count(program), output_count(program), "&flat::" + c->kernel});
+    rows.push_back({quoted(c->kernel), counts, input_count(program), output_count(program), flat(*c)});
     if (!c->function->parts) continue;
     rows.back().push_back(static_cast<int>(positions_of(program)));
-    rows.back().push_back("&flat::core::" + c->kernel);
+    rows.back().emplace_back(flat_core(*c));
   }
   return table("Function", "kFunctions", rows);
 }
@@ -257,7 +287,7 @@ Table batch_functions(const Api& api) {
     int inputs = 0;
     for (const symbolic::InputArray& input : c.function->program.inputs)
       if (input.role != Role::parameters) inputs += static_cast<int>(input.elements.size());
-    rows.push_back({quoted(c.kernel), inputs, output_count(c.function->program), "&flat::batch::" + c.kernel});
+    rows.push_back({quoted(c.kernel), inputs, output_count(c.function->program), flat_batch(c)});
   }
   return table("BatchFunction", "kBatchFunctions", rows);
 }
@@ -275,24 +305,15 @@ Table parameters(const Library& library) {
 
 std::string print_reflection(const Api& api, const std::string& path) {
   const Library& library = *api.library;
-  std::vector<std::string> kernels, cores;
-  for (const Callable* c : all_callables(api)) {
-    kernels.push_back(kernel_declaration(*c));
-    if (c->function->parts) cores.push_back(core_declaration(*c));
-  }
-  for (const Callable& c : api.trigonometry) kernels.push_back(kernel_declaration(c));
-  if (api.takes_sines()) kernels.push_back(trigonometry_declaration(api));
-  kernels.push_back(in_namespace("core", paragraphs(cores)));
   std::vector<Table> tables = {links(library), joints(library),      frames(library), transforms(api),
                                jacobians(api), frame_functions(api), functions(api)};
   std::vector<std::string> remarks = {"name",      "floating base",    "links",     "joints",
                                       "frames",    "transforms",       "Jacobians", "frame functions",
                                       "functions", "sines and cosines"};
-  if (api.is_parametric()) {
-    remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
-    for (const Callable& c : api.numbers) kernels.push_back(kernel_declaration(c));
-  }
-  std::vector<std::string> parts = {flat_functions(api)};
+  if (api.is_parametric()) remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
+  std::vector<std::string> parts = {
+      "using robcogen::reflection::At;\nusing robcogen::reflection::kFlat;\nusing robcogen::reflection::kFlatCore;\n",
+      flat_trigonometry(api)};
   std::vector<std::string> fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
   for (const Table& t : tables) {
     parts.push_back(t.definition);
@@ -310,7 +331,7 @@ std::string print_reflection(const Api& api, const std::string& path) {
   if (library.has_batches) {
     batch_kernels = in_namespace(api.space, batch_kernel_declarations(api));
     const Table t = batch_functions(api);
-    parts.insert(parts.end(), {flat_batch_functions(api), t.definition});
+    parts.insert(parts.end(), {"using robcogen::reflection::kFlatBatch;\n", t.definition});
     parts.push_back(
         comment("Apart from `robot`: a program that does not look here links none of these functions.") +
         "inline constexpr robcogen::reflection::BatchFunctions batch_functions = " + t.reference + ";\n");
@@ -318,8 +339,8 @@ std::string print_reflection(const Api& api, const std::string& path) {
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
        api.is_parametric() ? includes({"<limits>"}) : "",
-       includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}), runtime_check(api),
-       in_namespace(api.space + "::kernel", paragraphs(kernels)), batch_kernels,
+       includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}),
+       includes({cpp::quoted(kernels_path(folder(library)))}), runtime_check(api), batch_kernels,
        in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 

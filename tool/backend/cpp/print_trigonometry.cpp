@@ -1,4 +1,4 @@
-// <name>/trigonometry.h: sines and cosines of all joints as a value that functions take in the place of q.
+// What <name>/types.h says of sines and cosines of all joints: a value that functions take in the place of q.
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 
@@ -26,7 +26,7 @@ std::string constructor(
   return head + call("kernel::" + kernel, inputs, 4) + "  }\n";
 }
 
-std::string trigonometry_type(const Api& api) {
+std::string class_of(const Api& api) {
   const std::string type = kTrigonometryType, size = std::to_string(api.library->trigonometry->angle_count);
   const auto vector = [](const std::string& name) { return "const JointVector<Scalar>& " + name; };
   const auto getter = [](const std::string& name, const std::string& array) {
@@ -46,30 +46,20 @@ std::string trigonometry_type(const Api& api) {
       "  const Scalar* cos_data() const noexcept { return cos_.data(); }\n"};
   return "template <class Scalar>\nclass Basic" + type + " {\n public:\n" + paragraphs(parts) +
          "\n private:\n  JointVector<Scalar> q_;\n  std::array<Scalar, " + size + "> sin_;\n  std::array<Scalar, " +
-         size + "> cos_;\n};\n\nusing " + type + " = Basic" + type + "<double>;\n\n" +
-         in_namespace("f32", "using " + type + " = Basic" + type + "<float>;\n");
+         size + "> cos_;\n};\n";
 }
 
 }  // namespace
 
-std::string print_trigonometry(const Api& api, const std::string& path) {
-  const Library& library = *api.library;
-  const std::string head = banner(library, path, "sines and cosines of its joints");
-  if (!api.takes_sines()) return paragraphs({head + "// Its functions take positions alone.\n", "#pragma once\n"});
-  std::vector<std::string> headers = {"\"" + header_path(folder(library), "types") + "\""};
-  std::string stale;
-  if (api.is_parametric()) {
-    headers.push_back("\"" + header_path(folder(library), kParameters) + "\"");
-    stale = " It holds for these parameters: when they change, make another.";
-  }
-  const std::string remark = comment(
-      "Joint positions (rad, m) with sines and cosines, which every function of q takes in the place of q: made once "
-      "in a state, it serves all functions." +
-      stale);
-  const std::string kernels = paragraphs({trigonometry_declaration(api), kernel_declaration(api.trigonometry.front())});
-  return paragraphs(
-      {head, "#pragma once\n", includes({"<array>"}), includes(headers),
-       in_namespace(api.space, paragraphs({in_namespace("kernel", kernels), remark + trigonometry_type(api)}))});
+std::string trigonometry_type(const Api& api) {
+  if (!api.takes_sines()) return "";
+  const std::string stale =
+      api.is_parametric() ? " It holds for these parameters: when they change, make another." : "";
+  return comment(
+             "Joint positions (rad, m) with sines and cosines, which every function of q takes in the place of q: made "
+             "once in a state, it serves all functions." +
+             stale) +
+         class_of(api);
 }
 
 }  // namespace robcogen::backend::cpp

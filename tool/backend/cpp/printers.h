@@ -7,17 +7,20 @@
 
 namespace robcogen::backend::cpp {
 
-// The stems of the headers beside those of groups. `parameters` tells something of robots only that have some,
-// `trigonometry` of those whose functions take given sines and cosines.
+// The stems of the headers that users include beside the umbrella. `parameters` tells something only of robots that
+// have some.
 std::vector<std::string> stems(bool has_robot);
 
 // The folder of a library's files, under its name and its enclosing namespaces.
 std::string folder(const Library& library);
 
-// Path of a header in this folder, as the robot's files include it: `hyl/types.h`. Where the stem is that of the umbrella
-// header (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
+// Path of a header in this folder, as the robot's files include it: `hyl/types.h`. Where the stem is that of the
+// umbrella header (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
 std::string header_path(const std::string& folder, const std::string& stem);
 std::string umbrella_path(const std::string& folder);
+// What no user includes: the declarations of all kernels, and the definitions of the functions over them.
+std::string kernels_path(const std::string& folder);
+std::string functions_path(const std::string& folder);
 std::string kernel_path(const std::string& folder, const std::string& group);
 std::string source_path(const std::string& folder, const std::string& group);
 
@@ -41,22 +44,17 @@ std::string runtime_check(const Api& api);
 // `#include` lines; names with their quotes or angle brackets.
 std::string includes(std::vector<std::string> names);
 
-// Signatures of a kernel: `const Scalar* q, …, Scalar* tau`.
-std::string kernel_declaration(const Callable& callable);
-// The same of its core, which takes sines and cosines behind q.
-std::string core_declaration(const Callable& callable);
-// And of the kernel that computes the sines and cosines of all angles.
-std::string trigonometry_declaration(const Api& api);
-
 std::string print_model(const Api& api, const std::string& path);
 std::string print_types(const Api& api, const std::string& path);
+// Of types.h: the class templates of sines and cosines of the joints and of what joint_space_inertia_factor returns,
+// where the robot has them.
+std::string trigonometry_type(const Api& api);
+std::string factor_type(const Api& api);
 std::string print_parameters(const Api& api, const std::string& path);
-std::string print_trigonometry(const Api& api, const std::string& path);
+std::string print_kernel_declarations(const Api& api, const std::string& path);
 // Of a group; or `parameters`: the updates of a robot that has some; or `trigonometry`.
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
-std::string print_interface(const Api& api, const std::string& group, const std::string& path);
-std::string print_robot(const Api& api, const std::string& path);
 std::string print_reflection(const Api& api, const std::string& path);
 // In the place of print_reflection, where there is no robot.
 std::string print_factors(const Api& api, const std::string& path);
@@ -69,10 +67,9 @@ std::string print_batch_level(
     const std::string& group,
     const std::string& level,
     const std::string& path);
-// What the table of them in <name>/reflection.h refers to: their declarations, within the robot's namespace, and each
-// under one signature for all, in `flat::batch`.
+// What the table of them in <name>/reflection.h refers to: their declarations, within the robot's namespace.
 std::string batch_kernel_declarations(const Api& api);
-std::string flat_batch_functions(const Api& api);
 std::string print_umbrella(const Api& api, const std::string& path);
+std::string print_definitions(const Api& api, const std::string& path);
 
 }  // namespace robcogen::backend::cpp

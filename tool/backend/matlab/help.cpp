@@ -84,6 +84,7 @@ std::vector<std::string> summary(const Callable& callable) {
     std::erase_if(lines, [&](const std::string& line) {
       return std::find(f->summary.begin(), f->summary.end(), line) == f->summary.end();
     });
+  if (const std::string& method = callable.overloads.front()->method; !method.empty()) lines.push_back(method);
   return lines;
 }
 

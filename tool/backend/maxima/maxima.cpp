@@ -156,6 +156,7 @@ std::string definition(
 
 std::vector<std::string> documentation(const Library& library, const Function& f, const Kernel& kernel) {
   std::vector<std::string> lines = f.summary;
+  if (!f.method.empty()) lines.push_back(f.method);
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i)
     lines.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
   std::vector<std::string> outputs, columns;

@@ -1,0 +1,94 @@
+// <name>/types.h: the types of arguments and results.
+#include <cmath>
+
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+#include "support/number.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::string matrix_alias(const std::string& scalar) {
+  return "template <int kRows, int kColumns>\nusing Matrix = Eigen::Matrix<" + scalar + ", kRows, kColumns>;\n";
+}
+
+std::string parameters_struct(const Api& api, const std::string& scalar) {
+  if (api.parameters.empty()) return "";
+  std::string members;
+  for (std::size_t i = 0; i < api.parameters.size(); ++i) {
+    const double value = api.library->parameters[i].default_value;
+    const std::string none = "std::numeric_limits<Scalar>::quiet_NaN()";
+    members += "  Scalar " + api.parameters[i] + " = " +
+               (std::isnan(value) ? none : "Scalar(" + print_double(value) + ")") + ";\n";
+  }
+  return comment("Values of the model's parameters, m or rad. What has no default is not a number until it is given.") +
+         "struct Parameters {\n  using Scalar = " + scalar + ";\n\n" + members + "};\n";
+}
+
+// One set of aliases; the text is the same for both scalars.
+std::string aliases(const Library& library, const std::string& scalar) {
+  const std::string size = library.floating_base ? "6 + kDof" : "kDof";
+  std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
+                       "using JointState = JointVector<" + scalar + ">;\n" + "using InertiaMatrix = Eigen::Matrix<" +
+                       scalar + ", " + size + ", " + size + ">;\n" + "using LinkWrenches = robcogen::LinkWrenches<" +
+                       scalar + ", Link, kLinkCount>;\n";
+  for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
+    result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
+  if (library.floating_base)
+    for (const std::string type : {"InverseDynamics", "GeneralizedForce", "GeneralizedAcceleration"})
+      result += "using " + type + " = robcogen::" + type + "<" + scalar + ", kDof>;\n";
+  return result + "\n" + matrix_alias(scalar);
+}
+
+// What functions of transforms take and return.
+std::string transform_types(const Api& api, const std::string& scalar) {
+  return paragraphs({"using Scalar = " + scalar + ";\n", matrix_alias(scalar), parameters_struct(api, scalar)});
+}
+
+// The types of this precision that are class templates of the library's own.
+std::string aliases_of_classes(const Api& api, const std::string& scalar) {
+  std::string text;
+  const auto add = [&](const std::string& name) {
+    text += "using " + name + " = Basic" + name + "<" + scalar + ">;\n";
+  };
+  if (api.takes_sines()) add(kTrigonometryType);
+  for (const Callable& c : api.callables)
+    if (returns_object(c.function->program)) add(result_type(c.function->program));
+  return text;
+}
+
+}  // namespace
+
+std::string print_types(const Api& api, const std::string& path) {
+  const Library& library = *api.library;
+  if (!library.has_robot()) {
+    const std::string types = paragraphs(
+        {transform_types(api, "double"),
+         "// The same in single precision.\n" + in_namespace("f32", transform_types(api, "float"))});
+    return paragraphs(
+        {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
+         library.parameters.empty() ? "" : includes({"<limits>"}),
+         includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, types)});
+  }
+  std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\"", "\"robcogen/spatial.h\""};
+  if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
+  std::vector<std::string> headers = {header_path(folder(library), "model")};
+  if (api.is_parametric()) headers.push_back(header_path(folder(library), kParameters));
+  const std::string trigonometry = trigonometry_type(api), factor = factor_type(api);
+  if (!trigonometry.empty() || !factor.empty()) headers.push_back(kernels_path(folder(library)));
+  for (std::string& header : headers) header = cpp::quoted(header);
+  const auto both = [&](const std::string& scalar) {
+    return paragraphs({aliases(library, scalar), aliases_of_classes(api, scalar)});
+  };
+  const std::string body = paragraphs(
+      {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
+       "Eigen::Matrix<Scalar, kDof, 1>;\n",
+       trigonometry, factor, both("double"),
+       "// The same in single precision.\n" + in_namespace("f32", both("float"))});
+  return paragraphs(
+      {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
+       trigonometry.empty() ? "" : includes({"<array>"}), includes(runtime), includes(headers),
+       in_namespace(api.space, body)});
+}
+
+}  // namespace robcogen::backend::cpp
