@@ -24,9 +24,9 @@ std::string count(const Function& function, const std::string& what) {
   return found == function.counts.end() ? "0" : std::to_string(found->second);
 }
 
-// The robot in its first row alone.
+// The robot in its first row alone; with a floating base, `6 + 12` degrees of freedom.
 std::string robot_cell(const Results& results, bool is_first) {
-  return is_first ? fmt::format("{}, {}", results.robot, degrees_of_freedom(results)) : "";
+  return is_first ? fmt::format("{}, {}{}", results.robot, results.floating_base ? "6 + " : "", results.joints) : "";
 }
 
 std::string own_row(const Results& results, const Comparison& comparison, bool is_first) {

@@ -138,8 +138,8 @@ endif()
 file(READ ${DIRECTORY}/report.md page)
 foreach(row
     "Leg, 2 | inverse dynamics | 21.8 | 33.0 | 5.0 | 33 / 24 / 0 | 36 | 44 | 44 | 1.50 | 588 | "
-    "Arm, 18 | inverse dynamics | 43.7 | - | - | 0 / 0 / 0 | 0 | 0 | - | - | - | - |\n"
-    "Arm, 18 | inverse dynamics | 43.7 | 20.0 | - |\n")
+    "Arm, 6 + 12 | inverse dynamics | 43.7 | - | - | 0 / 0 / 0 | 0 | 0 | - | - | - | - |\n"
+    "Arm, 6 + 12 | inverse dynamics | 43.7 | 20.0 | - |\n")
   string(FIND "${page}" "\n| ${row}" at)
   if(at LESS 0)
     message(FATAL_ERROR "no row '${row}' in\n${page}")

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # A fresh machine: installs what is missing, configures, builds, and runs.
 #
-#     cmake/bootstrap.sh demo    builds two robots and runs programs that use them
-#     cmake/bootstrap.sh test    builds everything and runs the whole test suite
+#     cmake/bootstrap.sh demo              builds two robots and runs programs that use them
+#     cmake/bootstrap.sh install PREFIX    builds the generator and installs it with its CMake package
+#     cmake/bootstrap.sh test              builds everything and runs the whole test suite
 #
 # On Debian and its relatives the missing packages are installed by name, with sudo unless this is root. Elsewhere they
 # are listed, and the build goes on with what is there.
 set -euo pipefail
+prefix=${2:+$(realpath --canonicalize-missing "$2")}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev)
@@ -14,7 +16,7 @@ test_packages=(make ccache clang-14 clang-format-14 libgtest-dev librapidcheck-d
   liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev octave maxima)
 
 usage() {
-  sed -n '2,8s/^# \{0,1\}//p' cmake/bootstrap.sh
+  sed -n '2,9s/^# \{0,1\}//p' cmake/bootstrap.sh
 }
 
 is_installed() {
@@ -61,6 +63,14 @@ demo() {
   run cmake --build --preset demo --target robcogen_demo
 }
 
+install_project() {
+  install_missing "${build_packages[@]}"
+  use_compiler_cache
+  run cmake --preset release
+  run cmake --build --preset release --target robcogen
+  run cmake --install build/release --prefix "$prefix"
+}
+
 run_tests() {
   install_missing "${build_packages[@]}" "${test_packages[@]}"
   use_compiler_cache
@@ -69,8 +79,9 @@ run_tests() {
   run ctest --preset ci
 }
 
-case "${1:-}" in
+case "${1:-}${prefix:+ PREFIX}" in
   demo) demo ;;
+  "install PREFIX") install_project ;;
   test) run_tests ;;
   -h | --help) usage ;;
   *)

@@ -1,0 +1,92 @@
+// The groups of functions are one list: the generator's. CMake and the guides repeat it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "markdown.h"
+
+namespace robcogen::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words split(const std::string& text, char separator) {
+  Words words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, separator);)
+    if (const std::size_t first = word.find_first_not_of(' '); first != std::string::npos)
+      words.push_back(word.substr(first));
+  return words;
+}
+
+// What the help of `robcogen generate` says of --algorithms.
+struct Groups {
+  Words all, by_default;
+};
+
+Groups groups_of_tool() {
+  int status = 0;
+  const std::string help = output_of("'" ROBCOGEN_TOOL "' generate --help", status);
+  std::smatch all, by_default;
+  const bool found = std::regex_search(help, all, std::regex(R"(--algorithms TEXT:\{([^}]*)\})")) &&
+                     std::regex_search(help, by_default, std::regex(R"(What to generate; default ([a-z_, ]*))"));
+  EXPECT_TRUE(found && status == 0) << help;
+  Groups groups;
+  if (!found) return groups;
+  groups = {split(all[1], ','), split(by_default[1], ',')};
+  EXPECT_EQ(groups.all.back(), "all");
+  groups.all.pop_back();
+  return groups;
+}
+
+TEST(Groups, OfCMakeAreThoseOfTheGenerator) {
+  const Groups groups = groups_of_tool();
+  EXPECT_EQ(split(ROBCOGEN_GROUPS, ','), groups.all);
+  EXPECT_EQ(split(ROBCOGEN_DEFAULT_GROUPS, ','), groups.by_default);
+}
+
+// Rows | `group` | yes or no | functions | of cmake/README.md.
+TEST(Groups, OfTheGuideAreThoseOfTheGenerator) {
+  const Groups groups = groups_of_tool();
+  Groups shown;
+  for (const Words& row : table_rows(read_text(source_folder() / "cmake/README.md"))) {
+    if (row.size() != 3 || (row[1] != "yes" && row[1] != "no")) continue;
+    const std::string group = row[0].substr(1, row[0].size() - 2);
+    shown.all.push_back(group);
+    if (row[1] == "yes") shown.by_default.push_back(group);
+  }
+  EXPECT_EQ(shown.all, groups.all);
+  EXPECT_EQ(shown.by_default, groups.by_default);
+}
+
+// Rows | `KEYWORD`, `KEYWORD` | meaning | of cmake/README.md have every keyword of the two functions.
+TEST(Groups, KeywordsOfTheGuideAreThoseOfTheFunctions) {
+  const auto words_of = [](const std::string& text) {
+    Words words;
+    const std::regex word("[A-Z][A-Z_]+");
+    for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at) words.push_back(at->str());
+    std::sort(words.begin(), words.end());
+    words.erase(std::unique(words.begin(), words.end()), words.end());
+    return words;
+  };
+  const auto section = [](const std::string& guide, const std::string& title) {
+    const std::size_t begin = guide.find("\n## " + title + "\n");
+    return guide.substr(begin, guide.find("\n## ", begin + 1) - begin);
+  };
+  const std::string guide = read_text(source_folder() / "cmake/README.md");
+  for (const auto& [function, file] :
+       {std::pair("robcogen_add_robot", "Robcogen.cmake"), std::pair("robcogen_add_transforms", "RobcogenTransforms.cmake")}) {
+    std::string declared, shown;
+    for (const std::string& line : split(read_text(source_folder() / "cmake" / file), '\n'))
+      if (std::regex_search(line, std::regex(R"(^set\((flags|values|lists) )"))) declared += line + "\n";
+    for (const Words& row : table_rows(section(guide, function)))
+      if (row[0].starts_with("`") && row[0][1] >= 'A' && row[0][1] <= 'Z') shown += row[0] + "\n";
+    EXPECT_EQ(words_of(shown), words_of(declared)) << function;
+    EXPECT_GE(words_of(declared).size(), 10) << function;
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::test

@@ -1,0 +1,57 @@
+// Every relative link of every guide leads to a file or folder of the project, and to a heading in it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+#include "markdown.h"
+
+namespace robcogen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is wrong with a link that stands in this guide; empty where nothing is.
+std::string fault(const fs::path& guide, const std::string& link) {
+  const std::string file = link.substr(0, link.find('#'));
+  const fs::path target =
+      file.empty() ? source_folder() / guide : (source_folder() / guide.parent_path() / file).lexically_normal();
+  if (!fs::exists(target)) return "no such file";
+  if (link.find('#') == std::string::npos) return "";
+  const std::vector<std::string> headings = anchors(read_text(target));
+  const std::string anchor = link.substr(link.find('#') + 1);
+  return std::find(headings.begin(), headings.end(), anchor) == headings.end() ? "no such heading" : "";
+}
+
+TEST(Links, LeadToFilesAndHeadings) {
+  // A title of a link may hold `code`, which is left out with its brackets' content.
+  const std::regex pattern(R"(\]\(([^)\s]+)\))");
+  const std::vector<fs::path> all = guides();
+  std::size_t count = 0;
+  for (const fs::path& guide : all) {
+    const std::string text = without_code(read_text(source_folder() / guide));
+    for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
+      const std::string link = (*at)[1];
+      if (link.starts_with("https://") || link.starts_with("http://")) continue;
+      ++count;
+      EXPECT_EQ(fault(guide, link), "") << guide << " links to " << link;
+    }
+  }
+  EXPECT_GE(all.size(), 9);
+  EXPECT_GE(count, 80);
+}
+
+TEST(Links, FaultsAreFound) {
+  EXPECT_EQ(fault("README.md", "cmake/README.md#install"), "");
+  EXPECT_EQ(fault("cmake/README.md", "../README.md"), "");
+  EXPECT_EQ(fault("README.md", "cmake/NOTHING.md"), "no such file");
+  EXPECT_EQ(fault("README.md", "cmake/README.md#instal"), "no such heading");
+  EXPECT_EQ(fault("README.md", "#nothing"), "no such heading");
+  EXPECT_EQ(
+      anchors("# A `b_c`, D\n```sh\n# no heading\n```\n## URDF (x)\n# A `b_c`, D\n"),
+      (std::vector<std::string>{"a-b_c-d", "urdf-x", "a-b_c-d-1"}));
+}
+
+}  // namespace
+}  // namespace robcogen::test
