@@ -12,10 +12,8 @@
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
 #       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have a NAME in
 #                                   # common where their NAMESPACEs differ
-#       [ALGORITHMS group…]         # of inverse_dynamics bias_forces forward_dynamics joint_space_inertia
-#                                   # joint_space_inertia_factor centroidal energy transforms jacobians, which a robot
-#                                   # gets without it, and coriolis_matrix jacobian_references jacobian_derivatives
-#                                   # velocities accelerations; or `all`
+#       [ALGORITHMS group…]         # of the groups of functions that this file lists below, or `all`; without it, the
+#                                   # default ones. README.md says what is in each
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: about ten times as
 #                                   # much to compile. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for what the
 #                                   # compiler does unasked, to be chosen from when a program runs

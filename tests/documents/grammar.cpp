@@ -12,8 +12,7 @@ namespace {
 using NodePtr = std::shared_ptr<const Node>;
 using language::Token;
 
-constexpr int kMost = 3;      // of what may be repeated without end, in derivations
-constexpr int kDeepest = 8;  // rules within rules, before choices and repetitions take their shortest way
+constexpr int kMost = 3;  // of what may be repeated without end, in derivations
 
 bool is_token(const std::string& name) {
   return name == "ID" || name == "NAME" || name == "NUMBER" || name == "INTEGER";
@@ -131,7 +130,8 @@ class Reader {
 
 class Deriver {
  public:
-  Deriver(const std::map<std::string, NodePtr>& rules, std::mt19937& random) : rules_(rules), random_(random) {}
+  Deriver(const std::map<std::string, NodePtr>& rules, std::mt19937& random, int deepest)
+      : rules_(rules), random_(random), deepest_(deepest) {}
 
   void derive(const Node& node, int depth) {
     switch (node.kind) {
@@ -143,7 +143,7 @@ class Deriver {
         for (const NodePtr& part : node.of) derive(*part, depth);
         return;
       case Node::Kind::choice:
-        return derive(*node.of[depth > kDeepest ? 0 : below(node.of.size())], depth);
+        return derive(*node.of[depth > deepest_ ? 0 : below(node.of.size())], depth);
       case Node::Kind::any_order: {
         std::vector<NodePtr> parts = node.of;
         std::shuffle(parts.begin(), parts.end(), random_);
@@ -151,7 +151,7 @@ class Deriver {
         return;
       }
       case Node::Kind::repeat: {
-        const int most = depth > kDeepest ? node.least : std::min(node.most, kMost);
+        const int most = depth > deepest_ ? node.least : std::min(node.most, kMost);
         const int count = node.least + static_cast<int>(below(static_cast<std::size_t>(most - node.least) + 1));
         for (int i = 0; i < count; ++i) derive(*node.of[0], depth);
       }
@@ -163,6 +163,7 @@ class Deriver {
  private:
   const std::map<std::string, NodePtr>& rules_;
   std::mt19937& random_;
+  int deepest_;
   bool is_after_point_ = false;
 
   std::size_t below(std::size_t count) { return random_() % count; }
@@ -319,8 +320,8 @@ std::vector<std::string> Grammar::undefined() const {
   return found;
 }
 
-std::string Grammar::derive(std::mt19937& random) const {
-  Deriver deriver(rules_, random);
+std::string Grammar::derive(std::mt19937& random, int deepest) const {
+  Deriver deriver(rules_, random, deepest);
   deriver.derive(*rules_.at(first_), 0);
   return deriver.text + "\n";
 }

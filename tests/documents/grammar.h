@@ -35,8 +35,9 @@ class Grammar {
   // Names of rules that are used and not defined, but for tokens.
   std::vector<std::string> undefined() const;
 
-  // A random document, its tokens separated by blanks.
-  std::string derive(std::mt19937& random) const;
+  // A random document, its tokens separated by blanks. Where rules nest deeper than so many levels, it takes the first
+  // of all choices and the least of all repetitions.
+  std::string derive(std::mt19937& random, int deepest) const;
   // Whether the tokens, the last one the end, are a document. Words of `keywords` are no names.
   bool matches(const std::vector<language::Token>& tokens, const std::set<std::string>& keywords) const;
 
