@@ -36,8 +36,7 @@ double number(const std::string& cell) {
     value = std::stod(cell, &end);
   } catch (const std::logic_error&) {
   }
-  if (end != cell.size() || value <= 0)
-    throw std::runtime_error(fmt::format("'{}' is not a positive number", cell));
+  if (end != cell.size() || value <= 0) throw std::runtime_error(fmt::format("'{}' is not a positive number", cell));
   return value;
 }
 

@@ -55,8 +55,9 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
   std::ofstream(folder / "examples.cpp") << text;
   int status = 0;
   const std::string output = output_of(
-      "'" ROBCOGEN_CXX "' -std=c++20 -fsyntax-only -I '" + folder.string() + "' -I '" ROBCOGEN_SOURCE_DIR
-      "/runtime/include' -isystem '" ROBCOGEN_EIGEN "' '" + (folder / "examples.cpp").string() + "'",
+      "'" ROBCOGEN_CXX "' -std=c++20 -fsyntax-only -I '" + folder.string() +
+          "' -I '" ROBCOGEN_SOURCE_DIR "/runtime/include' -isystem '" ROBCOGEN_EIGEN "' '" +
+          (folder / "examples.cpp").string() + "'",
       status);
   EXPECT_EQ(status, 0) << output;
   EXPECT_NE(text.find("section_9"), std::string::npos) << "too few sections have examples";

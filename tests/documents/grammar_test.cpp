@@ -118,7 +118,9 @@ TEST(Grammar, RefusesWhatParsersRefuse) {
       }
       const bool is_accepted = errors(language, text).empty();
       refused += is_accepted ? 0 : 1;
-      EXPECT_EQ(is_matched(language, text), is_accepted) << language.extension << ":\n" << text << "\n" << errors(language, text);
+      EXPECT_EQ(is_matched(language, text), is_accepted) << language.extension << ":\n"
+                                                         << text << "\n"
+                                                         << errors(language, text);
     }
     EXPECT_GT(refused, kDocuments / 4) << language.extension;
   }

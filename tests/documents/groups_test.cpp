@@ -77,7 +77,8 @@ TEST(Groups, KeywordsOfTheGuideAreThoseOfTheFunctions) {
   };
   const std::string guide = read_text(source_folder() / "cmake/README.md");
   for (const auto& [function, file] :
-       {std::pair("robcogen_add_robot", "Robcogen.cmake"), std::pair("robcogen_add_transforms", "RobcogenTransforms.cmake")}) {
+       {std::pair("robcogen_add_robot", "Robcogen.cmake"),
+        std::pair("robcogen_add_transforms", "RobcogenTransforms.cmake")}) {
     std::string declared, shown;
     for (const std::string& line : split(read_text(source_folder() / "cmake" / file), '\n'))
       if (std::regex_search(line, std::regex(R"(^set\((flags|values|lists) [A-Z])"))) declared += line + "\n";

@@ -24,8 +24,8 @@ TEST(Listing, IsWhatTheGeneratorPrints) {
   const fs::path folder = fs::temp_directory_path() / "robcogen-listing";
   int status = 0;
   const std::string output = output_of(
-      "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" +
-          folder.string() + "' --algorithms joint_space_inertia",
+      "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + folder.string() +
+          "' --algorithms joint_space_inertia",
       status);
   ASSERT_EQ(status, 0) << output;
   const std::string printed = statements(read_text(folder / "hyl/kernel/joint_space_inertia.h"));
