@@ -36,7 +36,7 @@ std::string program(const std::vector<CodeBlock>& blocks) {
 }
 
 TEST(Examples, OfTheGeneratedCodeCompile) {
-  const fs::path folder = fs::temp_directory_path() / "robcogen-examples";
+  const fs::path folder = scratch("examples");
   fs::remove_all(folder);
   const std::string robots = ROBCOGEN_SOURCE_DIR "/robots/";
   fs::create_directories(folder);

@@ -29,13 +29,13 @@ struct Groups {
 Groups groups_of_tool() {
   int status = 0;
   const std::string help = output_of("'" ROBCOGEN_TOOL "' generate --help", status);
-  std::smatch all, by_default;
-  const bool found = std::regex_search(help, all, std::regex(R"(--algorithms TEXT:\{([^}]*)\})")) &&
-                     std::regex_search(help, by_default, std::regex(R"(What to generate; default ([a-z_, ]*))"));
+  std::smatch all;
+  const std::regex pattern(R"(--algorithms TEXT:\{([^}]*)\}[^-]* default ([a-z_, ]*))");
+  const bool found = std::regex_search(help, all, pattern);
   EXPECT_TRUE(found && status == 0) << help;
   Groups groups;
   if (!found) return groups;
-  groups = {split(all[1], ','), split(by_default[1], ',')};
+  groups = {split(all[1], ','), split(all[2], ',')};
   EXPECT_EQ(groups.all.back(), "all");
   groups.all.pop_back();
   return groups;

@@ -21,7 +21,7 @@ std::string statements(const std::string& kernel) {
 }
 
 TEST(Listing, IsWhatTheGeneratorPrints) {
-  const fs::path folder = fs::temp_directory_path() / "robcogen-listing";
+  const fs::path folder = scratch("listing");
   int status = 0;
   const std::string output = output_of(
       "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + folder.string() +

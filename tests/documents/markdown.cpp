@@ -1,6 +1,7 @@
 #include "markdown.h"
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -131,6 +132,10 @@ std::vector<std::vector<std::string>> table_rows(const std::string& guide) {
   };
   walk(guide, row, [](const std::string&) {});
   return rows;
+}
+
+fs::path scratch(const std::string& name) {
+  return fs::temp_directory_path() / ("robcogen-" + name + "-" + std::to_string(::getpid()));
 }
 
 std::string output_of(const std::string& command, int& status) {

@@ -31,6 +31,9 @@ std::vector<std::string> anchors(const std::string& guide);
 // Rows of all tables, as cells without blanks around them.
 std::vector<std::vector<std::string>> table_rows(const std::string& guide);
 
+// A path for temporary files of one test: no other process has it.
+std::filesystem::path scratch(const std::string& name);
+
 // Runs a command of the shell and returns what it prints, errors included; sets its exit status.
 std::string output_of(const std::string& command, int& status);
 

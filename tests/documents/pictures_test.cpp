@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr double kPixels = 0.5;
 
 std::string draw(const std::string& command) {
-  const fs::path file = fs::temp_directory_path() / "robcogen-picture.svg";
+  const fs::path file = scratch("picture");
   fs::remove(file);
   int status = 0;
   const std::string output = output_of(command + " '" + file.string() + "'", status);
