@@ -9,7 +9,7 @@
 #include "backend/cpp/api.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
-#include "command/pipeline.h"
+#include "driver/driver.h"
 #include "pass/passes.h"
 
 namespace robcogen::batch_test {
@@ -106,13 +106,14 @@ int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() < 6) return 2;
-  command::Reading reading;
+  driver::LoadOptions reading;
   reading.desired = arguments[2];
   Diagnostics diagnostics;
-  const auto robot = command::load_robot(arguments[1], reading, diagnostics);
+  const auto robot = driver::load(arguments[1], reading, diagnostics);
   if (!robot) return 1;
   const std::vector<std::string> groups(arguments.begin() + 5, arguments.end());
-  const backend::Library library = command::library_for_vectors(*robot, {arguments[3], ""}, groups, {pass::names(), 0});
+  const backend::Library library = driver::library(
+      *robot, {.names = {arguments[3]}, .groups = groups, .steps = {pass::names(), 0}}, {.caches_parameters = true});
   std::ofstream file(arguments[4]);
   file << batch_test::header(library);
   file.close();

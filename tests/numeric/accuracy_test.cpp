@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "command/pipeline.h"
+#include "driver/driver.h"
 #include "ill_robot.h"
 #include "packed_programs.h"
 #include "random_robot.h"
@@ -199,10 +199,10 @@ class Judge {
 
 // Of all that is generated for the robot.
 std::string losses(const KinematicTree& tree) {
-  command::Robot robot;
-  robot.tree = tree;
   std::string text;
-  const backend::Library library = command::library_for_vectors(robot, {"robot", ""}, groups(), {});
+  const backend::Library library = driver::library(
+      driver::Model{driver::Robot{tree, {}}}, {.names = {"robot"}, .groups = groups()},
+      {.caches_parameters = true, .has_lanes = true});
   std::map<std::string, Program> plain;
   for (const std::string& group : groups())
     for (Program& program : algorithm::plain_programs(tree, group)) plain.emplace(program.name, program);

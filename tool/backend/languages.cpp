@@ -8,7 +8,10 @@ namespace robcogen::backend {
 
 const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
-      {.name = "cpp", .caches_parameters = true, .takes_sines = true, .takes_transforms = true, .print = cpp::print},
+      {.name = "cpp",
+       .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true},
+       .takes_transforms = true,
+       .print = cpp::print},
       {.name = "matlab", .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .takes_transforms = true, .print = maxima::print},
   };

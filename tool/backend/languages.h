@@ -11,8 +11,7 @@ namespace robcogen::backend {
 struct Language {
   std::string name;                      // as on the command line
   std::vector<std::string> groups = {};  // which it offers; empty: all
-  bool caches_parameters = false;        // functions read what follows from parameters in a cache: Library::updates
-  bool takes_sines = false;              // functions take given sines and cosines: Library::trigonometry
+  Features features = {};
   bool takes_transforms = false;         // prints libraries with no robot: inputs of role `variables`
   std::vector<OutputFile> (*print)(const Library& library) = nullptr;
 };

@@ -121,6 +121,13 @@ struct Function {
   std::vector<FactorData> factors = {};
 };
 
+// The forms of programs that a language takes.
+struct Features {
+  bool caches_parameters = false;  // functions read what follows from parameters in a cache: Library::updates
+  bool has_lanes = false;          // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool takes_sines = false;        // functions take given sines and cosines: Library::trigonometry
+};
+
 struct Library {
   std::string name;               // identifier: namespace and folder
   std::string enclosing;          // enclosing namespace `a::b`, or empty

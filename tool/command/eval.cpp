@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "command/command.h"
 #include "command/functions.h"
 #include "command/output.h"
+#include "command/subcommands.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::command {
 namespace {
-
-struct Options {
-  ModelOptions model;
-  std::string function;
-};
 
 // `qdd[2]`, `H[0][3]`
 std::string element_name(const symbolic::OutputArray& array, std::size_t index) {
@@ -74,42 +69,19 @@ Status evaluate_states(const EvaluableFunction& function) {
   return ok;
 }
 
-Status eval(const Options& options) {
+}  // namespace
+
+Status eval(const EvalOptions& options) {
   const ModelOptions& model = options.model;
-  if (model.model == "-" || model.desired == "-")
+  if (model.file == "-" || model.desired == "-")
     throw Failure{wrong_usage, "robcogen: error: eval reads states from standard input: the model must be a file"};
-  if (is_transforms(model.model)) {
-    const std::optional<Transforms> transforms = model.load_transforms();
-    if (!transforms) return wrong_input;
-    return evaluate_states(find_function(*transforms, options.function, model.steps));
-  }
   // A function that has its group's name is asked for by name: where the robot cannot have it, loading says why.
   const std::vector<std::string>& groups = algorithm::groups();
   const bool is_group = std::find(groups.begin(), groups.end(), options.function) != groups.end();
-  const std::optional<Robot> robot =
+  const std::optional<driver::Model> loaded =
       model.load(is_group ? std::vector<std::string>{options.function} : std::vector<std::string>());
-  if (!robot) return wrong_input;
-  require_traceable(*robot);
-  return evaluate_states(find_function(*robot, options.function, model.steps));
-}
-
-}  // namespace
-
-Action declare_eval(CLI::App& application) {
-  CLI::App* subcommand = application.add_subcommand("eval", "Evaluates a function of a model: JSON in, JSON out");
-  auto options = std::make_shared<Options>();
-  options->model.steps = {{}, 0};  // as the model says it: tracing is quicker than any choice
-  options->model.declare(*subcommand);
-  subcommand->add_option("function", options->function, "A name that `robcogen ops` lists; between any two frames")
-      ->required();
-  subcommand->add_flag("--quiet", options->model.quiet, "No warnings and notes of the model, only errors");
-  subcommand->footer(
-      "Reads the arguments of a state as a JSON object from standard input, or those of many states: objects one\n"
-      "after the other, such as one a line, or one array of objects. Writes a line of results, a JSON object, for "
-      "each.\n"
-      "Stops at the first state with an error, which names its line; results of earlier states are written by then.\n"
-      "Without --passes and --effort the plain program is evaluated, with no step of optimisation.");
-  return [options] { return eval(*options); };
+  if (!loaded) return wrong_input;
+  return evaluate_states(find_function(*loaded, options.function, model.steps));
 }
 
 }  // namespace robcogen::command

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "command/usage.h"
+#include "command/status.h"
+#include "driver/driver.h"
 #include "pass/passes.h"
 
 namespace robcogen::command {
@@ -87,21 +88,26 @@ EvaluableFunction evaluable(
   return {std::move(signature), pass::run(std::move(overloads.back().program), passes)};
 }
 
-// What computes the cache of a robot with parameters.
-std::optional<EvaluableFunction> find_update(const Robot& robot, const std::string& name, const Steps& steps) {
-  if (robot.tree.parameters.empty()) return std::nullopt;
-  backend::Library library = library_for_vectors(robot, {}, algorithm::groups(), steps);
-  for (backend::Function& f : library.updates)
+// The update of that name among those that compute the cache of a robot with parameters.
+std::optional<EvaluableFunction> find_update(
+    const driver::Model& model,
+    const std::string& name,
+    const driver::Steps& steps) {
+  if (model.parameters().empty()) return std::nullopt;
+  driver::Functions functions = driver::programs(model, algorithm::groups(), steps, {.caches_parameters = true});
+  for (backend::Function& f : functions.updates)
     if (dotted(f.scope, f.name) == name)
-      return EvaluableFunction{signature_of(name, {&f.program}, robot.tree), std::move(f.program)};
+      return EvaluableFunction{signature_of(name, {&f.program}, model.robot()->tree), std::move(f.program)};
   return std::nullopt;
 }
 
-}  // namespace
-
-EvaluableFunction find_function(const Robot& robot, const std::string& name, const Steps& steps) {
-  const auto [formulation, passes] = split(steps);
-  algorithm::FormulationChoices formulations(robot.tree, formulation);
+EvaluableFunction find_function_of_robot(
+    const driver::Model& model,
+    const std::string& name,
+    const driver::Steps& steps) {
+  const driver::Robot& robot = *model.robot();
+  const std::vector<std::string> passes = steps.passes();
+  algorithm::FormulationChoices formulations(robot.tree, steps.formulation());
   std::vector<std::string> names;
   const auto chosen = [&](std::vector<RobotFunction> functions) {
     std::vector<RobotFunction> overloads;
@@ -127,20 +133,32 @@ EvaluableFunction find_function(const Robot& robot, const std::string& name, con
     std::vector<RobotFunction> found = search(group, {});
     if (!found.empty()) return evaluable(name, std::move(found), robot.tree, passes);
   }
-  if (std::optional<EvaluableFunction> update = find_update(robot, name, steps)) return std::move(*update);
+  if (std::optional<EvaluableFunction> update = find_update(model, name, steps)) return std::move(*update);
   for (const NamePattern& pattern : known)
     for (const auto* pairs : {&robot.desired.transforms, &robot.desired.jacobians})
       for (const model::FramePair& pair : *pairs) names.push_back(pattern.name(pair));
-  refuse_function(fmt::format("robot '{}'", robot.tree.name), robot.model, name, names);
+  refuse_function(fmt::format("robot '{}'", robot.tree.name), model.file, name, names);
 }
 
-EvaluableFunction find_function(const Transforms& transforms, const std::string& name, const Steps& steps) {
+EvaluableFunction find_function_of_transforms(
+    const driver::Model& model,
+    const std::string& name,
+    const driver::Steps& steps) {
+  const model::CoordinateTransforms& document = model.transforms()->document;
   std::vector<std::string> names;
-  for (algorithm::TransformFunction& f : trace(transforms, steps)) {
-    names.push_back(dotted(f.scope, f.name));
-    if (names.back() == name) return {signature_of(name, f.program, transforms.document), std::move(f.program)};
+  for (driver::Function& f : driver::programs(model, {}, steps).list) {
+    names.push_back(dotted(f.traced.scope, f.traced.name));
+    if (names.back() == name) return {signature_of(name, f.traced.program, document), std::move(f.traced.program)};
   }
-  refuse_function(fmt::format("model '{}'", transforms.document.name), transforms.model, name, names);
+  refuse_function(fmt::format("model '{}'", document.name), model.file, name, names);
+}
+
+}  // namespace
+
+EvaluableFunction find_function(const driver::Model& model, const std::string& name, const driver::Steps& steps) {
+  if (!model.robot()) return find_function_of_transforms(model, name, steps);
+  driver::require_traceable(model);
+  return find_function_of_robot(model, name, steps);
 }
 
 }  // namespace robcogen::command

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command/arguments.h"
-#include "command/command.h"
+#include "command/model_options.h"
 
 namespace robcogen::command {
 
@@ -13,7 +13,6 @@ struct EvaluableFunction {
 
 // Throws a Failure, with a hint, when the model has no such function. Of a robot also between frames that its list of
 // desired transforms does not name; only what is asked for is traced.
-EvaluableFunction find_function(const Robot& robot, const std::string& name, const Steps& steps);
-EvaluableFunction find_function(const Transforms& transforms, const std::string& name, const Steps& steps);
+EvaluableFunction find_function(const driver::Model& model, const std::string& name, const driver::Steps& steps);
 
 }  // namespace robcogen::command

@@ -5,9 +5,9 @@
 
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
-#include "command/command.h"
 #include "command/output.h"
-#include "command/usage.h"
+#include "command/subcommands.h"
+#include "driver/documents.h"
 #include "support/files.h"
 
 namespace robcogen::command {
@@ -15,25 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
-  ModelOptions model;
-  std::string output;
-  LibraryNames names;
-  std::vector<std::string> groups;  // empty: the default ones, of those that a language offers
-  std::vector<std::string> languages = {"cpp"};
-  std::string primitives;  // convention; empty: no products
-  std::string depfile, depfile_target, stamp;
-  bool has_batches = false;
-  bool list_outputs = false;
-};
-
 bool is_identifier(const std::string& name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   return !name.empty() && letter(name.front()) &&
          std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
-void check_names(const LibraryNames& names) {
+void check_names(const driver::LibraryNames& names) {
   if (!is_identifier(names.name))
     throw Failure{wrong_usage, fmt::format("robcogen: error: --name '{}' is no identifier", names.name)};
   std::string rest = names.enclosing;
@@ -61,21 +49,21 @@ std::vector<std::string> groups_of(const backend::Language& language, const std:
     } else if (!named_groups(asked).empty()) {
       throw Failure{
           wrong_usage, fmt::format(
-                           "robcogen: error: --algorithms {} cannot be had in {}, which offers {}", group,
+                           "robcogen: error: --algorithms {} is not available in {}, which offers {}", group,
                            language.name, fmt::join(language.groups, ", "))};
     }
   }
   return ordered;
 }
 
-std::vector<const backend::Language*> languages_of(const Options& options) {
+std::vector<const backend::Language*> languages_of(const GenerateOptions& options) {
   std::vector<const backend::Language*> chosen;
   for (const backend::Language& language : backend::languages())
     if (contains(options.languages, language.name)) chosen.push_back(&language);
   return chosen;
 }
 
-Primitives primitives_of(const Options& options) {
+driver::Primitives primitives_of(const GenerateOptions& options) {
   if (options.primitives.empty()) return std::nullopt;
   return options.primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
 }
@@ -88,7 +76,7 @@ struct Listed {
   std::vector<std::string> made_before;
 };
 
-Listed list_files(const Options& options, const std::string& folder, const std::vector<OutputFile>& files) {
+Listed list_files(const GenerateOptions& options, const std::string& folder, const std::vector<OutputFile>& files) {
   Listed listed = {fs::path(folder) / (options.names.name + ".files"), {}, {}};
   for (const OutputFile& file : files) listed.files.push_back((fs::path(folder) / file.path).generic_string());
   std::ifstream earlier(fs::path(options.output) / listed.list);
@@ -96,7 +84,7 @@ Listed list_files(const Options& options, const std::string& folder, const std::
   return listed;
 }
 
-void remove_stale(const Options& options, const Listed& listed) {
+void remove_stale(const GenerateOptions& options, const Listed& listed) {
   for (const std::string& file : listed.made_before) {
     const fs::path path(file);
     const bool is_below = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
@@ -113,18 +101,18 @@ void write(const fs::path& path, const std::string& text) {
   if (!file) throw Failure{wrong_usage, fmt::format("robcogen: error: cannot write '{}'", path.string())};
 }
 
-// A library for one language, made of the model.
-using MakeLibrary = std::function<backend::Library(const backend::Language& language)>;
-
-Status write_libraries(const Options& options, const std::vector<fs::path>& read, const MakeLibrary& library_for) {
+Status write_libraries(const GenerateOptions& options, const driver::Model& model) {
   std::vector<OutputFile> files;
   std::vector<Listed> lists;
   std::string hash;
   for (const backend::Language* language : languages_of(options)) {
-    backend::Library lib = library_for(*language);
-    lib.has_batches = options.has_batches;
-    hash = lib.model_hash;
-    std::vector<OutputFile> printed = language->print(lib);
+    const backend::Library library = driver::library(
+        model,
+        {options.names, groups_of(*language, options.groups), options.model.steps, primitives_of(options),
+         options.has_batches},
+        language->features);
+    hash = library.model_hash;
+    std::vector<OutputFile> printed = language->print(library);
     if (language->name == "cpp") {
       files = std::move(printed);
       continue;
@@ -140,55 +128,36 @@ Status write_libraries(const Options& options, const std::vector<fs::path>& read
   if (!options.depfile.empty()) {
     const std::string target = options.depfile_target.empty() ? options.stamp : options.depfile_target;
     std::vector<fs::path> inputs;
-    for (const fs::path& file : read) inputs.push_back(fs::absolute(file));
+    for (const fs::path& file : model.read) inputs.push_back(fs::absolute(file));
     write(options.depfile, dependency_file(target, inputs));
   }
   if (!options.stamp.empty()) write(options.stamp, hash + "\n");
   return ok;
 }
 
-Status generate_robot(const Options& options) {
-  const std::optional<Robot> robot = options.model.load(options.groups);
-  if (!robot) return wrong_input;
-  return write_libraries(options, robot->read, [&](const backend::Language& language) {
-    const std::vector<std::string> groups = groups_of(language, options.groups);
-    backend::Library made = language.caches_parameters
-                                ? library_for_vectors(*robot, options.names, groups, options.model.steps)
-                                : library(*robot, options.names, groups, options.model.steps, primitives_of(options));
-    if (language.takes_sines) split_angles(made);
-    return made;
-  });
+bool is_transforms(const GenerateOptions& options) {
+  return !driver::is_robot(driver::language_of(options.model.file));
 }
 
-Status generate_transforms(const Options& options) {
+void require_options_of_transforms(const GenerateOptions& options) {
   require_groups_of_transforms(options.groups);
   if (options.has_batches)
-    throw Failure{wrong_usage, "robcogen: error: --batch is of robots: motions and transforms have none"};
+    throw Failure{wrong_usage, "robcogen: error: --batch applies to robots only, not to motions and transforms"};
   for (const backend::Language* language : languages_of(options))
     if (!language->takes_transforms)
       throw Failure{
-          wrong_usage, fmt::format(
-                           "robcogen: error: --language {} prints robots: transforms of a document cannot be had in it",
-                           language->name)};
-  const std::optional<Transforms> transforms = options.model.load_transforms();
-  if (!transforms) return wrong_input;
-  return write_libraries(options, transforms->read, [&](const backend::Language&) {
-    return library(*transforms, options.names, options.model.steps, primitives_of(options));
-  });
-}
-
-Status generate(const Options& options) {
-  if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs -o DIR"};
-  return is_transforms(options.model.model) ? generate_transforms(options) : generate_robot(options);
+          wrong_usage,
+          fmt::format(
+              "robcogen: error: --language {} applies to robots only, not to motions and transforms", language->name)};
 }
 
 // The files whose names follow from the options alone: those of C++.
-Status list_outputs(const Options& options) {
-  const bool transforms = is_transforms(options.model.model);
+Status list_outputs(const GenerateOptions& options) {
+  const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {
     if (language->name != "cpp") continue;
     const std::vector<std::string> groups =
-        transforms ? std::vector<std::string>{kTransformsGroup} : groups_of(*language, options.groups);
+        transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, options.groups);
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);
     for (const std::string& file : backend::cpp::outputs(folder, groups, !transforms, options.has_batches))
       print_output("{}\n", file);
@@ -196,47 +165,16 @@ Status list_outputs(const Options& options) {
   return ok;
 }
 
-std::vector<std::string> language_names() {
-  std::vector<std::string> names;
-  for (const backend::Language& language : backend::languages()) names.push_back(language.name);
-  return names;
-}
-
 }  // namespace
 
-Action declare_generate(CLI::App& application) {
-  CLI::App* subcommand =
-      application.add_subcommand("generate", "Generates the library of a robot or of coordinate transforms");
-  auto options = std::make_shared<Options>();
-  options->model.declare(*subcommand);
-  options->model.lists_parameters = true;
-  subcommand->get_option("model")->required(false);
-  subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
-  subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
-  subcommand->add_option(
-      "--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
-  const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
-  declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
-  subcommand->add_flag(
-      "--batch", options->has_batches,
-      "cpp: each function also over many states at once, compiled for several processors; robots only");
-  subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
-      ->check(one_of(language_names()));
-  subcommand
-      ->add_option(
-          "--primitives", options->primitives,
-          "matlab, maxima: transforms also as products of your own Rx, Tx, …; left or right: where the moved frame is")
-      ->check(one_of({"left", "right"}));
-  subcommand->add_option("--depfile", options->depfile, "Write what was read as a dependency file");
-  subcommand->add_option("--depfile-target", options->depfile_target, "Its target; default the stamp");
-  subcommand->add_option("--stamp", options->stamp, "File to touch when all is written");
-  subcommand->add_flag("--list-outputs", options->list_outputs, "Print the names of the generated files, and stop");
-  return [options] {
-    check_names(options->names);
-    if (options->list_outputs) return list_outputs(*options);
-    if (options->model.model.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
-    return generate(*options);
-  };
+Status generate(const GenerateOptions& options) {
+  check_names(options.names);
+  if (options.list_outputs) return list_outputs(options);
+  if (options.model.file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
+  if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs -o DIR"};
+  if (is_transforms(options)) require_options_of_transforms(options);
+  const std::optional<driver::Model> model = options.model.load(options.groups);
+  return model ? write_libraries(options, *model) : wrong_input;
 }
 
 }  // namespace robcogen::command

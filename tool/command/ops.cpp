@@ -3,18 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "command/command.h"
 #include "command/output.h"
+#include "command/subcommands.h"
 #include "symbolic/count.h"
 
 namespace robcogen::command {
 namespace {
-
-struct Options {
-  ModelOptions model;
-  std::vector<std::string> groups;
-  bool json = false;
-};
 
 struct Row {
   std::string name;
@@ -72,21 +66,12 @@ void print_json(const Programs& programs, const std::vector<Row>& table) {
 
 }  // namespace
 
-Action declare_ops(CLI::App& application) {
-  CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a model's functions");
-  auto options = std::make_shared<Options>();
-  options->model.declare(*subcommand);
-  declare_groups(*subcommand, options->groups, "What to count; default all");
-  subcommand->add_flag(
-      "--lanes", options->model.lanes, "With equal limbs in the lanes of vectors, where that is faster");
-  subcommand->add_flag("--json", options->json, "Machine-readable");
-  return [options] {
-    const std::optional<Programs> programs = options->model.load_programs(options->groups, true);
-    if (!programs) return wrong_input;
-    const std::vector<Row> table = rows(*programs);
-    options->json ? print_json(*programs, table) : print_table(*programs, table);
-    return ok;
-  };
+Status ops(const OpsOptions& options) {
+  const std::optional<Programs> programs = options.model.load_programs(options.groups, true);
+  if (!programs) return wrong_input;
+  const std::vector<Row> table = rows(*programs);
+  options.json ? print_json(*programs, table) : print_table(*programs, table);
+  return ok;
 }
 
 }  // namespace robcogen::command

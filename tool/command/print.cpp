@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "command/command.h"
 #include "command/output.h"
-#include "command/usage.h"
+#include "command/subcommands.h"
+#include "driver/documents.h"
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
 #include "language/motion/document.h"
@@ -12,24 +12,23 @@
 namespace robcogen::command {
 namespace {
 
-struct Options {
-  ModelOptions model;
-  std::string program;
-};
-
-// In the language that the file's ending says.
 std::string canonical_text(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  const std::shared_ptr<const Source> source = read_source(file);
-  if (file.extension() == ".dtdsl") return language::desired::print(language::desired::parse(source, diagnostics));
-  if (file.extension() == ".motdsl") return language::motion::print(language::motion::parse(source, diagnostics));
-  if (file.extension() == ".ctdsl")
-    return language::transforms::print(language::transforms::parse(source, diagnostics));
-  return language::kinematics::print(language::kinematics::parse(source, diagnostics));
+  const std::shared_ptr<const Source> source = driver::read_source(file);
+  switch (driver::language_of(file)) {
+    case driver::Language::desired:
+      return language::desired::print(language::desired::parse(source, diagnostics));
+    case driver::Language::motions:
+      return language::motion::print(language::motion::parse(source, diagnostics));
+    case driver::Language::transforms:
+      return language::transforms::print(language::transforms::parse(source, diagnostics));
+    default:
+      return language::kinematics::print(language::kinematics::parse(source, diagnostics));
+  }
 }
 
-Status print_document(const Options& options) {
-  const std::filesystem::path file = options.model.model;
-  if (is_urdf(file))
+Status print_document(const PrintOptions& options) {
+  const std::filesystem::path file = options.model.file;
+  if (driver::language_of(file) == driver::Language::urdf)
     throw Failure{
         wrong_usage, fmt::format(
                          "robcogen: error: '{}' is no document of the project's languages\nhint: 'robcogen convert' "
@@ -37,13 +36,13 @@ Status print_document(const Options& options) {
                          file.string())};
   Diagnostics diagnostics;
   const std::string text = canonical_text(file, diagnostics);
-  report(diagnostics.render(format_of(options.model.error_format)));
+  report(diagnostics.render(options.model.error_format));
   if (diagnostics.has_errors()) return wrong_input;
   write_output(text);
   return ok;
 }
 
-Status print_program(const Options& options) {
+Status print_program(const PrintOptions& options) {
   const std::optional<Programs> programs = options.model.load_programs();
   if (!programs) return wrong_input;
   std::vector<std::string> kernels;
@@ -62,13 +61,8 @@ Status print_program(const Options& options) {
 
 }  // namespace
 
-Action declare_print(CLI::App& application) {
-  CLI::App* subcommand =
-      application.add_subcommand("print", "Prints a document in canonical form, or a model's program as text");
-  auto options = std::make_shared<Options>();
-  options->model.declare(*subcommand);
-  subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
-  return [options] { return options->program.empty() ? print_document(*options) : print_program(*options); };
+Status print(const PrintOptions& options) {
+  return options.program.empty() ? print_document(options) : print_program(options);
 }
 
 }  // namespace robcogen::command

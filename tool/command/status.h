@@ -1,17 +1,15 @@
-// How the program ends.
+// How a subcommand ends (driver/failure.h).
 #pragma once
 
-#include <string>
+#include "driver/failure.h"
 
 namespace robcogen::command {
 
-// Exit statuses of the program.
-enum Status { ok = 0, wrong_input = 1, wrong_usage = 2, internal_fault = 3 };
+using driver::Failure;
+using driver::Status;
+using enum driver::Status;
 
-// Thrown by subcommands for usage and input/output faults that no diagnostic covers; main prints and exits with it.
-struct Failure {
-  Status status;
-  std::string message;
-};
+// `message`, and a line of its own for the hint when there is one.
+std::string with_hint(const std::string& message, const std::string& hint);
 
 }  // namespace robcogen::command

@@ -11,7 +11,6 @@
 #include <random>
 
 #include "backend/maxima/maxima.h"
-#include "command/transforms.h"
 #include "robcogen/reference/samples.h"
 #include "symbolic/interpret.h"
 
@@ -128,20 +127,16 @@ std::vector<std::string> run_maxima(const std::vector<OutputFile>& files) {
 backend::Library library_of(
     const std::filesystem::path& document,
     const std::string& name,
-    command::Primitives primitives) {
+    driver::Primitives primitives) {
   Diagnostics diagnostics;
-  command::Reading reading;
-  if (command::is_transforms(document)) {
-    const std::optional<command::Transforms> transforms = command::load_transforms(document, reading, diagnostics);
-    if (!transforms) throw std::runtime_error(diagnostics.render());
-    return command::library(*transforms, {name, ""}, command::Steps());
-  }
+  driver::LoadOptions reading;
   std::filesystem::path desired = document;
   desired.replace_extension(".dtdsl");
-  if (std::filesystem::exists(desired)) reading.desired = desired;
-  const std::optional<command::Robot> robot = command::load_robot(document, reading, diagnostics);
-  if (!robot) throw std::runtime_error(diagnostics.render());
-  return command::library(*robot, {name, ""}, algorithm::groups(), command::Steps(), primitives);
+  if (document.extension() == ".kindsl" && std::filesystem::exists(desired)) reading.desired = desired;
+  const std::optional<driver::Model> model = driver::load(document, reading, diagnostics);
+  if (!model) throw std::runtime_error(diagnostics.render());
+  if (!model->robot()) primitives = std::nullopt;
+  return driver::library(*model, {.names = {name}, .groups = algorithm::groups(), .primitives = primitives});
 }
 
 OutputFile maxima_text(const backend::Library& library) {

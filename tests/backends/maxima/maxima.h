@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "backend/library.h"
-#include "command/pipeline.h"
+#include "driver/driver.h"
 
 namespace robcogen::test {
 
@@ -27,7 +27,7 @@ std::vector<std::string> run_maxima(const std::vector<OutputFile>& files);
 backend::Library library_of(
     const std::filesystem::path& document,
     const std::string& name,
-    command::Primitives primitives = std::nullopt);
+    driver::Primitives primitives = std::nullopt);
 
 // The text of a library.
 OutputFile maxima_text(const backend::Library& library);

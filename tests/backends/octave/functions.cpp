@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "backend/matlab/dialect.h"
-#include "command/transforms.h"
 
 namespace robcogen::octave {
 namespace {
@@ -50,21 +49,15 @@ std::optional<backend::Library> load(
     const std::string& name,
     const std::string& primitives,
     const std::vector<std::string>& groups,
-    const command::Steps& steps) {
-  command::Primitives position;
+    const driver::Steps& steps) {
+  driver::LibraryOptions options = {.names = {name}, .groups = groups, .steps = steps};
   if (primitives != kNone)
-    position = primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
-  command::Reading reading;
+    options.primitives = primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
+  driver::LoadOptions reading;
   if (desired != kNone) reading.desired = desired;
   Diagnostics diagnostics;
-  if (command::is_transforms(model)) {
-    const auto transforms = command::load_transforms(model, reading, diagnostics);
-    if (!transforms) return std::nullopt;
-    return command::library(*transforms, {name, ""}, steps, position);
-  }
-  const auto robot = command::load_robot(model, reading, diagnostics);
-  if (!robot) return std::nullopt;
-  return command::library(*robot, {name, ""}, groups, steps, position);
+  const auto loaded = driver::load(model, reading, diagnostics);
+  return loaded ? std::optional(driver::library(*loaded, options)) : std::nullopt;
 }
 
 Call shape(const backend::Library& library, const backend::Function& function) {

@@ -5,7 +5,7 @@
 
 #include "backend/library.h"
 #include "calls.h"
-#include "command/pipeline.h"
+#include "driver/driver.h"
 
 namespace robcogen::octave {
 
@@ -19,7 +19,7 @@ std::optional<backend::Library> load(
     const std::string& name,
     const std::string& primitives,
     const std::vector<std::string>& groups,
-    const command::Steps& steps);
+    const driver::Steps& steps);
 
 // The function's package name, arguments and results; nothing that evaluates it.
 Call shape(const backend::Library& library, const backend::Function& function);

@@ -1,4 +1,4 @@
-#include "command/parameter_list.h"
+#include "driver/parameter_list.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace robcogen::command {
+namespace robcogen::driver {
 namespace {
 
 using model::Parameter;
@@ -60,4 +60,4 @@ void list_parameters(const std::vector<Parameter>& parameters, Diagnostics& diag
   }
 }
 
-}  // namespace robcogen::command
+}  // namespace robcogen::driver

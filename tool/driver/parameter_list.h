@@ -6,10 +6,10 @@
 #include "model/quantity.h"
 #include "support/diagnostics.h"
 
-namespace robcogen::command {
+namespace robcogen::driver {
 
 // One note, by kinds: names with their defaults, and where each is declared or first used. Nothing where
 // there are none.
 void list_parameters(const std::vector<model::Parameter>& parameters, Diagnostics& diagnostics);
 
-}  // namespace robcogen::command
+}  // namespace robcogen::driver

@@ -4,10 +4,10 @@
 #include "backend/library.h"
 #include "model/kinematic_tree.h"
 
-namespace robcogen::command {
+namespace robcogen::driver {
 
 // Links, joints, frames and parameters, with their constants as far as the parameters' defaults determine them: what
 // depends on a parameter without one is NaN.
 void add_model(const model::KinematicTree& tree, backend::Library& library);
 
-}  // namespace robcogen::command
+}  // namespace robcogen::driver

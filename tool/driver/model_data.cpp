@@ -1,4 +1,4 @@
-#include "command/model_data.h"
+#include "driver/model_data.h"
 
 #include <array>
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace robcogen::command {
+namespace robcogen::driver {
 namespace {
 
 // Constants of the model, as far as the parameters' defaults determine them.
@@ -84,4 +84,4 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   }
 }
 
-}  // namespace robcogen::command
+}  // namespace robcogen::driver

@@ -1,0 +1,293 @@
+#include "command/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backend/languages.h"
+#include "command/output.h"
+#include "command/subcommands.h"
+#include "support/diagnostics.h"
+
+namespace robcogen::command {
+namespace {
+
+bool is_option(const std::string& argument) {
+  return argument.size() > 1 && argument.front() == '-';
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& application) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : application.get_subcommands(nullptr)) names.push_back(subcommand->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& subcommand) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : subcommand.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string command_of(const CLI::App& application) {
+  const std::vector<CLI::App*> chosen = application.get_subcommands();
+  return chosen.empty() ? "robcogen" : "robcogen " + chosen.front()->get_name();
+}
+
+std::string unknown_subcommand(const CLI::App& application, const std::string& word) {
+  const std::vector<std::string> names = subcommand_names(application);
+  return with_hint(
+      fmt::format("'{}' is not a subcommand; those are {}", word, fmt::join(names, ", ")), did_you_mean(word, names));
+}
+
+// `--strct`, or `--strct=3`.
+std::string unknown_option(const CLI::App& application, const std::string& argument) {
+  const std::vector<CLI::App*> chosen = application.get_subcommands();
+  const std::string name = argument.substr(0, argument.find('='));
+  return with_hint(
+      fmt::format("'{}' is not an option of {}", name, command_of(application)),
+      did_you_mean(name, option_names(chosen.empty() ? application : *chosen.front())));
+}
+
+// Of what the parser left over, the first word that explains the fault; empty when there is none.
+std::string explain_leftover(const CLI::App& application) {
+  const std::vector<CLI::App*> chosen = application.get_subcommands();
+  const std::vector<std::string> left = (chosen.empty() ? application : *chosen.front()).remaining();
+  for (const std::string& argument : left)
+    if (is_option(argument)) return unknown_option(application, argument);
+  if (left.empty()) return "";
+  if (chosen.empty()) return unknown_subcommand(application, left.front());
+  return fmt::format("{} takes no further argument '{}'", command_of(application), left.front());
+}
+
+std::string explain(const CLI::App& application, const CLI::ParseError& fault) {
+  std::string message;
+  const auto code = static_cast<CLI::ExitCodes>(fault.get_exit_code());
+  if (code == CLI::ExitCodes::ExtrasError || code == CLI::ExitCodes::RequiredError)
+    message = explain_leftover(application);
+  if (message.empty()) message = fault.what();
+  return fmt::format("robcogen: error: {}\nTry '{} --help'.", message, command_of(application));
+}
+
+// ---- Options that several subcommands share.
+
+// A value of an option that is one of these words.
+CLI::Validator one_of(std::vector<std::string> words) {
+  const std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
+  const auto check = [words = std::move(words)](const std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return "";
+    return with_hint(fmt::format("'{}' is not one of {}", word, fmt::join(words, ", ")), did_you_mean(word, words));
+  };
+  return {check, description};
+}
+
+constexpr const char* kStrictHelp =
+    "Warnings of the desired-transforms document, and of names and angles that may be accidents, are errors";
+constexpr const char* kForDevelopers = "For developers of the generator";
+
+void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
+  subcommand
+      .add_option_function<std::string>(
+          "--error-format",
+          [&format](const std::string& name) { format = name == "msvc" ? ErrorFormat::msvc : ErrorFormat::gnu; },
+          "How messages name places: gnu or msvc")
+      ->check(one_of({"gnu", "msvc"}));
+}
+
+void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
+  subcommand.add_flag("--floating-base", options.floating_base, "URDF: the root link floats");
+  subcommand.add_flag(
+      "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
+  subcommand.add_flag(
+      "--free-mimic-joints", options.free_mimic_joints, "URDF: a joint that mimics another is a joint of its own");
+  subcommand.add_flag(
+      "--allow-implausible", options.allow_implausible, "URDF: masses and inertias that no body has are warnings");
+}
+
+void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
+  std::vector<std::string> names = algorithm::groups();
+  names.emplace_back(kAllGroups);
+  subcommand.add_option("--algorithms", groups, description)->delimiter(',')->check(one_of(names));
+}
+
+constexpr const char* kNoSteps = "none";
+
+std::vector<std::string> words_for_steps() {
+  std::vector<std::string> words = driver::all_steps();
+  words.emplace_back(kNoSteps);
+  return words;
+}
+
+std::vector<std::string> chosen_steps(const std::vector<std::string>& words) {
+  if (std::count(words.begin(), words.end(), kNoSteps) == 0) return words;
+  if (words.size() > 1) throw CLI::ValidationError("--passes", "'none' excludes other steps");
+  return {};
+}
+
+CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
+  CLI::Option* file =
+      subcommand.add_option("model", model.file, "Robot (.kindsl or .urdf), motions (.motdsl) or transforms (.ctdsl)");
+  file->required();
+  subcommand.add_option("--desired", model.desired, "Desired transforms and Jacobians (.dtdsl)");
+  subcommand.add_flag("--strict", model.strict, kStrictHelp);
+  subcommand
+      .add_option_function<std::vector<std::string>>(
+          "--passes", [&model](const std::vector<std::string>& names) { model.steps.names = chosen_steps(names); },
+          "Which steps of optimisation run: a comma-separated list, or none")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(one_of(words_for_steps()))
+      ->group(kForDevelopers);
+  subcommand
+      .add_option(
+          "--effort", model.steps.effort,
+          "How long to look for link frames in which the dynamics cost less: 0 not at all, 1 two seconds for forty "
+          "joints, n that many times as long")
+      ->check(CLI::Range(0, 1000));
+  declare_urdf_options(subcommand, model.urdf);
+  declare_error_format(subcommand, model.error_format);
+  return file;
+}
+
+// ---- The subcommands.
+
+using Action = std::function<Status()>;
+
+std::vector<std::string> language_names() {
+  std::vector<std::string> names;
+  for (const backend::Language& language : backend::languages()) names.push_back(language.name);
+  return names;
+}
+
+Action declare_generate(CLI::App& application) {
+  CLI::App* subcommand =
+      application.add_subcommand("generate", "Generates the library of a robot or of coordinate transforms");
+  auto options = std::make_shared<GenerateOptions>();
+  declare_model(*subcommand, options->model)->required(false);
+  options->model.lists_parameters = true;
+  subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
+  subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
+  subcommand->add_option(
+      "--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
+  const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
+  declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
+  subcommand->add_flag(
+      "--batch", options->has_batches,
+      "cpp: each function also over many states at once, compiled for several processors; robots only");
+  subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
+      ->check(one_of(language_names()));
+  subcommand
+      ->add_option(
+          "--primitives", options->primitives,
+          "matlab, maxima: transforms also as products of your own Rx, Tx, …; left or right: where the moved frame is")
+      ->check(one_of({"left", "right"}));
+  subcommand->add_option("--depfile", options->depfile, "Write what was read as a dependency file");
+  subcommand->add_option("--depfile-target", options->depfile_target, "Its target; default the stamp");
+  subcommand->add_option("--stamp", options->stamp, "File to touch when all is written");
+  subcommand->add_flag("--list-outputs", options->list_outputs, "Print the names of the generated files, and stop");
+  return [options] { return generate(*options); };
+}
+
+Action declare_check(CLI::App& application) {
+  CLI::App* subcommand = application.add_subcommand("check", "Reads documents and reports what is wrong with them");
+  auto options = std::make_shared<CheckOptions>();
+  subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, .motdsl, .ctdsl, .dtdsl)")->required();
+  subcommand->add_flag("--strict", options->strict, kStrictHelp);
+  declare_urdf_options(*subcommand, options->urdf);
+  declare_error_format(*subcommand, options->error_format);
+  return [options] { return check(*options); };
+}
+
+Action declare_print(CLI::App& application) {
+  CLI::App* subcommand =
+      application.add_subcommand("print", "Prints a document in canonical form, or a model's program as text");
+  auto options = std::make_shared<PrintOptions>();
+  declare_model(*subcommand, options->model);
+  subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
+  return [options] { return print(*options); };
+}
+
+Action declare_ops(CLI::App& application) {
+  CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a model's functions");
+  auto options = std::make_shared<OpsOptions>();
+  declare_model(*subcommand, options->model);
+  declare_groups(*subcommand, options->groups, "What to count; default all");
+  subcommand->add_flag(
+      "--lanes", options->model.lanes, "With equal limbs in the lanes of vectors, where that is faster");
+  subcommand->add_flag("--json", options->json, "Machine-readable");
+  return [options] { return ops(*options); };
+}
+
+Action declare_eval(CLI::App& application) {
+  CLI::App* subcommand = application.add_subcommand("eval", "Evaluates a function of a model: JSON in, JSON out");
+  auto options = std::make_shared<EvalOptions>();
+  options->model.steps = {{}, 0};  // as the model says it: tracing is quicker than any choice
+  declare_model(*subcommand, options->model);
+  subcommand->add_option("function", options->function, "A name that `robcogen ops` lists; between any two frames")
+      ->required();
+  subcommand->add_flag("--quiet", options->model.quiet, "No warnings and notes of the model, only errors");
+  subcommand->footer(
+      "Reads the arguments of a state as a JSON object from standard input, or those of many states: objects one\n"
+      "after the other, such as one a line, or one array of objects. Writes a line of results, a JSON object, for "
+      "each.\n"
+      "Stops at the first state with an error, which names its line; results of earlier states are written by then.\n"
+      "Without --passes and --effort the plain program is evaluated, with no step of optimisation.");
+  return [options] { return eval(*options); };
+}
+
+Action declare_convert(CLI::App& application) {
+  CLI::App* subcommand = application.add_subcommand("convert", "Writes a model in another language");
+  auto options = std::make_shared<ConvertOptions>();
+  subcommand->add_option("from", options->from, "Robot (.kindsl, .urdf) or motions (.motdsl)")->required();
+  subcommand
+      ->add_option(
+          "to", options->to,
+          "File to write; its ending says the language: .kindsl, .urdf, .motdsl, or .ctdsl for coordinate transforms")
+      ->required();
+  subcommand->add_option("--desired", options->desired, "Which transforms a .ctdsl gets (.dtdsl)");
+  subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
+      ->check(one_of({"left", "right"}));
+  subcommand->add_flag("--strict", options->strict, kStrictHelp);
+  declare_urdf_options(*subcommand, options->urdf);
+  declare_error_format(*subcommand, options->error_format);
+  return [options] { return convert(*options); };
+}
+
+}  // namespace
+
+std::string with_hint(const std::string& message, const std::string& hint) {
+  return hint.empty() ? message : message + "\nhint: " + hint;
+}
+
+std::function<Status()> parse_command_line(int argc, char** argv) {
+  CLI::App application("Generates kinematics and dynamics code for articulated robots.", "robcogen");
+  application.set_version_flag("--version", fmt::format("robcogen {}", driver::kVersion));
+  application.require_subcommand(1);
+  const std::vector<std::pair<const char*, Action>> actions = {
+      {"generate", declare_generate(application)}, {"check", declare_check(application)},
+      {"print", declare_print(application)},       {"ops", declare_ops(application)},
+      {"eval", declare_eval(application)},         {"convert", declare_convert(application)}};
+  try {
+    application.parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help, --version
+    std::ostringstream text;
+    application.exit(answer, text, text);
+    return [text = text.str()] {
+      write_output(text);
+      return ok;
+    };
+  } catch (const CLI::ParseError& fault) {
+    throw Failure{wrong_usage, explain(application, fault)};
+  }
+  for (const auto& [name, action] : actions)
+    if (application.got_subcommand(name)) return action;
+  throw Failure{wrong_usage, "robcogen: error: no subcommand"};
+}
+
+}  // namespace robcogen::command

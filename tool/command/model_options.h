@@ -1,0 +1,62 @@
+// What several subcommands ask of a model, and how they load it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/driver.h"
+#include "support/diagnostics.h"
+
+namespace robcogen::command {
+
+// The name of a function on the command line: `transforms.homogeneous.A_X_B`.
+std::string dotted(const std::string& scope, const std::string& name);
+
+// A function under that name.
+struct NamedProgram {
+  std::string name;
+  symbolic::Program program;
+  std::string method = {};                            // how it is computed, where there was a choice
+  std::optional<symbolic::RoundingError> error = {};  // where it was measured
+};
+
+// All functions of a robot, or of a document of motions or transforms; overloads in the order of their arguments.
+struct Programs {
+  std::string kind;   // robot, model
+  std::string model;  // its name
+  std::string about;  // `3 joints, fixed base; …`
+  std::vector<NamedProgram> list;
+};
+
+struct ModelOptions {
+  std::string file;
+  std::string desired;
+  bool strict = false;
+  import::UrdfOptions urdf;
+  ErrorFormat error_format = ErrorFormat::gnu;
+  driver::Steps steps;
+  bool quiet = false;             // no warnings and notes
+  bool lists_parameters = false;  // a note with the model's parameters; no option
+  bool lanes = false;             // programs where congruent limbs share lanes, if that is faster
+
+  // Loads the model and reports diagnostics; nullopt when there was an error, such as that a robot cannot have one of
+  // these groups.
+  std::optional<driver::Model> load(const std::vector<std::string>& groups = {}) const;
+  // Loads the model, and traces these groups of a robot; empty: all. With `cached`, functions of a robot with
+  // parameters read what follows from these alone from a cache, and the updates that compute it come last.
+  std::optional<Programs> load_programs(const std::vector<std::string>& groups = {}, bool cached = false) const;
+};
+
+// `--algorithms all`: every group that the robot and the language allow.
+inline constexpr const char* kAllGroups = "all";
+// Those that were asked for by their own names.
+std::vector<std::string> named_groups(const std::vector<std::string>& asked);
+
+// Documents of motions and of transforms have one group alone: a Failure when others were asked for.
+void require_groups_of_transforms(const std::vector<std::string>& asked);
+
+// A Failure when one of the options was given and the model is not a URDF: its own document says these things.
+void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options);
+
+}  // namespace robcogen::command

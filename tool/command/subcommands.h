@@ -1,0 +1,63 @@
+// The subcommands and their options. The command line (command_line.h) fills in the options; each subcommand is a
+// function of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command/model_options.h"
+#include "command/status.h"
+
+namespace robcogen::command {
+
+struct GenerateOptions {
+  ModelOptions model;
+  std::string output;
+  driver::LibraryNames names;
+  std::vector<std::string> groups;  // empty: the default ones, of those that a language offers
+  std::vector<std::string> languages = {"cpp"};
+  std::string primitives;  // convention; empty: no products
+  std::string depfile, depfile_target, stamp;
+  bool has_batches = false;
+  bool list_outputs = false;
+};
+Status generate(const GenerateOptions& options);
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  import::UrdfOptions urdf;
+  bool strict = false;
+  ErrorFormat error_format = ErrorFormat::gnu;
+};
+Status check(const CheckOptions& options);
+
+struct PrintOptions {
+  ModelOptions model;
+  std::string program;
+};
+Status print(const PrintOptions& options);
+
+struct OpsOptions {
+  ModelOptions model;
+  std::vector<std::string> groups;
+  bool json = false;
+};
+Status ops(const OpsOptions& options);
+
+struct EvalOptions {
+  ModelOptions model;
+  std::string function;
+};
+Status eval(const EvalOptions& options);
+
+struct ConvertOptions {
+  std::string from, to;
+  std::string desired;
+  std::string position = "right";
+  bool strict = false;
+  import::UrdfOptions urdf;
+  ErrorFormat error_format = ErrorFormat::gnu;
+};
+Status convert(const ConvertOptions& options);
+
+}  // namespace robcogen::command

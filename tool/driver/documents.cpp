@@ -1,0 +1,64 @@
+#include "driver/documents.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "driver/failure.h"
+#include "language/common/content.h"
+#include "support/files.h"
+
+namespace robcogen::driver {
+namespace {
+
+constexpr std::array kSuffixes = {
+    std::pair(".kindsl", Language::robot), std::pair(".urdf", Language::urdf), std::pair(".motdsl", Language::motions),
+    std::pair(".ctdsl", Language::transforms), std::pair(".dtdsl", Language::desired)};
+
+// A Failure for binary files and for UTF-16: their every second byte would be an error of its own.
+void require_text(const Source& source) {
+  const std::size_t at = source.text().find('\0');
+  if (at == std::string_view::npos) return;
+  const LineColumn place = source.locate(at);
+  throw Failure{
+      wrong_input, fmt::format(
+                       "{}:{}:{}: error: not a text file: byte {} is zero [not-text]\nhint: documents are UTF-8",
+                       source.name(), place.line, place.column, at + 1)};
+}
+
+}  // namespace
+
+std::optional<Language> language_of_suffix(const std::filesystem::path& file) {
+  for (const auto& [suffix, language] : kSuffixes)
+    if (file.extension() == suffix) return language;
+  return std::nullopt;
+}
+
+Language language_of(const std::filesystem::path& file) {
+  const std::optional<Language> language = language_of_suffix(file);
+  if (language && language != Language::robot) return *language;
+  std::error_code no_such_file;
+  if (file != "-" && !std::filesystem::exists(file, no_such_file)) return Language::robot;
+  const bool is_urdf = language::content_of(read_source(file)->text()) == language::Content::urdf;
+  return is_urdf ? Language::urdf : Language::robot;
+}
+
+std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
+  // What is not a file, such as a pipe, can be read once only.
+  static std::map<std::filesystem::path, std::shared_ptr<const Source>> streams;
+  std::error_code fault;
+  const bool is_stream = path == "-" || !std::filesystem::is_regular_file(path, fault);
+  if (const auto known = streams.find(path); is_stream && known != streams.end()) return known->second;
+  std::string error;
+  std::optional<std::string> text = read_file(path, error);
+  if (!text) throw Failure{wrong_usage, error};
+  auto source = std::make_shared<const Source>(path == "-" ? "<standard input>" : path.string(), std::move(*text));
+  require_text(*source);
+  if (is_stream) streams.insert({path, source});
+  return source;
+}
+
+}  // namespace robcogen::driver

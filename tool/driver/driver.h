@@ -1,0 +1,37 @@
+// The generator as a library: from a model to the files of its code.
+//
+//     load -> formulate and trace -> optimise -> assemble -> print
+//
+// Each phase is a function from one value to the next (load.h, trace.h, optimise.h, library.h, backend/languages.h).
+// Robots and documents of coordinate transforms go the same way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/library.h"
+#include "driver/load.h"
+#include "driver/steps.h"
+#include "driver/trace.h"
+
+namespace robcogen::driver {
+
+// The functions of these groups as programs, by these steps, in the forms that a language takes.
+Functions programs(
+    const Model& model,
+    const std::vector<std::string>& groups,
+    const Steps& steps,
+    const backend::Features& features = {});
+
+// What a library is to hold.
+struct LibraryOptions {
+  LibraryNames names;
+  std::vector<std::string> groups;  // of robots
+  Steps steps = {};
+  Primitives primitives = std::nullopt;
+  bool has_batches = false;
+};
+
+backend::Library library(const Model& model, const LibraryOptions& options, const backend::Features& features = {});
+
+}  // namespace robcogen::driver

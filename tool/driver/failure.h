@@ -1,0 +1,17 @@
+// How a run ends that cannot go on.
+#pragma once
+
+#include <string>
+
+namespace robcogen::driver {
+
+// Exit statuses of the program.
+enum Status { ok = 0, wrong_input = 1, wrong_usage = 2, internal_fault = 3 };
+
+// Thrown for usage and input/output faults that no diagnostic covers; main prints and exits with it.
+struct Failure {
+  Status status;
+  std::string message;
+};
+
+}  // namespace robcogen::driver

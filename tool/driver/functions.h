@@ -1,0 +1,36 @@
+// The functions of a model on their way from the algorithms to a library: what each phase hands to the next.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithm/catalogue/catalogue.h"
+#include "backend/library.h"
+#include "symbolic/accuracy.h"
+
+namespace robcogen::driver {
+
+struct Function {
+  algorithm::RobotFunction traced;  // name, documentation, program
+  int transform = -1;               // of a document without robot: which of its transforms it is
+
+  // The same program with congruent limbs that fold in the same way, where that is another one.
+  std::optional<symbolic::Program> congruent = {};
+  // What its rounding errors are measured against, where they were.
+  std::shared_ptr<const symbolic::AccurateResults> results = {};
+  // The same program where congruent limbs share lanes, if they do; and which, a text a class.
+  std::optional<symbolic::Program> in_lanes = {};
+  std::vector<std::string> limbs_in_lanes = {};
+  std::optional<symbolic::AngleParts> parts = {};
+};
+
+struct Functions {
+  std::vector<Function> list;
+  // See the members of the same names of backend::Library.
+  std::vector<backend::Function> updates = {}, numbers = {};
+  std::optional<backend::Library::Trigonometry> trigonometry = {};
+};
+
+}  // namespace robcogen::driver

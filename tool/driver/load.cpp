@@ -1,0 +1,203 @@
+#include "driver/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "algorithm/catalogue/catalogue.h"
+#include "algorithm/catalogue/transform_functions.h"
+#include "driver/documents.h"
+#include "driver/parameter_list.h"
+#include "export/frames.h"
+#include "export/kinematics.h"
+#include "import/frames.h"
+#include "import/kinematics.h"
+#include "import/names.h"
+#include "model/plausibility.h"
+
+namespace robcogen::driver {
+namespace {
+
+using model::FrameNames;
+
+// ---- Robots.
+
+// What the robot language cannot say, for the canonical text.
+std::string limits_text(const model::KinematicTree& tree) {
+  std::string text;
+  for (const model::Joint& joint : tree.joints) {
+    const model::JointLimits& l = joint.limits;
+    if (l == model::JointLimits()) continue;
+    text += fmt::format(
+        "{} {} {} {} {}\n", joint.name, print_double(l.lower), print_double(l.upper), print_double(l.velocity),
+        print_double(l.effort));
+  }
+  return text;
+}
+
+std::optional<Model> load_tree(
+    const std::shared_ptr<const Source>& source,
+    bool is_urdf,
+    const import::UrdfOptions& options,
+    Diagnostics& diagnostics) {
+  if (is_urdf) {
+    std::optional<model::KinematicTree> tree = import::urdf(source, options, diagnostics);
+    if (!tree) return std::nullopt;
+    const std::string text = language::kinematics::print(exporting::kinematics_document(*tree)) + limits_text(*tree);
+    return Model{Robot{std::move(*tree), {}}, text};
+  }
+  language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
+  if (!tree) return std::nullopt;
+  return Model{
+      Robot{std::move(*tree), {}},
+      language::kinematics::print(language::kinematics::without_comments(std::move(document)))};
+}
+
+std::optional<Model> load_robot(
+    const std::shared_ptr<const Source>& source,
+    bool is_urdf,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  std::optional<Model> model = load_tree(source, is_urdf, options.urdf, diagnostics);
+  if (!model) return std::nullopt;
+  if (options.strict) promote_strict_warnings(diagnostics);
+  auto& [tree, desired] = std::get<Robot>(model->content);
+  const auto is_missing = [&](const std::string& group) { return !algorithm::is_available(tree, group); };
+  if (std::any_of(options.groups.begin(), options.groups.end(), is_missing)) {
+    diagnostics.promote_warnings(model::inertia_defect_codes());
+    return std::nullopt;
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
+  if (options.lists_parameters) list_parameters(tree.parameters, diagnostics);
+  if (!options.desired) {
+    desired = model::default_desired(tree);
+    return model;
+  }
+  const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  desired = import::desired_transforms(list, tree, diagnostics);
+  return model;
+}
+
+// ---- Coordinate transforms without a robot.
+
+// The pairs of frames that the list asks for; nullopt when an error was reported.
+std::optional<std::vector<FrameNames>> desired_pairs(
+    const LoadOptions& options,
+    const model::RigidMotions& motions,
+    Diagnostics& diagnostics) {
+  const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  std::vector<FrameNames> pairs = import::desired_frame_pairs(list, motions, diagnostics);
+  if (options.strict) promote_strict_warnings(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return pairs;
+}
+
+std::optional<model::RigidMotions> read_motions(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
+  const language::motion::Document document = language::motion::parse(source, diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : import::rigid_motions(document, diagnostics);
+}
+
+std::optional<model::CoordinateTransforms> read_transforms(
+    const std::shared_ptr<const Source>& source,
+    Diagnostics& diagnostics) {
+  const language::transforms::Document document = language::transforms::parse(source, diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : import::coordinate_transforms(document, diagnostics);
+}
+
+std::optional<Model> load_motions(
+    const std::shared_ptr<const Source>& source,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  const std::optional<model::RigidMotions> motions = read_motions(source, diagnostics);
+  if (!motions) return std::nullopt;
+  std::optional<std::vector<FrameNames>> pairs = model::default_transforms(*motions);
+  if (options.desired) pairs = desired_pairs(options, *motions, diagnostics);
+  if (!pairs) return std::nullopt;
+  return Model{
+      Transforms{model::transforms_of(*motions, *pairs)},
+      language::motion::print(exporting::motion_document(*motions))};
+}
+
+std::optional<Model> load_transforms(
+    const std::shared_ptr<const Source>& source,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
+  if (!transforms) return std::nullopt;
+  const std::string canonical = language::transforms::print(exporting::transforms_document(*transforms));
+  if (!options.desired) return Model{Transforms{std::move(*transforms)}, canonical};
+  const auto pairs = desired_pairs(options, model::motions_of(*transforms), diagnostics);
+  if (!pairs) return std::nullopt;
+  return Model{Transforms{model::chosen(*transforms, *pairs)}, canonical};
+}
+
+void refuse_one_name_for_two(const Transforms& transforms, Diagnostics& diagnostics, const Place& place) {
+  std::map<std::string, const model::CoordinateTransform*> known;
+  for (const model::CoordinateTransform& t : transforms.document.transforms) {
+    const auto [earlier, is_new] = known.insert({algorithm::name_of(t), &t});
+    if (is_new) continue;
+    const model::CoordinateTransform& other = *earlier->second;
+    diagnostics
+        .error(
+            "duplicate-name", place,
+            fmt::format(
+                "two transforms would be called '{}': from frame '{}' to frame '{}', and from '{}' to '{}'",
+                earlier->first, other.right, other.left, t.right, t.left))
+        .hint = "give one of them a name: `[name]` after its last factor";
+  }
+}
+
+std::optional<Model> load_content(
+    const std::filesystem::path& file,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  const std::shared_ptr<const Source> source = read_source(file);
+  const Language language = language_of(file);
+  if (is_robot(language) || language == Language::desired)
+    return load_robot(source, language == Language::urdf, options, diagnostics);
+  std::optional<Model> model = language == Language::motions ? load_motions(source, options, diagnostics)
+                                                             : load_transforms(source, options, diagnostics);
+  if (!model) return std::nullopt;
+  refuse_one_name_for_two(*model->transforms(), diagnostics, {source, {}});
+  if (options.lists_parameters && !diagnostics.has_errors()) list_parameters(model->parameters(), diagnostics);
+  return model;
+}
+
+}  // namespace
+
+const std::string& Model::name() const {
+  return robot() ? robot()->tree.name : transforms()->document.name;
+}
+
+const std::vector<model::Parameter>& Model::parameters() const {
+  return robot() ? robot()->tree.parameters : transforms()->document.parameters;
+}
+
+std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& options, Diagnostics& diagnostics) {
+  std::optional<Model> model = load_content(file, options, diagnostics);
+  if (options.strict) promote_strict_warnings(diagnostics);
+  if (!model || diagnostics.has_errors()) return std::nullopt;
+  model->file = file;
+  model->read.push_back(file);
+  if (options.desired) model->read.push_back(*options.desired);
+  return model;
+}
+
+std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const std::shared_ptr<const Source> source = read_source(file);
+  if (language_of(file) == Language::motions) return read_motions(source, diagnostics);
+  const std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
+  return transforms ? std::optional(model::motions_of(*transforms)) : std::nullopt;
+}
+
+void promote_strict_warnings(Diagnostics& diagnostics) {
+  diagnostics.promote_warnings(import::lenient_codes());
+  diagnostics.promote_warnings(import::accident_codes());
+}
+
+}  // namespace robcogen::driver

@@ -1,0 +1,60 @@
+// From files to models.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "import/urdf.h"
+#include "model/coordinate_transforms.h"
+#include "model/kinematic_tree.h"
+#include "support/diagnostics.h"
+
+namespace robcogen::driver {
+
+struct Robot {
+  model::KinematicTree tree;
+  model::DesiredTransforms desired;
+};
+
+// Those that a list asks for, or all that the document names.
+struct Transforms {
+  model::CoordinateTransforms document;
+};
+
+// A robot, or coordinate transforms without one, as loaded from documents.
+struct Model {
+  std::variant<Robot, Transforms> content;
+  std::string canonical = {};                    // all that the document says, in one form whatever its layout was
+  std::filesystem::path file = {};               // as given
+  std::vector<std::filesystem::path> read = {};  // every file that was read
+
+  const Robot* robot() const { return std::get_if<Robot>(&content); }
+  const Transforms* transforms() const { return std::get_if<Transforms>(&content); }
+  // What the document calls it.
+  const std::string& name() const;
+  const std::vector<model::Parameter>& parameters() const;
+};
+
+struct LoadOptions {
+  std::optional<std::filesystem::path> desired = {};  // the default list, when there is none
+  bool strict = false;                                // see promote_strict_warnings
+  import::UrdfOptions urdf = {};                      // for robots in URDF
+  bool lists_parameters = false;                      // a note with the model's parameters
+  std::vector<std::string> groups = {};               // asked for by name: one that the robot cannot have is an error
+};
+
+// In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt
+// when an error was reported.
+std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& options, Diagnostics& diagnostics);
+
+// The frames of a document of motions or of transforms, and the paths between them. nullopt when an error was reported.
+std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+// Makes errors of the warnings that the original tool refused in desired-transforms documents, and of those about names
+// and angles that may be accidents.
+void promote_strict_warnings(Diagnostics& diagnostics);
+
+}  // namespace robcogen::driver

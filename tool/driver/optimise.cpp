@@ -1,0 +1,118 @@
+#include "driver/optimise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "algorithm/catalogue/model_numbers.h"
+#include "algorithm/formulation/congruent_limbs.h"
+#include "driver/accurate_functions.h"
+#include "pass/pack_lanes.h"
+#include "pass/passes.h"
+#include "pass/split_angles.h"
+#include "pass/split_parameters.h"
+#include "support/parallel.h"
+
+namespace robcogen::driver {
+namespace {
+
+using Passes = std::vector<std::string>;
+
+// A function of the library's own machinery.
+backend::Function function_of(const char* group, symbolic::Program program, std::vector<std::string> summary) {
+  backend::Function function;
+  function.group = group;
+  function.name = function.kernel = program.name;
+  function.summary = std::move(summary);
+  function.program = std::move(program);
+  return function;
+}
+
+Functions run_passes(Functions functions, const Passes& passes) {
+  for_each_index(functions.list.size(), [&](std::size_t i) {
+    symbolic::Program& program = functions.list[i].traced.program;
+    program = pass::run(std::move(program), passes);
+  });
+  return functions;
+}
+
+// Updates compute what follows from the parameters alone into a cache, which the functions then read. Before the
+// passes, which put parameters and variables together in one sum.
+Functions split_parameters(const Robot& robot, Functions functions, const Passes& passes) {
+  std::vector<symbolic::Program> programs;
+  for (Function& function : functions.list) programs.push_back(std::move(function.traced.program));
+  std::vector<pass::Interfaces> interfaces;
+  for (const model::Parameter& p : robot.tree.parameters)
+    interfaces.push_back({model::is_kinematics(p), model::is_dynamics(p)});
+  pass::SplitPrograms split = pass::split_parameters(std::move(programs), interfaces);
+  for (std::size_t i = 0; i < functions.list.size(); ++i) {
+    functions.list[i].traced.program = std::move(split.programs[i]);
+    functions.list[i].results.reset();  // they are those of other inputs
+  }
+  functions = run_passes(std::move(functions), passes);
+  const auto add_update = [&](symbolic::Program& program, const std::string& what) {
+    functions.updates.push_back(
+        function_of("parameters", pass::run(std::move(program), passes), {"What follows from " + what + "."}));
+  };
+  add_update(split.kinematics, "kinematics parameters alone");
+  add_update(split.dynamics, "dynamics parameters alone");
+  add_update(split.both, "kinematics and dynamics parameters together");
+  functions.numbers.push_back(
+      function_of("parameters", algorithm::model_numbers(robot.tree), {"The numbers of the model, a column each."}));
+  return functions;
+}
+
+// Where the function gets faster by it and keeps its digits.
+void pack_into_lanes(
+    Function& function,
+    const model::KinematicTree& tree,
+    const std::vector<algorithm::LimbsInLanes>& limbs) {
+  std::vector<pass::InputTuples> classes;
+  for (const algorithm::LimbsInLanes& c : limbs)
+    classes.push_back(algorithm::limb_inputs(tree, c, function.traced.program));
+  pass::Packed packed = pass::pack_lanes(function.traced.program, classes, function.congruent);
+  if (function.results && packed.program.has_lanes() && !function.results->are_kept_by(packed.program)) return;
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    if (packed.in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
+  if (!function.limbs_in_lanes.empty()) function.in_lanes = std::move(packed.program);
+}
+
+Functions pack_lanes(const Robot& robot, Functions functions) {
+  const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
+  if (limbs.empty()) return functions;
+  for_each_index(functions.list.size(), [&](std::size_t i) { pack_into_lanes(functions.list[i], robot.tree, limbs); });
+  return functions;
+}
+
+Functions split_angles(const Robot& robot, Functions functions) {
+  std::vector<pass::WithLanes> programs;
+  for (const Function& function : functions.list)
+    programs.push_back({function.traced.program, function.in_lanes ? &*function.in_lanes : nullptr});
+  std::vector<std::string> joints;
+  for (const model::Joint& joint : robot.tree.joints) joints.push_back(joint.name);
+  pass::SplitAngles split = pass::split_angles(programs, joints);
+  for (std::size_t i = 0; i < programs.size(); ++i) functions.list[i].parts = std::move(split.parts[i]);
+  functions.trigonometry = {
+      split.angle_count, std::move(split.angles),
+      function_of(
+          "trigonometry", std::move(split.addition),
+          {"Sines and cosines of all angles from those of the joints: of sums by the addition theorems."})};
+  return functions;
+}
+
+}  // namespace
+
+Functions optimise(const Model& model, Functions functions, const Steps& steps, const backend::Features& features) {
+  const Passes passes = steps.passes();
+  const Robot* robot = model.robot();
+  if (!robot) return run_passes(std::move(functions), passes);
+  const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
+  functions = run_accurate_passes(*robot, std::move(functions), steps.formulation(), splits ? Passes() : passes);
+  if (splits) functions = split_parameters(*robot, std::move(functions), passes);
+  if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
+  if (features.takes_sines) functions = split_angles(*robot, std::move(functions));
+  return functions;
+}
+
+}  // namespace robcogen::driver

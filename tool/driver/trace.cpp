@@ -1,0 +1,71 @@
+#include "driver/trace.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <utility>
+
+#include "algorithm/catalogue/transform_functions.h"
+#include "algorithm/formulation/congruent_limbs.h"
+#include "driver/failure.h"
+#include "support/parallel.h"
+
+namespace robcogen::driver {
+namespace {
+
+Functions trace_robot(
+    const Robot& robot,
+    const std::vector<std::string>& groups,
+    const algorithm::Formulation& formulation,
+    bool for_lanes) {
+  algorithm::FormulationChoices choices(robot.tree, formulation);
+  std::vector<std::vector<Function>> of_groups(groups.size());
+  for_each_index(groups.size(), [&](std::size_t g) {
+    for (algorithm::RobotFunction& f : algorithm::functions(robot.tree, robot.desired, groups[g], choices))
+      of_groups[g].push_back({std::move(f)});
+  });
+  if (for_lanes && robot.tree.parameters.empty() && !algorithm::limbs_in_lanes(robot.tree).empty()) {
+    auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
+    for_each_index(groups.size(), [&](std::size_t g) {
+      auto programs = algorithm::congruent_programs(robot.tree, groups[g], for_congruent_limbs);
+      for (std::size_t i = 0; i < programs.size(); ++i) of_groups[g][i].congruent = std::move(programs[i]);
+    });
+  }
+  Functions result;
+  for (std::vector<Function>& functions : of_groups)
+    std::move(functions.begin(), functions.end(), std::back_inserter(result.list));
+  return result;
+}
+
+Functions trace_transforms(const Transforms& transforms) {
+  Functions result;
+  for (algorithm::TransformFunction& f : algorithm::transform_functions(transforms.document)) {
+    algorithm::RobotFunction traced;
+    traced.group = kTransformsGroup;
+    traced.scope = std::move(f.scope);
+    traced.name = std::move(f.name);
+    traced.summary = std::move(f.summary);
+    traced.program = std::move(f.program);
+    result.list.push_back({std::move(traced), static_cast<int>(f.transform)});
+  }
+  return result;
+}
+
+}  // namespace
+
+void require_traceable(const Model& model) {
+  const model::KinematicTree& tree = model.robot()->tree;
+  if (tree.dof() <= kMaxJoints) return;
+  throw Failure{
+      wrong_input, fmt::format(
+                       "{}: error: robot '{}' has {} joints; programs are made for at most {} [too-many-joints]",
+                       model.file.string(), tree.name, tree.dof(), kMaxJoints)};
+}
+
+Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes) {
+  if (!model.robot()) return trace_transforms(*model.transforms());
+  require_traceable(model);
+  return trace_robot(*model.robot(), groups, steps.formulation(), for_lanes);
+}
+
+}  // namespace robcogen::driver

@@ -1,0 +1,27 @@
+// From a model to programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/functions.h"
+#include "driver/load.h"
+#include "driver/steps.h"
+
+namespace robcogen::driver {
+
+// The only group of functions that a library without robot has.
+inline constexpr const char* kTransformsGroup = "transforms";
+
+// Straight-line programs for more joints than this help nobody: the inertia matrix alone has a million elements. Checks
+// and prints of documents know no such bound.
+inline constexpr int kMaxJoints = 1000;
+
+// A Failure when the robot has more than kMaxJoints.
+void require_traceable(const Model& model);
+
+// All functions of these groups in the formulation of the steps, before any pass. `for_lanes`: with programs for
+// congruent limbs.
+Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes);
+
+}  // namespace robcogen::driver
