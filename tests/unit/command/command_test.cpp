@@ -76,7 +76,7 @@ TEST(Command, LeavesOutWhatDividesByASingularInertiaMatrix) {
   EXPECT_NE(evaluated.errors.find("[singular-inertia]"), std::string::npos) << evaluated.errors;
   EXPECT_EQ(generate(" --algorithms all").status, 0);
   EXPECT_EQ(generate("").status, 0);
-  EXPECT_TRUE(fs::exists(scratch.path / "out/stylus/forward_dynamics.h"));
+  EXPECT_TRUE(fs::exists(scratch.path / "out/stylus/kernel/forward_dynamics.h"));
 }
 
 TEST(Command, AnErrorLeavesEarlierOutputAlone) {

@@ -83,8 +83,8 @@ TEST(Operations, FixedHyQ) {
                                     {"forward_dynamics", 314, 222, 8, 370}});
 }
 
-// Moments of this robot's first link are negative, so that H is nearly singular in some states. There the cheapest frames
-// (378 products in forward dynamics) lose more digits than they may.
+// Moments of this robot's first link are negative, so that H is nearly singular in some states. There the cheapest
+// frames (378 products in forward dynamics) lose more digits than they may.
 TEST(Operations, Irb4600) {
   if (!std::filesystem::exists(corpus(kIrb))) GTEST_SKIP() << "no corpus";
   expect_within(
@@ -96,9 +96,8 @@ TEST(Operations, Irb4600) {
 // HyL of our own, counted on paper once: two sincos, no division but those of the articulated inertias.
 TEST(Operations, OurRobots) {
   expect_within(
-      robot("hyl"), {{"inverse_dynamics", 26, 19, 0, 30},
-                     {"joint_space_inertia", 8, 6, 0, 10},
-                     {"forward_dynamics", 42, 33, 2, 51}});
+      robot("hyl"),
+      {{"inverse_dynamics", 26, 19, 0, 30}, {"joint_space_inertia", 8, 6, 0, 10}, {"forward_dynamics", 42, 33, 2, 51}});
 }
 
 TEST(Operations, OfGroups) {

@@ -41,12 +41,11 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 TEST_F(Transforms, FunctionsTakeVariablesByNameBehindTheParameters) {
-  const std::string text = generated(motions(), "transforms.h");
-  EXPECT_TRUE(contains(text, "inline Matrix<4, 4> upper(const Parameters& parameters, Scalar shoulder) noexcept {"))
-      << text;
-  EXPECT_TRUE(contains(text, "inline Matrix<6, 6> hand_X_elbow(const Parameters& parameters, Scalar bend) noexcept {"));
+  const std::string text = generated(motions(), "arm.h");
+  EXPECT_TRUE(contains(text, "\nMatrix<4, 4> upper(const Parameters& parameters, Scalar shoulder) noexcept;")) << text;
+  EXPECT_TRUE(contains(text, "\nMatrix<6, 6> hand_X_elbow(const Parameters& parameters, Scalar bend) noexcept;"));
   // A user's name belongs to the transform of the motion, not to its inverse.
-  EXPECT_TRUE(contains(text, "inline Matrix<4, 4> elbow_X_base("));
+  EXPECT_TRUE(contains(text, "\nMatrix<4, 4> elbow_X_base("));
   const std::string types = read_text(scratch_.path / "arm" / "types.h");
   EXPECT_TRUE(contains(types, "Scalar palm = Scalar(0.1);")) << types;
   EXPECT_TRUE(contains(types, "Scalar reach = std::numeric_limits<Scalar>::quiet_NaN();")) << types;
@@ -54,22 +53,22 @@ TEST_F(Transforms, FunctionsTakeVariablesByNameBehindTheParameters) {
 
 TEST_F(Transforms, OfAListCanBeBetweenAnyConnectedFrames) {
   const std::string list = file("arm.dtdsl", "Model Arm Frames { ^base, hand } Transforms { base=^base, target=hand }");
-  const std::string text = generated(motions() + " --desired " + list, "transforms.h");
+  const std::string text = generated(motions() + " --desired " + list, "arm.h");
   EXPECT_TRUE(contains(text, "base_X_hand(const Parameters& parameters, Scalar shoulder, Scalar bend)")) << text;
   EXPECT_FALSE(contains(text, "upper("));
 
   const std::string transforms = file(
       "arm.ctdsl",
       "Model Arm MovedFramePos = right {base}_X_{elbow} = Rz(shoulder) Tx(0.3) {elbow}_X_{hand} = Ry(bend)");
-  EXPECT_TRUE(contains(
-      generated(transforms + " --desired " + list, "transforms.h"), "base_X_hand(Scalar shoulder, Scalar bend)"));
-  EXPECT_TRUE(contains(generated(transforms, "transforms.h"), "elbow_X_hand(Scalar bend)"));
+  EXPECT_TRUE(
+      contains(generated(transforms + " --desired " + list, "arm.h"), "base_X_hand(Scalar shoulder, Scalar bend)"));
+  EXPECT_TRUE(contains(generated(transforms, "arm.h"), "elbow_X_hand(Scalar bend)"));
 }
 
 TEST_F(Transforms, NamesThatTheCodeNeedsGiveWay) {
   const std::string text = generated(
       file("arm.motdsl", "Model Arm Convention = local A -> B : rotx(X) roty(Scalar) rotz(double) trx(kernel)"),
-      "transforms.h");
+      "arm.h");
   EXPECT_TRUE(contains(text, "A_X_B(Scalar X_2, Scalar Scalar_2, Scalar double_, Scalar kernel_2)")) << text;
 }
 

@@ -14,6 +14,13 @@ struct JointState {
   Expression u;          // tau minus the force that the bias motion needs
 };
 
+// As to_child, but with a cross product of the opposite sign: which of two equal sums is made first decides how later
+// sums can be reordered, and here this one saves an instruction on robots with many joints.
+Motion acceleration_to_child(const Pose& X_PC, const Motion& a_P) {
+  const Vector3 linear = a_P.linear - cross(X_PC.offset, a_P.angular);
+  return to_child(Pose{{}, X_PC.rotation, X_PC.slide}, Motion{a_P.angular, linear});
+}
+
 class ArticulatedBodies {
  public:
   ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
@@ -41,7 +48,7 @@ class ArticulatedBodies {
     for (const Joint& joint : robot_.children(link)) {
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link " + name + ": acceleration");
-      Motion a = to_child(robot_.pose(joint.index), parent);
+      Motion a = acceleration_to_child(robot_.pose(joint.index), parent);
       const JointState& state = joints_[at(joint.index)];
       // Without the component of `a` along the axis in the product, the link's own component comes out, joint
       // acceleration included.
