@@ -1,4 +1,4 @@
-// Texts put together with a single allocation: what `+` makes of many pieces takes several.
+// Concatenation of texts with a single allocation; `+` of many pieces needs several.
 #pragma once
 
 #include <initializer_list>

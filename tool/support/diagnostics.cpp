@@ -7,8 +7,8 @@
 namespace robcogen {
 namespace {
 
-constexpr std::size_t kWidest = 160;      // columns of source shown
-constexpr std::size_t kMostKept = 10000;  // of each severity: garbage of many megabytes must not fill the memory
+constexpr std::size_t kMaxColumns = 160;  // of source, shown
+constexpr std::size_t kMaxKept = 10000;   // of each severity: garbage of many megabytes must not fill the memory
 
 std::size_t beyond(std::size_t count, std::size_t most) {
   return count > most ? count - most : 0;
@@ -46,7 +46,7 @@ bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-// Bytes of the UTF-8 character that the text begins with; 0 when it begins with none.
+// The number of bytes of the UTF-8 character at the beginning of the text; 0 when there is none.
 std::size_t character_length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80) return 1;
@@ -57,8 +57,8 @@ std::size_t character_length(std::string_view text) {
   return length;
 }
 
-// How one character is shown: what moves the cursor of a terminal is a blank, what is no UTF-8 is '?'. Tabs stay, in
-// the line of carets too, so that columns line up.
+// How one character is shown: a control character as a blank, a byte that is not UTF-8 as '?'. Tabs are kept, also in
+// the line of carets, so that columns are aligned.
 std::string shown(std::string_view character) {
   const auto lead = static_cast<unsigned char>(character[0]);
   if (lead >= 0x80 && character_length(character) == 0) return "?";
@@ -67,15 +67,15 @@ std::string shown(std::string_view character) {
   return lead != '\t' && (is_control || is_wide_control) ? " " : std::string(character);
 }
 
-// The source line, or as much of it around the place as a screen holds, and carets under the place.
+// The source line, or the part of it around the place, and carets under the place.
 std::string excerpt(const Place& place) {
   if (!place.source) return "";
   const std::string_view line = place.source->line_at(place.span.begin);
   const std::size_t mark = place.source->locate(place.span.begin).column - 1;
   const std::size_t mark_end = mark + std::max(place.span.end, place.span.begin) - place.span.begin;
-  std::size_t begin = line.size() <= kWidest || mark <= kWidest / 2 ? 0 : mark - kWidest / 2;
+  std::size_t begin = line.size() <= kMaxColumns || mark <= kMaxColumns / 2 ? 0 : mark - kMaxColumns / 2;
   for (int i = 0; i < 3 && begin > 0 && begin < mark && is_continuation(line[begin]); ++i) ++begin;
-  const std::size_t end = std::min(line.size(), begin + kWidest);
+  const std::size_t end = std::min(line.size(), begin + kMaxColumns);
 
   std::string text = begin > 0 ? "…" : "", carets = begin > 0 ? " " : "";
   for (std::size_t i = begin; i < end;) {
@@ -113,7 +113,7 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-constexpr std::size_t kLongestCompared = 200;
+constexpr std::size_t kMaxCompared = 200;
 
 // Insertions, deletions, substitutions and exchanges of neighbours (optimal string alignment) that turn one word into
 // the other; upper and lower case are the same.
@@ -150,7 +150,7 @@ Diagnostic& Diagnostics::note(std::string code, Place place, std::string message
 
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
   std::size_t& count = diagnostic.severity == Severity::error ? errors_added_ : warnings_added_;
-  return ++count <= kMostKept ? list_.emplace_back(std::move(diagnostic)) : unkept_ = std::move(diagnostic);
+  return ++count <= kMaxKept ? list_.emplace_back(std::move(diagnostic)) : unkept_ = std::move(diagnostic);
 }
 
 bool Diagnostics::has_errors() const {
@@ -158,7 +158,7 @@ bool Diagnostics::has_errors() const {
 }
 
 std::size_t Diagnostics::error_count() const {
-  return beyond(errors_added_, kMostKept) +
+  return beyond(errors_added_, kMaxKept) +
          static_cast<std::size_t>(std::count_if(list_.begin(), list_.end(), is_error));
 }
 
@@ -187,8 +187,8 @@ std::string Diagnostics::render(ErrorFormat format, std::size_t max_errors) cons
     std::size_t& count = is_error(*d) ? errors : warnings;
     if (++count <= max_errors) out += render_one(*d, format);
   }
-  const std::size_t more_errors = beyond(errors + beyond(errors_added_, kMostKept), max_errors);
-  const std::size_t more_warnings = beyond(warnings + beyond(warnings_added_, kMostKept), max_errors);
+  const std::size_t more_errors = beyond(errors + beyond(errors_added_, kMaxKept), max_errors);
+  const std::size_t more_warnings = beyond(warnings + beyond(warnings_added_, kMaxKept), max_errors);
   if (more_errors > 0) out += fmt::format("… and {} more errors\n", more_errors);
   if (more_warnings > 0) out += fmt::format("… and {} more warnings\n", more_warnings);
   return out;
@@ -199,15 +199,16 @@ std::string render(const Diagnostic& d, ErrorFormat format) {
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
-  // A third of the word may be wrong, but never all of it.
+  // At most a third of the word may be wrong.
   const std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
   std::size_t best = limit + 1;
   std::string found;
   for (const std::string& candidate : candidates) {
     const auto [shorter, longer] = std::minmax({candidate.size(), word.size()});
-    if (longer - shorter > limit || longer > kLongestCompared) continue;
+    if (longer - shorter > limit || longer > kMaxCompared) continue;
     const std::size_t edits = edit_distance(word, candidate);
-    if (edits >= best || edits >= shorter) continue;
+    const bool is_nearer = edits < best || (edits == best && longer == shorter && found.size() != word.size());
+    if (!is_nearer || edits >= shorter) continue;
     best = edits;
     found = candidate;
   }

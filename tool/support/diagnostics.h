@@ -20,7 +20,7 @@ namespace robcogen {
 enum class Severity { note, warning, error };
 enum class ErrorFormat { gnu, msvc };
 
-// A place in a source, or in no source at all (`source` empty).
+// A place in a source; without a source when `source` is empty.
 struct Place {
   std::shared_ptr<const Source> source;
   Span span;
@@ -38,16 +38,16 @@ struct Diagnostic {
   Place place;
   std::vector<Note> notes;
   std::string hint;                       // `did you mean 'x'?`; empty when there is none
-  std::vector<std::string> details = {};  // lines shown in the place of the source's
+  std::vector<std::string> details = {};  // lines shown instead of the source line
 };
 
 class Diagnostics {
  public:
-  // Return the stored diagnostic, so that notes and a hint can be added to it at once. After 10,000 errors (warnings
-  // and notes) further ones are counted, but not kept.
+  // These return the stored diagnostic, so that notes and a hint can be added. After 10,000 errors (or warnings and
+  // notes) further ones are counted, but not stored.
   Diagnostic& error(std::string code, Place place, std::string message);
   Diagnostic& warning(std::string code, Place place, std::string message);
-  // What was done with the input and the user should know, though nothing is wrong.
+  // Information about how the input was read; nothing is wrong.
   Diagnostic& note(std::string code, Place place, std::string message);
 
   bool has_errors() const;
@@ -70,7 +70,8 @@ class Diagnostics {
 
 std::string render(const Diagnostic& d, ErrorFormat format = ErrorFormat::gnu);
 
-// The candidate nearest to `word` by edit distance, the first of equals, or empty when none is near enough to be meant.
+// The candidate nearest to `word` by edit distance, or empty when none is near enough to be meant. Of equally near
+// ones, the first of the same length, else the first.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 // `did you mean 'x'?`, or empty.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// At most `limit` bytes and one more, which tells that there are others.
+// At most `limit` + 1 bytes: the last one shows that the file is larger.
 std::string read_up_to(std::FILE* file, std::size_t limit) {
   std::string text;
   std::array<char, 1 << 16> block;
@@ -34,7 +34,7 @@ bool same_content(const fs::path& path, const std::string& text) {
 bool write(const fs::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();  // a full disk may show only here
+  file.close();  // a full disk may be reported only here
   return static_cast<bool>(file);
 }
 
@@ -64,7 +64,7 @@ std::optional<std::string> read_file(const fs::path& path, std::string& error) {
   const std::string name = is_input ? "<standard input>" : path.string();
   std::error_code fault;
   if (!is_input && fs::is_directory(path, fault)) {
-    error = name + ": error: this is a folder, not a file";
+    error = name + ": error: a folder, not a file";
     return std::nullopt;
   }
   errno = 0;
@@ -80,7 +80,7 @@ std::optional<std::string> read_file(const fs::path& path, std::string& error) {
   }
   if (text->size() > kMaxInputSize) {
     error = name + ": error: the file has more than " + std::to_string(kMaxInputSize >> 20) +
-            " MiB; no document is read beyond that";
+            " MiB, the limit for documents";
     return std::nullopt;
   }
   return text;

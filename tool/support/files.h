@@ -9,11 +9,11 @@
 
 namespace robcogen {
 
-// No document is longer; input without end (a device, a pipe) stops there.
+// The limit for documents, also for input without an end (a device, a pipe).
 inline constexpr std::size_t kMaxInputSize = std::size_t{64} << 20;  // bytes
 
-// The file's bytes, or nullopt with a message in `error`. Refuses folders and what is longer than kMaxInputSize; "-" is
-// standard input.
+// The bytes of the file, or nullopt with a message in `error`. Refuses folders and files larger than kMaxInputSize. "-"
+// is standard input.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& error);
 
 struct OutputFile {

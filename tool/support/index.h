@@ -1,4 +1,4 @@
-// Numbers of joints, links and statements are ints; containers want their own type.
+// Indices of joints, links and statements are ints; containers need std::size_t.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is made when it is first asked for.
+// A value that is made at its first use.
 #pragma once
 
 #include <mutex>
@@ -6,7 +6,7 @@
 
 namespace robcogen {
 
-// Threads may ask at the same time: one makes it, the others wait.
+// Threads may call get() at the same time: one makes the value, the others wait.
 template <class T>
 class Lazy {
  public:

@@ -25,7 +25,7 @@ std::optional<Rational> reduced(Wide num, Wide den) {
   Wide a = num < 0 ? -num : num, b = den;
   constexpr Wide limit = INT64_MAX;
   while (b != 0 && (a > limit || b > limit)) a = std::exchange(b, a % b);
-  // Most fit into words, which are divided many times as quickly.
+  // Most numbers fit into words, whose division is much faster.
   if (b != 0) a = std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
   if (a > 1) {
     num /= a;
@@ -58,7 +58,7 @@ double nearest_double_times_pi(const Rational& r) {
   return static_cast<double>(quotient * std::numbers::pi_v<long double>);
 }
 
-// A double that is a fraction of a small power of two is taken at its word.
+// A double that is a multiple of a small power of two is exactly that fraction.
 std::optional<Rational> dyadic(double value) {
   constexpr double kScale = 1 << 20;
   const double scaled = value * kScale;
@@ -74,7 +74,7 @@ std::optional<long> exponent_of(std::string_view digits) {
   return read.ec == std::errc() ? std::optional(exponent) : std::nullopt;
 }
 
-// The shortest decimal fraction whose nearest double this is: what the author of a literal meant.
+// The shortest decimal fraction whose nearest double this is: the literal that its author wrote.
 std::optional<Rational> shortest_decimal(double value) {
   char buffer[40];
   const auto written = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
@@ -89,14 +89,14 @@ std::optional<Rational> shortest_decimal(double value) {
     num = num * 10 + (c - '0');
     if (is_fraction) --exponent;
   }
-  constexpr long kMostDigits = 18;  // of an integer of 64 bits; num has at most 17
-  if (exponent < -kMostDigits || exponent > kMostDigits) return std::nullopt;
+  constexpr long kMaxDigits = 18;  // of an integer of 64 bits; num has at most 17
+  if (exponent < -kMaxDigits || exponent > kMaxDigits) return std::nullopt;
   for (; exponent < 0; ++exponent) den *= 10;
   for (; exponent > 0; --exponent) num *= 10;
   return reduced(value < 0.0 ? -num : num, den);
 }
 
-// Of an unsigned literal that no double holds: is it too small for one, and not too large?
+// Whether an unsigned literal out of the range of doubles is too small, not too large.
 bool is_tiny(std::string_view text) {
   const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
   const std::size_t point = std::min(text.find('.'), mark);
@@ -109,7 +109,7 @@ bool is_tiny(std::string_view text) {
 
 // sin(num / den * PI), exact where it is rational; otherwise by the octant, so that equal magnitudes are equal doubles.
 double sin_of_pi(Wide num, Wide den) {
-  num %= 2 * den;  // 2 PI has no part in it
+  num %= 2 * den;  // modulo 2 PI
   double sign = 1.0;
   if (num < 0) {
     num = -num;
@@ -257,9 +257,9 @@ bool operator==(const Number& a, const Number& b) {
 }
 
 std::string print(const Number& n) {
-  constexpr std::int64_t kLargestLiteral = std::int64_t{1} << 53;  // above, a literal is not every integer
+  constexpr std::int64_t kMaxLiteral = std::int64_t{1} << 53;  // doubles hold every integer up to here
   const auto [num, den] = n.ratio().value_or(Rational{INT64_MAX, 1});
-  if (num > kLargestLiteral || num < -kLargestLiteral || den > kLargestLiteral) return print_double(n.value());
+  if (num > kMaxLiteral || num < -kMaxLiteral || den > kMaxLiteral) return print_double(n.value());
   if (!n.is_pi_multiple()) {
     const std::string plain = print_double(n.value());
     if (Number::parse(plain) == n) return plain;

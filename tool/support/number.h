@@ -1,8 +1,8 @@
 // A real constant that remembers when it is exactly rational, or exactly a rational multiple of PI.
 //
-// Documents write `PI/2.0` and `0.1`. Folding such constants in plain doubles loses what the author said: cos(PI/2)
-// becomes 6e-17 and a transform that should be a signed permutation becomes 9 live products. A Number folds exactly as
-// long as it can and falls back to the nearest double when it cannot.
+// Documents contain `PI/2.0` and `0.1`. Folding in doubles is inexact: cos(PI/2) becomes 6e-17, and a transform that is
+// a signed permutation becomes 9 products. A Number is folded exactly as long as possible, and otherwise is the nearest
+// double.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ class Number {
   static Number pi_multiple(std::int64_t num, std::int64_t den = 1);
   // The nearest double of a decimal literal (`1`, `.5`, `-1.0E5`). Exactly rational when the shortest decimal fraction
   // of that double fits 64-bit num / den, so that two literals of one double are one Number. nullopt when the text is
-  // no number, or is beyond the largest double; a literal below the smallest is zero.
+  // not a number, or is beyond the largest double. A literal below the smallest double is zero.
   static std::optional<Number> parse(const std::string& literal);
 
-  // The same value in a place where others of its kind are `typical`. Who folds sees both: it is zero, one or equal to
-  // another number only where both are. Sums, products and quotients have the typical value of the same computation.
+  // The same value, with the value `typical` of the other members of its set. Folding compares both: the number is
+  // zero, one, or equal to another number only when both values are. Sums, products and quotients compute both values.
   Number among(double typical) const;
   double typical() const { return typical_.value_or(value_); }
-  // Without what is typical.
+  // Without the typical value.
   Number plain() const;
 
   double value() const { return value_; }
@@ -53,14 +53,14 @@ class Number {
   friend Number tan(const Number& a);
   friend Number sqrt(const Number& a);
 
-  // Same double, the same exact form, and typical of the same.
+  // Same double, same exact form, same typical value.
   friend bool operator==(const Number& a, const Number& b);
 
  private:
   double value_ = 0.0;
   std::optional<Rational> ratio_ = Rational{0, 1};
   bool times_pi_ = false;
-  std::optional<double> typical_;  // where it is not the value
+  std::optional<double> typical_;  // when it differs from the value
 };
 
 // How a document spells the number: `0.25`, `1.0/3.0`, `PI/2.0`, `-2.0 PI/3.0`. Reads back as the same double and,

@@ -10,8 +10,8 @@
 namespace robcogen {
 namespace {
 
-// Of what runs beside other programs: a build starts several at once.
-constexpr std::size_t kMostThreads = 8;
+// A build starts several generators at the same time.
+constexpr std::size_t kMaxThreads = 8;
 
 }  // namespace
 
@@ -28,10 +28,10 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& f
     }
   };
   std::vector<std::thread> others;
-  const std::size_t threads = std::min({count, kMostThreads, std::size_t{std::thread::hardware_concurrency()}});
+  const std::size_t threads = std::min({count, kMaxThreads, std::size_t{std::thread::hardware_concurrency()}});
   try {
     while (others.size() + 1 < threads) others.emplace_back(work);
-  } catch (const std::system_error&) {  // no more threads to be had: those that there are do it all
+  } catch (const std::system_error&) {  // no more threads available: the existing ones do all the work
   }
   work();
   for (std::thread& other : others) other.join();

@@ -1,4 +1,4 @@
-// Many independent things at the same time.
+// A parallel loop.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace robcogen {
 
-// Calls f(0) to f(count - 1), each once, in any order and on all cores that this process may use. Returns when all are
-// done; of the exceptions that calls threw it then throws that of the first index.
+// Calls f(0) to f(count - 1), each once, in any order, on all cores that this process may use. Returns when all calls
+// have ended; if calls threw exceptions, throws the one of the lowest index.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& f);
 
 }  // namespace robcogen

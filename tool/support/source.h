@@ -8,7 +8,7 @@
 
 namespace robcogen {
 
-// What some editors put before a text in UTF-8. No part of the text, nor of its first line.
+// Some editors write it before a text in UTF-8. It is not part of the text, nor of its first line.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 // Half-open range of byte offsets into one source text.

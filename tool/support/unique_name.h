@@ -1,4 +1,4 @@
-// Names that no other thing has.
+// Unique names.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace robcogen {
 
-// The name, or with the first number from 2 on that makes it one that is not taken yet. Takes it.
+// The name, or the name with the first number from 2 on that is not taken. Adds it to `taken`.
 inline std::string unique_name(const std::string& wanted, std::unordered_set<std::string>& taken) {
   std::string name = wanted;
   for (int k = 2; !taken.insert(name).second; ++k) name = wanted + "_" + std::to_string(k);

@@ -56,7 +56,7 @@ TEST_F(Files, ThatCannotBeReadAreErrors) {
   EXPECT_EQ(read_file(folder_ / "absent", error_), std::nullopt);
   EXPECT_EQ(error_, (folder_ / "absent").string() + ": error: cannot read the file: No such file or directory");
   EXPECT_EQ(read_file(folder_, error_), std::nullopt);
-  EXPECT_EQ(error_, folder_.string() + ": error: this is a folder, not a file");
+  EXPECT_EQ(error_, folder_.string() + ": error: a folder, not a file");
 }
 
 TEST_F(Files, AreWrittenWithTheirFolders) {
