@@ -29,18 +29,21 @@ struct Assembly {
   KinematicTree tree{};
   std::vector<std::optional<Parenthood>> parents{};  // by link
   std::vector<std::optional<Place>> joint_uses{};    // by joint
-  // What a misspelt name was probably meant to be: it is not reported as missing as well.
+  // Elements that a misspelt name probably means: they are not reported as unused too.
   std::set<int> meant_links{};
   std::set<int> meant_joints{};
+  // After an error about a name, errors that may follow from it are not reported.
+  bool links_repeat = false;
+  bool joints_repeat = false;
 
   std::size_t link_count() const { return description.links.size() + 1; }
   const DescribedLink& link(std::size_t index) const { return described_link(description, index); }
 };
 
-// Enters a name, and reports one that is taken or differs from another in case only. `elements` are those entered so
-// far.
+// Adds a name. Reports a name that another element has, or that differs from another name in case only. `elements` are
+// those added so far. Returns whether the name is new.
 template <class Element>
-void declare(
+bool declare(
     NameIndex& index,
     const char* kind,
     const char* duplicate_code,
@@ -48,7 +51,8 @@ void declare(
     const Place& place,
     const std::vector<Element>& elements,
     Diagnostics& diagnostics) {
-  if (const auto same = index.find(name)) {
+  const auto same = index.find(name);
+  if (same) {
     diagnostics.error(duplicate_code, place, fmt::format("{} '{}' is declared twice", kind, name))
         .notes.push_back({elements[at(*same)].place, "first declared here"});
   } else if (const auto similar = index.find_in_other_case(name)) {
@@ -59,16 +63,19 @@ void declare(
         .notes.push_back({other.place, fmt::format("'{}' is declared here", other.name)});
   }
   index.add(name);
+  return !same;
 }
 
 void declare_elements(Assembly& a) {
   for (std::size_t i = 0; i < a.link_count(); ++i) {
     const DescribedLink& link = a.link(i);
-    declare(a.links, "link", "duplicate-link", link.name, link.place, a.tree.links, a.diagnostics);
+    if (!declare(a.links, "link", "duplicate-link", link.name, link.place, a.tree.links, a.diagnostics))
+      a.links_repeat = true;
     a.tree.links.push_back({link.name, link.inertia, -1, {}, link.place});
   }
   for (const DescribedJoint& joint : a.description.joints) {
-    declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics);
+    if (!declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics))
+      a.joints_repeat = true;
     a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits});
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
@@ -84,7 +91,7 @@ void declare_elements(Assembly& a) {
   a.joint_uses.resize(a.tree.joints.size());
 }
 
-// What the implicit frame of this name belongs to: "link 'hip'"; empty when there is no such frame.
+// The owner of the implicit frame of this name: "link 'hip'"; empty when there is no such frame.
 std::string owner_of_implicit_frame(const Assembly& a, const std::string& frame) {
   const std::string prefix = implicit_frame_name("");
   if (!frame.starts_with(prefix)) return "";
@@ -103,8 +110,9 @@ void declare_frames(Assembly& a) {
         a.diagnostics.warning(
             "frame-hidden", frame.place,
             fmt::format(
-                "frame '{}' has the name that belongs to the frame of {}: transforms and Jacobians mean that one, and "
-                "this frame serves only as a ref_frame",
+                "frame '{}' has the name of the implicit frame of {}: transforms and Jacobians use that frame, and "
+                "this "
+                "one serves only as a ref_frame",
                 frame.name, owner));
       }
       a.tree.user_frames.push_back({frame.name, static_cast<int>(i), frame.placement, !owner.empty(), frame.place});
@@ -112,7 +120,7 @@ void declare_frames(Assembly& a) {
   }
 }
 
-// Puts the pose of the frame that the mass properties refer to into them.
+// Stores the pose of the reference frame in the mass properties.
 void resolve_reference(Assembly& a, std::size_t index) {
   const DescribedLink& link = a.link(index);
   if (!link.inertia || !link.reference_frame) return;
@@ -147,12 +155,14 @@ std::optional<int> find_or_report(
     const char* unknown_code,
     const std::string& name,
     const Place& place,
+    bool repeats,
     std::set<int>& meant,
     Diagnostics& diagnostics) {
   if (const auto found = index.find(name)) return found;
+  if (repeats) return std::nullopt;  // one of the equal names may be meant to be this one
   Diagnostic& error = diagnostics.error(unknown_code, place, fmt::format("{} '{}' is not declared", kind, name));
   if (name == "world") {
-    error.hint = "leave the world out: the RobotBase stands in it, or moves in it where it is 'floating'";
+    error.hint = "leave the world out: the RobotBase is fixed to it, or moves in it when it is 'floating'";
   } else if (const auto similar = index.nearest_to(name)) {
     error.hint = fmt::format("did you mean '{}'?", index.name_of(*similar));
     meant.insert(*similar);
@@ -164,6 +174,7 @@ std::optional<int> find_or_report(
 bool may_adopt(Assembly& a, int parent, int child, const Place& place) {
   const std::string& name = a.tree.links[at(child)].name;
   const std::string& parent_name = a.tree.links[at(parent)].name;
+  if (a.links_repeat && (name == parent_name || a.parents[at(child)])) return false;
   if (child == parent) {
     a.diagnostics.error("self-loop", place, fmt::format("link '{}' is a child of itself", name));
     return false;
@@ -187,15 +198,17 @@ bool may_adopt(Assembly& a, int parent, int child, const Place& place) {
 }
 
 void link_child(Assembly& a, int parent, const DescribedChild& child) {
-  const auto link =
-      find_or_report(a.links, "link", "unknown-link", child.link, child.link_place, a.meant_links, a.diagnostics);
-  const auto joint =
-      find_or_report(a.joints, "joint", "unknown-joint", child.joint, child.joint_place, a.meant_joints, a.diagnostics);
+  const auto link = find_or_report(
+      a.links, "link", "unknown-link", child.link, child.link_place, a.links_repeat, a.meant_links, a.diagnostics);
+  const auto joint = find_or_report(
+      a.joints, "joint", "unknown-joint", child.joint, child.joint_place, a.joints_repeat, a.meant_joints,
+      a.diagnostics);
   const bool adopted = link && may_adopt(a, parent, *link, child.link_place);
   if (adopted) a.parents[at(*link)] = {parent, child.link_place};
   if (!joint) return;
   std::optional<Place>& use = a.joint_uses[at(*joint)];
   if (use) {
+    if (a.joints_repeat) return;
     a.diagnostics
         .error(
             "joint-used-twice", child.joint_place, fmt::format("joint '{}' connects two pairs of links", child.joint))
@@ -211,6 +224,7 @@ void link_child(Assembly& a, int parent, const DescribedChild& child) {
 }
 
 void report_unused_joints(Assembly& a) {
+  if (a.joints_repeat) return;
   for (std::size_t i = 0; i < a.joint_uses.size(); ++i) {
     const int joint = static_cast<int>(i);
     if (a.joint_uses[i] || a.meant_joints.contains(joint) || a.joints.is_repetition(joint)) continue;
@@ -232,11 +246,12 @@ void report_cycle(Assembly& a, std::vector<int> loop) {
   const Link& first = a.tree.links[at(loop.front())];
   Diagnostic& error =
       a.diagnostics.error("cycle", first.place, fmt::format("links form a cycle: {}'{}'", text, first.name));
-  error.notes.push_back({a.parents[at(loop.front())]->place, fmt::format("'{}' is made a child here", first.name)});
+  error.notes.push_back({a.parents[at(loop.front())]->place, fmt::format("'{}' becomes a child here", first.name)});
 }
 
 // Every link must lead to the base. One that does not is in a cycle, or beyond one, or in an island.
 void check_connected(Assembly& a) {
+  if (a.links_repeat) return;
   enum class State { unseen, on_this_walk, done };
   std::vector<State> states(a.tree.links.size(), State::unseen);
   states[0] = State::done;

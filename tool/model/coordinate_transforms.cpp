@@ -72,14 +72,14 @@ std::optional<CoordinateTransform> MotionGraph::transform_between(
   for (const Step& step : *walk) {
     std::vector<PrimitiveTransform> primitives = primitives_of(*step.motion, convention_);
     if (step.backwards) std::reverse(primitives.begin(), primitives.end());
-    // An inverse negates, and so does spelling the same map with the moved frame on the left.
+    // Both an inverse and the moved frame on the left negate.
     const bool negate = step.backwards != (position == MovedFramePosition::left);
     for (PrimitiveTransform& primitive : primitives) {
       if (negate) primitive.amount = -primitive.amount;
       transform.primitives.push_back(std::move(primitive));
     }
   }
-  // A user's name belongs to the transform that the motion itself stands for, not to its inverse.
+  // The user's name belongs to the transform of the motion, not to its inverse.
   if (walk->size() == 1 && !walk->front().backwards) transform.name = walk->front().motion->name;
   return transform;
 }

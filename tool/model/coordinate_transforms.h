@@ -50,11 +50,11 @@ class MotionGraph {
       MovedFramePosition position = MovedFramePosition::right) const;
 
  private:
-  // One motion on the way from one frame to another.
+  // One motion on the path from one frame to another.
   struct Step {
     const Motion* motion = nullptr;
     bool backwards = false;
-    int from = -1, to = -1;  // of the walk
+    int from = -1, to = -1;  // in the direction of the path
   };
 
   std::optional<std::vector<Step>> walk(int from, int to) const;
@@ -83,12 +83,12 @@ CoordinateTransforms transforms_of(
     const std::vector<FrameNames>& pairs,
     MovedFramePosition position = MovedFramePosition::right);
 
-// The motions that transforms say: their frames, and one motion a transform. Unlike those of a document they may
-// connect two frames on several ways.
+// The motions of transforms: their frames, and one motion per transform. Unlike those of a document, they may connect
+// two frames by several paths.
 RigidMotions motions_of(const CoordinateTransforms& transforms);
 
-// The transforms between these frames, in their order: those that stand among `transforms`, and of the others what
-// follows from them. All must be connected.
+// The transforms between these frames, in their order: those in `transforms`, and products of them. All must be
+// connected.
 CoordinateTransforms chosen(const CoordinateTransforms& transforms, const std::vector<FrameNames>& pairs);
 
 }  // namespace robcogen::model

@@ -1,4 +1,4 @@
-// A robot as an importer hands it over: elements that refer to one another by name, not yet known to form a tree.
+// A robot as an importer reads it: elements that refer to one another by name, not yet checked to form a tree.
 #pragma once
 
 #include <optional>
@@ -29,6 +29,7 @@ struct DescribedLink {
   Place id_place;
   std::optional<Inertia> inertia;  // `reference` is filled by build from reference_frame
   Place inertia_place;
+  Place mass_place;  // of the number
   std::optional<std::string> reference_frame;
   Place reference_place;
   std::vector<DescribedChild> children;
@@ -58,9 +59,9 @@ inline const DescribedLink& described_link(const Description& description, std::
   return index == 0 ? description.base : description.links[index - 1];
 }
 
-// Links the elements and checks them: one parent each, no island, no cycle, names, every joint used once, reference
-// frames, ids (warnings), plausible mass properties (warnings with the numbers; an error, naming the joint, where a
-// massless subtree would make the inertia matrix singular for every q). nullopt when an error was reported.
+// Connects the elements and checks them: one parent each, no island, no cycle, names, every joint used once, reference
+// frames, ids (warnings), plausible mass properties (warnings with the numbers; a warning that names the joint where
+// the inertia matrix is singular for every q). nullopt when an error was reported.
 std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics);
 
 }  // namespace robcogen::model

@@ -54,7 +54,7 @@ RigidBodyInertia in_link_frame(const Inertia& inertia) {
 
   // The parallel-axis theorem from the reference origin straight to the link origin:
   //   I_link = R I R' + m ((2 t.c + t.t) 1 - (t c' + c t' + t t')).
-  // Going through the centre of mass says the same, but subtracts m |c|^2 only to add it again.
+  // The way through the centre of mass is equivalent, but subtracts m |c|^2 and adds it again.
   const Matrix I = tensor(inertia);
   const Matrix rows = {I * R[0], I * R[1], I * R[2]};  // row i: I R' e_i, as I is symmetric
   const Quantity two(Number::rational(2));

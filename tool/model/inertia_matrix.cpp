@@ -1,13 +1,13 @@
-// Where does a motion meet no inertia: is the joint-space inertia matrix H singular in every position?
+// Finds motions without inertia: the joint-space inertia matrix H is singular in every position.
 //
 // Eliminating the joints from the leaves to the base (the articulated-body recursion, Featherstone 2008, section 7.3)
 // yields the pivots of a factorisation of H: pivot j is the inertia that joint j meets while the joints beyond it are
 // free. H is singular where a pivot is zero; and as its determinant is analytic in q, it is singular everywhere if it
 // is at a position without special angles.
 //
-// A computed zero is only zero up to rounding, and what is small depends on the units and sizes of the robot. So every
-// articulated inertia is given a small inertia more, in proportion to itself: a pivot that doubles when this addition
-// doubles consists of nothing else.
+// A computed zero is zero only up to rounding, and the scale of rounding depends on the units and sizes of the robot.
+// Therefore a small inertia is added to every articulated inertia, in proportion to it: a pivot that doubles when this
+// addition doubles consists of the addition only.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace robcogen::model {
 
 namespace {
 
-// Large against the rounding of one recursion step, small against any inertia that a robot has on purpose.
+// Large compared with the rounding of one recursion step, small compared with any real inertia of a robot.
 constexpr double kAddition = 1e-12;
 
 using Matrix6 = std::array<std::array<double, 6>, 6>;  // spatial, angular rows first
@@ -109,8 +109,8 @@ void add_in_proportion(Matrix6& a, double part) {
   for (std::size_t i = 0; i < 3; ++i) a[i][i] += part * rotation, a[i + 3][i + 3] += part * translation;
 }
 
-// Makes one direction free: what is left is the inertia that the others meet. Without any inertia there is nothing to
-// take away. Returns the pivot.
+// Makes one direction free: leaves the inertia that the others meet. Without any inertia, leaves all as it is. Returns
+// the pivot.
 double eliminate(Matrix6& a, std::size_t direction) {
   const std::array<double, 6> column = a[direction];
   const double pivot = column[direction];
@@ -126,7 +126,7 @@ struct Pivots {
   std::vector<double> base;  // of a floating base; empty for a fixed one
 };
 
-enum class Beyond { free, locked };  // the joints beyond the one that is looked at
+enum class Beyond { free, locked };  // the joints beyond the one under examination
 
 Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
   OrdinaryNumbers numbers;
@@ -160,7 +160,7 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
 std::vector<bool> zeros(const std::vector<double>& once, const std::vector<double>& twice) {
   std::vector<bool> result(once.size());
   for (std::size_t i = 0; i < once.size(); ++i) {
-    // A half for a zero, next to nothing for an inertia; false for what overflowed.
+    // A half for a zero, close to 0 for an inertia; false after an overflow.
     result[i] = twice[i] - once[i] >= 0.4 * std::abs(twice[i]);
   }
   return result;

@@ -1,4 +1,4 @@
-// What a user is told about a robot whose mass properties leave functions of its dynamics without an answer.
+// Messages about mass properties that make functions of the dynamics undefined.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,8 +36,7 @@ std::string subject(const KinematicTree& tree) {
   if (defects.joints.size() > kMaxNamed) names.push_back(fmt::format("{} more", defects.joints.size() - kMaxNamed));
   std::string text;
   if (!names.empty()) text = fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));
-  if (defects.free_base)
-    text += fmt::format("{}floating base '{}'", text.empty() ? "" : " and ", tree.links[0].name);
+  if (defects.free_base) text += fmt::format("{}floating base '{}'", text.empty() ? "" : " and ", tree.links[0].name);
   const bool is_one = defects.joints.size() + (defects.free_base ? 1 : 0) == 1;
   return text + (is_one ? " meets" : " meet");
 }
@@ -52,7 +51,7 @@ void report_singular(const KinematicTree& tree, Diagnostics& diagnostics) {
   Diagnostic& warning = diagnostics.warning(
       kSingular, reasons.front().place,
       fmt::format(
-          "{} no inertia: the joint-space inertia matrix is singular in every position, so that forward dynamics{} and "
+          "{} no inertia: the joint-space inertia matrix is singular in every position; forward dynamics{} and "
           "the factor of the matrix are not available",
           subject(tree), defects.locked_base ? ", inverse dynamics of the free base" : ""));
   warning.notes = std::move(reasons);
@@ -66,28 +65,28 @@ void report_inertia_defects(const KinematicTree& tree, Diagnostics& diagnostics)
     diagnostics.note(
         kNoInertia, tree.links[0].place,
         fmt::format(
-            "no link that moves has mass properties: robot '{}' has transforms, Jacobians, velocities and "
-            "accelerations, "
-            "and no dynamics",
+            "no moving link has mass properties: robot '{}' has transforms, Jacobians, velocities and accelerations, "
+            "but "
+            "no dynamics",
             tree.name));
     return;
   }
   if (defects.is_singular()) {
     report_singular(tree, diagnostics);
   } else if (defects.locked_base) {
-    // Masses of either sign that cancel: no acceleration of the base answers the joints' motion.
+    // Masses of opposite signs cancel: no acceleration of the base balances the motion of the joints.
     diagnostics.warning(
         kSingularBase, tree.links[0].place,
         fmt::format(
-            "floating base '{}' and all that it carries have no inertia in some direction in any position, so that "
-            "inverse dynamics of the free base is not available",
+            "floating base '{}' and the links on it have no inertia in some direction in any position; inverse "
+            "dynamics "
+            "of the free base is not available",
             tree.links[0].name));
   }
   if (defects.no_mass) {
     diagnostics.warning(
         kNoMass, tree.links[0].place,
-        "the masses of all moving links add up to zero, so that the centre of mass and the centroidal momentum are not "
-        "available");
+        "the total mass of the moving links is zero; the centre of mass and the centroidal momentum are not available");
   }
 }
 

@@ -21,7 +21,7 @@ std::string implicit_frame_name(const std::string& element) {
 std::vector<int> KinematicTree::topological() const {
   std::vector<int> order;
   order.reserve(joints.size());
-  // A stack of our own: a chain may be deeper than the call stack.
+  // An explicit stack: a chain may be deeper than the call stack.
   std::vector<int> pending(links[0].child_joints.rbegin(), links[0].child_joints.rend());
   while (!pending.empty()) {
     const int joint = pending.back();
@@ -85,7 +85,7 @@ int KinematicTree::link_of(const Frame& frame) const {
 
 namespace {
 
-// Whether a frame is what its link calls its own: a user frame of the link's name.
+// Whether the link has a user frame of its own name.
 bool is_named_after_its_link(const KinematicTree& tree, const Frame& frame) {
   return frame.kind == Frame::Kind::user && frame.name == tree.links[at(tree.link_of(frame))].name;
 }

@@ -40,7 +40,7 @@ struct RigidBodyInertia {
   Quantity ixx, iyy, izz, ixy, ixz, iyz;  // moments, and products of positive sign
 };
 
-// Moves the properties from `reference` to the link frame; exact folding for constants, expressions for parameters.
+// Moves the properties from `reference` to the link frame: constants are folded exactly.
 RigidBodyInertia in_link_frame(const Inertia& inertia);
 
 // parent_R_frame, row by row: maps coordinates in the placed frame to coordinates in its parent. Exact for multiples of
@@ -55,7 +55,7 @@ struct Link {
   Place place;
 };
 
-// How far, how fast and how strongly a joint may move: rad or m, per second, N m or N. Nothing computes with them.
+// Limits of position (rad or m), velocity (per second) and effort (N m or N). No function computes with them.
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -71,14 +71,14 @@ struct Joint {
   int child = -1;       // link index
   Placement placement;  // of the joint frame in the parent link frame; motion is about or along its z axis
   Place place;
-  JointLimits limits = {};  // infinite where the document knows none
+  JointLimits limits = {};  // infinite when the document has none
 };
 
 struct UserFrame {
   std::string name;
   int link = -1;
   Placement placement;  // in the link frame
-  bool hidden = false;  // an implicit frame has this name and wins: only an inertia's ref_frame can mean this one
+  bool hidden = false;  // an implicit frame has this name: only an inertia's ref_frame can refer to this one
   Place place;
 };
 
@@ -90,18 +90,18 @@ struct Frame {
   std::string name;
 };
 
-// Name of the frame that the link or joint of this name has without being asked.
+// The name of the implicit frame of the link or joint of this name.
 std::string implicit_frame_name(const std::string& element);
 
-// Where mass properties leave the dynamics without an answer, in every position (inertia_defects in plausibility.h).
+// Mass properties that make functions of the dynamics undefined in every position (inertia_defects in plausibility.h).
 struct InertiaDefects {
   // A joint that meets no inertia while the joints beyond it are free; `locked`: nor while they are locked.
   struct FreeJoint {
     int joint = -1;
     bool locked = false;
   };
-  bool no_inertia = false;  // nothing that moves has mass properties: the robot is kinematics alone
-  bool no_mass = false;     // the masses of all that moves add up to zero: there is no centre of mass
+  bool no_inertia = false;  // no moving link has mass properties: kinematics only
+  bool no_mass = false;     // the total mass of the moving links is zero: the centre of mass is undefined
   std::vector<FreeJoint> joints = {};
   bool free_base = false;    // the floating base meets no inertia in some direction while the joints are free
   bool locked_base = false;  // the same while the joints are locked: the robot as one body
@@ -123,7 +123,7 @@ class KinematicTree {
   int dof() const { return static_cast<int>(joints.size()); }
   // Joint indices, parents before children, depth first, children in the order of the document.
   std::vector<int> topological() const;
-  // -1 for the base's.
+  // -1 for the parent of the base.
   int parent_joint_of(int joint) const {
     return links[static_cast<std::size_t>(joints[static_cast<std::size_t>(joint)].parent)].parent_joint;
   }

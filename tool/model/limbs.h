@@ -1,5 +1,5 @@
-// Equal limbs of a kinematic tree: legs of a quadruped, arms of a humanoid. Equal in topology and types of joints,
-// whatever their dimensions and masses are.
+// Congruent limbs of a kinematic tree: legs of a quadruped, arms of a humanoid. They agree in topology and in types of
+// joints; dimensions and masses may differ.
 #pragma once
 
 #include <vector>
@@ -19,16 +19,16 @@ struct LimbClass {
   std::vector<int> corresponding(std::size_t k) const;
 };
 
-// Numbers the shapes of what hangs on each joint: joints have the same number if and only if their types agree and what
-// hangs on their links can be paired, shape by shape.
+// Numbers the shapes of the subtrees of joints: two joints have the same number if and only if their types agree and
+// the subtrees on their links can be paired, shape by shape.
 std::vector<int> limb_shapes(const KinematicTree& tree);
 
 // The joints from this one on, depth first; children by shape, equal ones in the order of the document. So the joints
 // of two limbs of one shape correspond, one by one.
 std::vector<int> limb_joints(const KinematicTree& tree, const std::vector<int>& shapes, int first);
 
-// From the base outwards. What lies in a limb of a class is not looked into again: the fingers of two equal arms
-// correspond from arm to arm, not within a hand. Limbs stand in the order of the document's children, and so do those
+// From the base outwards. Limbs inside a limb of a class are not searched: the fingers of two congruent arms correspond
+// from arm to arm, not within a hand. Limbs stand in the order of the document's children, and so do those
 // branches of a limb that could be exchanged.
 std::vector<LimbClass> limb_classes(const KinematicTree& tree);
 

@@ -26,7 +26,7 @@ std::string gaps_between(const std::map<int, Place>& ids) {
   return text;
 }
 
-// The original tool goes through the links by their ids, and takes it that parents come first.
+// The first RobCoGen walks through the links by id, and assumes that parents come first.
 void check_parents_first(const Description& description, Diagnostics& diagnostics) {
   std::map<std::string, const DescribedLink*> links;
   for (const DescribedLink& link : description.links) links.insert({link.name, &link});
@@ -37,11 +37,11 @@ void check_parents_first(const Description& description, Diagnostics& diagnostic
       Diagnostic& warning = diagnostics.warning(
           "child-before-parent", found->second->id_place,
           fmt::format(
-              "id {} of link '{}' is smaller than id {} of its parent '{}': the original RobCoGen computes wrong "
+              "id {} of link '{}' is smaller than id {} of its parent '{}': the first RobCoGen computes wrong "
               "dynamics from such ids, without a message",
               *found->second->id, child.link, *parent.id, parent.name));
-      warning.notes.push_back({parent.id_place, fmt::format("the id of '{}'", parent.name)});
-      warning.hint = "number parents before their children; here ids have no effect";
+      warning.notes.push_back({parent.id_place, fmt::format("the id of '{}' is here", parent.name)});
+      warning.hint = "number parents before their children; in this generator ids have no effect";
     }
   }
 }
@@ -56,15 +56,19 @@ void check_link_ids(const Description& description, Diagnostics& diagnostics) {
     if (!link.id) continue;
     const auto [earlier, is_new] = ids.insert({*link.id, link.id_place});
     if (is_new) continue;
-    diagnostics.warning("duplicate-id", link.id_place, fmt::format("id {} of link '{}' is taken", *link.id, link.name))
+    diagnostics
+        .warning(
+            "duplicate-id", link.id_place,
+            fmt::format("id {} of link '{}' is the id of another link", *link.id, link.name))
         .notes.push_back({earlier->second, "first used here"});
   }
-  if (!diagnostics.has_errors()) check_parents_first(description, diagnostics);  // else there may be no such order
+  if (!diagnostics.has_errors())
+    check_parents_first(description, diagnostics);  // otherwise such an order may not exist
   if (ids.empty()) return;
   const auto& [first, first_place] = *ids.begin();
   const std::string gaps = gaps_between(ids);
   if (!gaps.empty()) {
-    diagnostics.warning("gapped-ids", first_place, fmt::format("ids of links are not consecutive: no {}", gaps));
+    diagnostics.warning("gapped-ids", first_place, fmt::format("ids of links are not consecutive: {} missing", gaps));
   } else if (first < 0 || first > kLargestFirstId) {
     diagnostics.warning("gapped-ids", first_place, fmt::format("ids of links start with {}, not with 1", first));
   }

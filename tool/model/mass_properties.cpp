@@ -11,11 +11,11 @@ namespace robcogen::model {
 
 namespace {
 
-// A moment may miss the triangle inequality or positivity by this part of the largest one: documents round their
+// A moment may violate the triangle inequality or positivity by this fraction of the largest one: documents round their
 // numbers, and rods and plates lie exactly on the limit.
 constexpr double kMomentTolerance = 1e-6;
-// Rounding of the subtraction of m |c|^2, by whoever wrote the moments and here: relative to the moments that are given
-// and to that of the link's mass at its reach. Point masses have no others to compare with.
+// Rounding of the subtraction of m |c|^2, by the author of the moments and here: relative to the given moments and to
+// the moment of the link's mass at its reach. Point masses have no other scale.
 constexpr double kNoise = 1e-12;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
@@ -75,11 +75,11 @@ void check_mass(const DescribedLink& link, Diagnostics& diagnostics) {
   if (!mass.is_constant()) return;
   if (mass.number().value() < 0.0) {
     diagnostics.warning(
-        "negative-mass", link.inertia_place,
-        fmt::format("mass of link '{}' is negative: {} kg", link.name, print_double(mass.number().value())));
+        "negative-mass", link.mass_place,
+        fmt::format("the mass of link '{}' is negative: {} kg", link.name, print_double(mass.number().value())));
   } else if (mass.is_zero()) {
-    diagnostics.warning("zero-mass", link.inertia_place, fmt::format("mass of link '{}' is zero", link.name)).hint =
-        "leave out the inertia of a link that is meant to have none";
+    diagnostics.warning("zero-mass", link.mass_place, fmt::format("the mass of link '{}' is zero", link.name)).hint =
+        "a link without mass needs no inertia: leave it out";
   }
 }
 
@@ -93,18 +93,18 @@ Verdict judge(const std::array<double, 3>& moments, double noise) {
   return high > low + middle + tolerance ? Verdict::unequal : Verdict::plausible;
 }
 
-// The length of a constant vector; zero for what depends on parameters.
+// The length of a constant vector; zero for a vector that depends on parameters.
 double length(const std::array<Quantity, 3>& v) {
   for (const Quantity& component : v)
     if (!component.is_constant()) return 0.0;
   return std::hypot(evaluate(v[0]), evaluate(v[1]), evaluate(v[2]));
 }
 
-// By joint: how far from the origin of its parent's frame it is.
+// By joint: its distance from the origin of the parent's frame.
 using Distances = std::map<std::string, double>;
 
-// How far from the origin of its frame a link's centre of mass, its frames and the joints that it carries are, and how
-// far it is from its parent's.
+// The largest distance from the origin of the link frame to the centre of mass, a user frame, a child joint, or the
+// parent frame.
 double reach_of(const DescribedLink& link, const Distances& distances, double from_parent) {
   double reach = std::max(from_parent, length(link.inertia->com));
   for (const DescribedFrame& frame : link.frames) reach = std::max(reach, length(frame.placement.translation));
@@ -130,16 +130,17 @@ void check_moments(const DescribedLink& link, double reach, Diagnostics& diagnos
           ? diagnostics.warning(
                 "inertia-not-positive", link.inertia_place,
                 fmt::format(
-                    "inertia of link '{}' about its centre of mass is not positive semi-definite: principal moments {}",
+                    "the inertia of link '{}' about its centre of mass is not positive semi-definite: principal "
+                    "moments {}",
                     link.name, moments))
           : diagnostics.warning(
                 "triangle-inequality", link.inertia_place,
                 fmt::format(
-                    "no body has the inertia of link '{}': of its principal moments about the centre of mass, {}, the "
-                    "largest exceeds the sum of the others",
+                    "the inertia of link '{}' is not that of a body: the largest principal moment about the centre of "
+                    "mass exceeds the sum of the others ({})",
                     link.name, moments));
   if (judge(given, noise) == Verdict::plausible) {
-    warning.hint = "moments are those about the origin of the frame; were these meant about the centre of mass?";
+    warning.hint = "moments of inertia are given about the origin of the frame; are these about the centre of mass?";
   }
 }
 

@@ -6,7 +6,7 @@ namespace robcogen::model {
 
 namespace {
 
-// Of ASCII letters, whatever the locale.
+// For ASCII letters, independent of the locale.
 std::string lower_case(std::string text) {
   for (char& c : text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -42,7 +42,8 @@ std::optional<int> NameIndex::find_in_other_case(const std::string& name) const 
 std::optional<int> NameIndex::nearest_to(const std::string& name) {
   if (questions_left_ == 0) return std::nullopt;
   --questions_left_;
-  return find(nearest(name, names_));
+  const std::string found = nearest(name, names_);
+  return found.empty() ? std::nullopt : find(found);
 }
 
 }  // namespace robcogen::model

@@ -1,4 +1,4 @@
-// The way from a name to the element that has it, for one kind of element.
+// A map from names to elements of one kind.
 #pragma once
 
 #include <map>
@@ -17,8 +17,8 @@ class NameIndex {
   std::optional<int> find(const std::string& name) const;
   // The first element whose name differs from this one in the case of its letters only.
   std::optional<int> find_in_other_case(const std::string& name) const;
-  // The element that a misspelt name was probably meant to be. Gives up after many questions: each costs a look at all
-  // names, and a file with thousands of unknown names is not helped by guesses.
+  // The element that a misspelt name probably means. Gives up after many calls: each compares all names, and guesses do
+  // not help a file with thousands of unknown names.
   std::optional<int> nearest_to(const std::string& name);
   // Whether an earlier element has the same name.
   bool is_repetition(int index) const { return find(name_of(index)) != index; }

@@ -1,4 +1,4 @@
-// Checks of what a robot says, beyond whether its elements form a tree.
+// Checks of a robot beyond its tree structure.
 #pragma once
 
 #include "model/description.h"
@@ -6,20 +6,20 @@
 namespace robcogen::model {
 
 // Warns about ids of links that are given twice, about gaps between them, and about a child whose id is smaller than
-// its parent's. Ids are hints and mean nothing else here.
+// that of its parent. Ids have no other effect.
 void check_link_ids(const Description& description, Diagnostics& diagnostics);
 
-// Warns, with the numbers, about a mass that is negative or zero, and about moments of inertia that no body has:
-// negative about some axis through the centre of mass, or one larger than the sum of the other two. Properties that
-// depend on parameters are not judged, nor is a fixed base, whose properties are never used.
+// Warns, with the numbers, about a mass that is negative or zero, and about impossible moments of inertia: negative
+// about some axis through the centre of mass, or one larger than the sum of the other two. Properties that depend on
+// parameters are not checked, nor is a fixed base, whose properties are never used.
 void check_mass_properties(const Description& description, Diagnostics& diagnostics);
 
 // Finds every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space
-// inertia matrix has no inverse anywhere. Parameters are taken to have some value that is not special.
+// inertia matrix has no inverse anywhere. Parameters have generic values.
 InertiaDefects inertia_defects(const KinematicTree& tree);
 
 // Warns, with the names of the joints, that functions which divide by the inertia matrix are not available; notes a
-// robot of kinematics alone.
+// robot without mass properties.
 void report_inertia_defects(const KinematicTree& tree, Diagnostics& diagnostics);
 
 // The codes of these reports.

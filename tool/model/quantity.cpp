@@ -245,7 +245,7 @@ class Printer {
     return t.binding < at_least || t.text.front() == '-' ? parenthesise(t) : t.text;
   }
 
-  // `0.5 length`, the only product that every dialect reads, where it is one; `a*b` otherwise.
+  // `0.5 length` for a number times a name, the only product that every dialect reads; otherwise `a*b`.
   Text product(const Quantity& q) const {
     const Text left = print(q.left());
     const bool left_is_plain = q.left().is_constant() && left.binding != Binding::product;

@@ -12,7 +12,7 @@
 
 namespace robcogen::model {
 
-// Decided by where a parameter stands: in the translation or the rotation of a placement, or in mass properties alone.
+// Follows from where a parameter stands: in the translation or the rotation of a placement, or only in mass properties.
 enum class ParameterKind { length, angle, inertial };
 
 struct Parameter {
@@ -23,8 +23,8 @@ struct Parameter {
   bool is_in_masses_too = false;  // a length or an angle that mass properties depend on
 };
 
-// Which of the two interfaces a parameter belongs to: lengths and angles to that of kinematics, what stands in mass
-// properties to that of dynamics, what stands in both to both.
+// The interfaces that a parameter belongs to: lengths and angles to the kinematic one, parameters of mass properties to
+// the dynamic one, parameters of both kinds to both.
 inline bool is_kinematics(const Parameter& p) {
   return p.kind != ParameterKind::inertial;
 }

@@ -12,7 +12,7 @@ double magnitude(const Quantity& q, double of_unknown) {
   return q.is_constant() ? std::abs(q.number().value()) : of_unknown;
 }
 
-// No less than the length.
+// An upper bound of the length.
 double length_of(const std::array<Quantity, 3>& offset) {
   double sum = 0.0;
   for (const Quantity& q : offset) sum += magnitude(q, 1.0);

@@ -1,4 +1,4 @@
-// How large a robot is.
+// Upper bounds of the size of a robot.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace robcogen::model {
 
-// Of a link and all beyond it, with constants alone; what depends on parameters counts as one metre, or as nothing.
+// Of a link and its subtree, from constants only: a length that depends on parameters counts as one metre, a mass as
+// zero.
 struct Extent {
-  double length = 0.0;   // m: from the link's origin along the offsets of joints and centres of mass, the longest way
+  double length = 0.0;   // m: from the link's origin along the offsets of joints and centres of mass, the longest path
   double mass = 0.0;     // kg
-  double inertia = 0.0;  // kg m^2: no less than any moment or product about the link's origin
+  double inertia = 0.0;  // kg m^2: at least any moment or product about the link's origin
 };
 
 // By link.

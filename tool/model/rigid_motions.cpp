@@ -8,7 +8,7 @@ namespace robcogen::model {
 
 namespace {
 
-// trx try trz rotx roty rotz, without those by zero.
+// trx try trz rotx roty rotz, without steps of zero.
 std::vector<ElementaryMotion> steps_of(const Placement& placement) {
   std::vector<ElementaryMotion> steps;
   for (const bool rotation : {false, true}) {
@@ -21,7 +21,7 @@ std::vector<ElementaryMotion> steps_of(const Placement& placement) {
   return steps;
 }
 
-// A name that no parameter has.
+// A name different from those of all parameters.
 std::string variable_name(const KinematicTree& tree, const Joint& joint) {
   std::string name = "q_" + joint.name;
   const auto is_taken = [&] {
