@@ -31,8 +31,8 @@ TEST(Extremes, ALineOfTenMegabytes) {
   ASSERT_EQ(diagnostics.all().size(), 1u);
   EXPECT_EQ(
       diagnostics.render(),
-      "test:1:10000024: error: expected inertia_params, inertia_properties, children, frames or '}' in base 'b', found "
-      "'childen' [unknown-item]\n    …" +
+      "test:1:10000024: error: expected 'inertia_params', 'inertia_properties', 'children', 'frames' or '}' in base "
+      "'b', found 'childen' [unknown-item]\n    …" +
           std::string(66, ' ') + "RobotBase b { childen {} }" + std::string(68, ' ') + "…\n     " +
           std::string(80, ' ') + "^~~~~~~\nhint: did you mean 'children'?\n");
 }

@@ -28,8 +28,8 @@ std::string_view name_at(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
-// Where the name of XML's root element stands: behind declarations, comments and processing instructions. Empty for
-// what is not XML.
+// The name of the root element of XML, after declarations, comments and processing instructions. Empty when the text is
+// not XML.
 std::string_view root_element(std::string_view text) {
   for (text = without_blanks(text); text.starts_with('<'); text = without_blanks(text)) {
     const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : ">";
@@ -42,14 +42,14 @@ std::string_view root_element(std::string_view text) {
   return {};
 }
 
-// More than one byte in eight that no text has.
+// More than one byte in eight is a control character.
 bool is_binary(std::string_view text) {
-  constexpr std::size_t kJudged = 512, kFewest = 16;
-  const std::string_view beginning = text.substr(0, kJudged);
+  constexpr std::size_t kExamined = 512, kMinSize = 16;
+  const std::string_view beginning = text.substr(0, kExamined);
   const auto controls = std::count_if(beginning.begin(), beginning.end(), [](char c) {
     return c == '\x7f' || (static_cast<unsigned char>(c) < 0x20 && kBlanks.find(c) == std::string_view::npos);
   });
-  return beginning.size() >= kFewest && static_cast<std::size_t>(controls) * 8 > beginning.size();
+  return beginning.size() >= kMinSize && static_cast<std::size_t>(controls) * 8 > beginning.size();
 }
 
 bool is_json(std::string_view text) {
@@ -59,7 +59,7 @@ bool is_json(std::string_view text) {
   return inside.starts_with('"') || inside.starts_with('}');
 }
 
-// A line `key: …`, or one that says so, behind comments.
+// After comments, a line `key: …` or a marker of YAML.
 bool is_yaml(std::string_view text) {
   while (text.starts_with('#')) text = without_blanks(text.substr(std::min(text.find('\n'), text.size())));
   if (text.starts_with("---") || text.starts_with("%YAML")) return true;
@@ -75,23 +75,23 @@ bool is_utf16(std::string_view text) {
   return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
 }
 
-// What it is, for a message.
+// For a message: what the text is.
 std::string description(Content content, std::string_view text) {
   switch (content) {
     case Content::urdf:
-      return "this is a URDF";
+      return "a URDF";
     case Content::sdf:
-      return "this is an SDF document (root element 'sdf')";
+      return "an SDF document (root element 'sdf')";
     case Content::mjcf:
-      return "this is an MJCF model of MuJoCo (root element 'mujoco')";
+      return "an MJCF model of MuJoCo (root element 'mujoco')";
     case Content::xml:
-      return fmt::format("this is XML, and no URDF (root element {})", quote(root_element(text)));
+      return fmt::format("an XML document with root element {}", quote(root_element(text)));
     case Content::json:
-      return "this is JSON";
+      return "a JSON document";
     case Content::yaml:
-      return "this is YAML";
+      return "a YAML document";
     case Content::binary:
-      return "this is a binary file";
+      return "a binary file";
     case Content::unknown:
       break;
   }
@@ -107,7 +107,9 @@ void refuse(const std::shared_ptr<const Source>& source, Content content, Diagno
     span.begin = span.end - root.size() - 1;
   }
   diagnostics
-      .error("other-format", {source, span}, description(content, text) + ", not a document of robcogen's languages")
+      .error(
+          "other-format", {source, span},
+          fmt::format("this is {}, not a document in a language of robcogen", description(content, text)))
       .hint = content == Content::urdf ? "'robcogen convert' makes a robot document of it"
                                        : "robots are read from URDF (.urdf) and robot documents (.kindsl); convert it";
 }
@@ -115,7 +117,7 @@ void refuse(const std::shared_ptr<const Source>& source, Content content, Diagno
 }  // namespace
 
 Content content_of(std::string_view text) {
-  if (is_utf16(text)) return Content::unknown;  // the lexer says so
+  if (is_utf16(text)) return Content::unknown;  // the lexer reports it
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (is_binary(text)) return Content::binary;
   const std::string_view root = root_element(text);

@@ -1,4 +1,4 @@
-// What a file holds, whatever its name says.
+// The kind of document that a file holds, judged by its text.
 #pragma once
 
 #include <memory>
@@ -8,16 +8,16 @@
 
 namespace robcogen::language {
 
-// `unknown` is what may be a document of the four languages, or what is left of one.
+// `unknown`: perhaps a document of the four languages, or a part of one.
 enum class Content { unknown, urdf, sdf, mjcf, xml, json, yaml, binary };
 
-// By the beginning of the text: the root element of XML, the first sign of JSON, the first key of YAML.
+// Judges by the beginning of the text: the root element of XML, the first character of JSON, the first key of YAML.
 Content content_of(std::string_view text);
 
-// Reports, once, content that nothing here reads: all but URDFs and unknown ones. Returns whether it did.
+// Reports, once, content that robcogen does not read: all kinds except `urdf` and `unknown`. Returns whether it did.
 bool refuse_foreign(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-// The tokens of a document of the four languages. Other content, URDFs too, is reported once, and the list is cut.
+// The tokens of a document of the four languages. Other content, URDFs included, is reported once, and the list is cut.
 TokenList tokenize_document(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 }  // namespace robcogen::language

@@ -21,6 +21,15 @@ std::vector<std::string> quoted_words(std::string_view text) {
 
 }  // namespace
 
+std::string suggest_keyword(std::string_view word, const std::vector<std::string>& keywords) {
+  constexpr std::size_t kMinPart = 3;
+  const std::string similar = did_you_mean(std::string(word), keywords);
+  if (!similar.empty() || word.size() < kMinPart) return similar;
+  const auto found =
+      std::find_if(keywords.begin(), keywords.end(), [&](const auto& k) { return k.find(word) != std::string::npos; });
+  return found == keywords.end() ? "" : fmt::format("did you mean '{}'?", *found);
+}
+
 std::string describe(const Token& token) {
   switch (token.kind) {
     case Token::Kind::end:
@@ -67,6 +76,30 @@ bool Cursor::begins_line() const {
   return last == std::string_view::npos || before[last] == '\n' || before[last] == '\r';
 }
 
+bool Cursor::after_line_end() const {
+  if (at_ == 0) return false;
+  const std::size_t end = previous().span.end;
+  const std::string_view between = list_.source->text().substr(end, peek().span.begin - end);
+  return between.find_first_of("\r\n") != std::string_view::npos;
+}
+
+bool Cursor::adjacent(std::size_t ahead) const {
+  return peek(ahead + 1).kind != Token::Kind::end && peek(ahead).span.end == peek(ahead + 1).span.begin;
+}
+
+bool Cursor::is_faulty_here() const {
+  constexpr std::size_t kMaxDistance = 1000;  // in a line without end, each error would look at all of it
+  const auto after = std::lower_bound(
+      list_.faults.begin(), list_.faults.end(), peek().span.begin + 1,
+      [](const Span& fault, std::size_t offset) { return fault.begin < offset; });
+  if (after == list_.faults.begin()) return false;
+  const std::size_t end = std::prev(after)->end;
+  if (end >= peek().span.begin || (at_ > 0 && end > previous().span.end)) return true;
+  const std::size_t distance = peek().span.begin - end;
+  return distance < kMaxDistance &&
+         list_.source->text().substr(end, distance).find_first_of("\r\n") == std::string_view::npos;
+}
+
 bool Cursor::at_name(std::size_t ahead) const {
   return peek(ahead).kind == Token::Kind::identifier && !is_keyword(peek(ahead));
 }
@@ -84,7 +117,14 @@ Token Cursor::expect(std::string_view word, std::string_view context) {
 
 Token Cursor::expect_name(std::string_view what) {
   if (at_name()) return take();
-  if (!at_keyword()) unexpected(what, "");
+  if (peek().kind == Token::Kind::number && peek(1).kind == Token::Kind::identifier && adjacent()) {
+    const Span word = {peek().span.begin, peek(1).span.end};
+    const std::string_view text = list_.source->text().substr(word.begin, word.end - word.begin);
+    error_at(word, "unexpected-token", fmt::format("expected {}, found '{}'", what, text)).hint =
+        "a name begins with a letter or '_'";
+    throw SyntaxError{};
+  }
+  if (!at_keyword() || misses_token()) unexpected(what, "");
   error("keyword-as-name", fmt::format("'{}' is a keyword and cannot be {}", peek().text, what)).hint =
       fmt::format("write '^{}' to use it as a name", peek().text);
   throw SyntaxError{};
@@ -104,14 +144,46 @@ Diagnostic& Cursor::warning_at(Span span, std::string code, std::string message)
 
 void Cursor::unexpected(std::string_view expected, std::string_view context) {
   if (at_end()) {
-    if (!list_.cut) report_unexpected_end(expected);
+    if (!list_.cut && !is_faulty_here()) report_unexpected_end(expected);
     throw SyntaxError{};
   }
-  Diagnostic& d = error(
-      "unexpected-token",
-      fmt::format(
-          "expected {}{}, found {}", expected, context.empty() ? "" : fmt::format(" {}", context), describe(peek())));
-  if (peek().kind == Token::Kind::identifier) d.hint = did_you_mean(std::string(peek().text), quoted_words(expected));
+  if (is_faulty_here()) throw SyntaxError{};
+  const std::string missing = fmt::format("expected {}{}{}", expected, context.empty() ? "" : " ", context);
+  if (misses_token()) {
+    const std::size_t end = previous().span.end;
+    error_at({end, end}, "unexpected-token", missing);
+    throw SyntaxError{};
+  }
+  error("unexpected-token", fmt::format("{}, found {}", missing, describe(peek()))).hint = hint_for(expected);
+  throw SyntaxError{};
+}
+
+std::string Cursor::hint_for(std::string_view expected) const {
+  const Token& token = peek();
+  if (token.kind == Token::Kind::identifier) {
+    const std::string hint = suggest_keyword(token.text, quoted_words(expected));
+    if (!hint.empty()) return hint;
+  }
+  if (at_ == 0) return "";
+  if (at("=") && at("{", 1)) return "leave out the '='";
+  const bool after_name = previous().kind == Token::Kind::identifier && !is_keyword(previous());
+  const bool touches = previous().span.end == token.span.begin;
+  if (after_name && touches && (at("-") || at("."))) return "names consist of A-Z, a-z, 0-9 and '_'";
+  const bool is_operand = token.kind == Token::Kind::number || at_name();
+  const bool ends_expression = expected == "','" || expected == "')'";
+  if (after_name && is_operand && ends_expression && !at("=", 1))
+    return fmt::format("write '{}*{}' for the product", previous().text, token.text);
+  return "";
+}
+
+bool Cursor::at_decimal_comma() const {
+  const Token &before = previous(), &comma = peek(), &after = peek(1);
+  return at(",") && before.kind == Token::Kind::number && after.kind == Token::Kind::number &&
+         before.span.end == comma.span.begin && comma.span.end == after.span.begin;
+}
+
+void Cursor::decimal_comma(Span span) {
+  error_at(span, "decimal-comma", "a number is written with a point: '1.5', not '1,5'");
   throw SyntaxError{};
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-// How tightly an expression binds: what needs parentheses inside what.
+// How tightly an expression binds; a weaker one inside a stronger one needs parentheses.
 enum Strength { sum = 0, product = 1, sign = 2, operand = 3 };
 
 Strength strength(const Expression& e) {
@@ -35,7 +35,8 @@ std::string inside(const Expression& e, Strength least) {
   return strength(e) < least ? "(" + text + ")" : text;
 }
 
-// Without an exponent, which the original did not know; large numbers as long as that is readable.
+// Without an exponent, which the first RobCoGen did not read, unless the number is too large or too small to be
+// readable.
 std::string literal(const Number& number) {
   const double value = number.value(), magnitude = std::abs(value);
   if (magnitude < 1e-300 || magnitude >= 1e20) return print_double(value);
@@ -70,8 +71,8 @@ std::string print(const Expression& e) {
     case Kind::subtract:
       return inside(*e.left, sum) + " - " + inside(*e.right, product);
     case Kind::multiply: {
-      // The original knows the product of a number and a name by juxtaposition only; parameters with defaults, which it
-      // did not have, came with '*'.
+      // The first RobCoGen reads the product of a number and a name only without '*'. It has no parameters with
+      // defaults.
       const bool is_name = e.right->kind == Kind::pi || (e.right->kind == Kind::name && !e.right->default_value);
       const bool is_plain = e.right->group.empty() && !e.right->is_parameter;
       const bool juxtaposed = e.left->kind == Kind::number && is_name && is_plain;
@@ -88,7 +89,7 @@ std::string print(const Expression& e) {
     case Kind::square_root:
       return "sqrt(" + print(*e.left) + ")";
   }
-  assert(false && "unknown expression");
+  assert(false && "unknown kind of expression");
   return "";
 }
 

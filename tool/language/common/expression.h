@@ -13,11 +13,11 @@ namespace robcogen::language {
 struct Expression;
 using ExpressionPtr = std::shared_ptr<const Expression>;
 
-// Names are kept as written (without the escaping '^'); what a name means is decided when the model is built.
+// Names are kept as written, without the escaping '^'. The import decides what a name means.
 struct Expression {
   enum class Kind {
     number,    // literal, or a folded constant
-    pi,        // `PI`, `pi`, `Pi`, … : the constant unless a parameter of exactly this name is declared
+    pi,        // `PI`, `pi`, `Pi`, …: the constant, unless a parameter of exactly this name is declared
     name,      // parameter or variable; `group` for `Group.name`
     constant,  // named constant `<name=3.2>` (with value in `left`) or `<name>`, `c:name:value`, `consts.name`
     negate,
@@ -32,22 +32,22 @@ struct Expression {
   };
   Kind kind = Kind::number;
   Span span;
-  Number number;              // kind number
-  std::string name;           // kinds pi (its spelling), name, constant
-  bool escaped = false;       // kinds name, constant: its name is written with '^', because the name is a keyword
-  std::string group;          // kind name: `Group.` prefix, or empty
-  bool is_parameter = false;  // kind name: written `p:name`, a parameter that its use declares
+  Number number;                        // kind number
+  std::string name;                     // kinds pi (its spelling), name, constant
+  bool escaped = false;                 // kinds name, constant: written with '^', because the name is a keyword
+  std::string group;                    // kind name: `Group.` prefix, or empty
+  bool is_parameter = false;            // kind name: written `p:name`, which declares a parameter
   std::optional<Number> default_value;  // kind name: `m1[1]`
   ExpressionPtr left;                   // operand, or first operand
   ExpressionPtr right;                  // second operand
-  bool juxtaposed = false;              // kind multiply: `2.0 a`; the same as `2.0*a`, of which print prefers one
+  bool juxtaposed = false;              // kind multiply: written `2.0 a`, not `2.0*a`
 };
 
-// Text that parses back to an equal tree (spans apart). Prefers the original's spelling: `PI/2.0`, `-PI/2.0`, `0.5 len`
-// where that spelling exists, full arithmetic otherwise.
+// Text that parses back to an equal tree, except for spans. Prefers the spelling of the first RobCoGen (`PI/2.0`,
+// `-PI/2.0`, `0.5 len`) where it exists.
 std::string print(const Expression& e);
 
-// Same tree, ignoring spans.
+// Same tree; spans may differ.
 bool equal(const Expression& a, const Expression& b);
 
 }  // namespace robcogen::language

@@ -14,21 +14,21 @@ Name name(Cursor& cursor, std::string_view what) {
   return {std::string(token.text), token.span};
 }
 
-// Names with commas between, up to `}`; an empty list where the language allows it.
+// Names separated by commas, up to `}`. The list may be empty where the language allows it.
 std::vector<Name> names(Cursor& cursor, std::string_view section, std::string_view what, bool may_be_empty) {
   cursor.expect("{", fmt::format("after '{}'", section));
   std::vector<Name> list;
   if (may_be_empty && cursor.accept("}")) return list;
   do list.push_back(name(cursor, what));
   while (cursor.accept(","));
-  if (!cursor.at("}")) cursor.unexpected("',' or '}'", fmt::format("after {}", what));
+  if (!cursor.at("}")) cursor.unexpected("',' or '}'", fmt::format("after '{}'", list.back().text));
   cursor.take();
   return list;
 }
 
 void parse_frames(Cursor& cursor, FramesHeader& header) {
   const Token word = cursor.take();
-  if (header.frames) cursor.error_at(word.span, "duplicate-item", "a second 'Frames'");
+  if (header.frames) cursor.error_at(word.span, "duplicate-item", "'Frames' is given twice");
   header.frames.emplace();
   *header.frames = names(cursor, "Frames", "the name of a frame", false);
 }
@@ -79,6 +79,7 @@ FramesHeader parse_frames_header(Cursor& cursor, std::initializer_list<std::stri
     if (cursor.at_end()) throw;
   }
   while (cursor.at_any({"Frames", "Params"})) {
+    cursor.begin_statement();
     try {
       if (cursor.at("Frames")) {
         parse_frames(cursor, header);
@@ -105,6 +106,7 @@ std::vector<AxisStep> parse_steps(Cursor& cursor, const std::vector<std::string>
     const Token token = cursor.take();
     cursor.expect("(", fmt::format("after '{}'", token.text));
     step.amount = parse_expression(cursor);
+    if (cursor.at_decimal_comma()) cursor.decimal_comma(cursor.peek().span);
     step.span = {token.span.begin, cursor.expect(")", fmt::format("at the end of '{}'", token.text)).span.end};
     steps.push_back(std::move(step));
   }
@@ -113,8 +115,23 @@ std::vector<AxisStep> parse_steps(Cursor& cursor, const std::vector<std::string>
 std::optional<Name> parse_user_name(Cursor& cursor) {
   if (!cursor.accept("[")) return std::nullopt;
   const Name result = name(cursor, "a name");
-  cursor.expect("]", "after a name");
+  cursor.expect("]", "after the name");
   return result;
+}
+
+void unexpected_after_steps(
+    Cursor& cursor,
+    const std::vector<std::string>& words,
+    std::string_view what,
+    std::string_view next) {
+  std::string expected;
+  for (const std::string& word : words) expected += fmt::format("'{}', ", word);
+  if (cursor.after_line_end()) cursor.begin_statement();  // report the token, not the end of the line before it
+  if (cursor.is_faulty_here() || (!cursor.at(",") && !cursor.at("*")))
+    cursor.unexpected(fmt::format("{}'[' or {}", expected, next), "");
+  cursor.error("unexpected-token", fmt::format("unexpected '{}' between the steps of {}", cursor.peek().text, what))
+      .hint = "steps are separated by blanks only";
+  throw SyntaxError{};
 }
 
 std::string print_name(const Name& name, const std::vector<std::string>& keywords) {

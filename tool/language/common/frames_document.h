@@ -1,5 +1,5 @@
-// What documents about frames (motions and transforms) have in common: a header of the model's name, its frames and its
-// groups of parameters, and a body of statements about pairs of frames.
+// The common parts of documents about frames (motions and transforms): a header with the name of the model, its frames
+// and its groups of parameters, and a body of statements about pairs of frames.
 #pragma once
 
 #include <optional>
@@ -33,23 +33,30 @@ struct AxisStep {
   Span span;
 };
 
-// `Model ID`, the list of frames, groups of parameters. Goes on after an error where the next part begins; `stops` are
-// the keywords that begin what follows the header.
+// `Model ID`, the list of frames, groups of parameters. Continues after an error where the next part begins; `stops`
+// are the keywords that begin the part after the header.
 FramesHeader parse_frames_header(Cursor& cursor, std::initializer_list<std::string_view> stops);
 
-// Steps named `words`, those of translations along x, y, z first, then rotations.
+// Steps named `words`: translations along x, y, z first, then rotations.
 std::vector<AxisStep> parse_steps(Cursor& cursor, const std::vector<std::string>& words);
 
-// `[name]`, where it stands.
+// `[name]`, when it is there.
 std::optional<Name> parse_user_name(Cursor& cursor);
 
-// The canonical text of the parts; `keywords` are escaped.
+// Reports a token that continues neither the steps nor the document. `what`: `a motion`, `next`: `the next motion`.
+[[noreturn]] void unexpected_after_steps(
+    Cursor& cursor,
+    const std::vector<std::string>& words,
+    std::string_view what,
+    std::string_view next);
+
+// The canonical text of each part; names that are `keywords` are escaped.
 std::string print_frames_header(const FramesHeader& header, const std::vector<std::string>& keywords);
 std::string print_steps(const std::vector<AxisStep>& steps, const std::vector<std::string>& words);
 std::string print_name(const Name& name, const std::vector<std::string>& keywords);
 std::string print_comments(const std::vector<std::string>& comments, const std::string& indent = "");
 
-// Same content, places apart.
+// Same content; places may differ.
 bool equal(const FramesHeader& a, const FramesHeader& b);
 bool equal(const std::vector<AxisStep>& a, const std::vector<AxisStep>& b);
 

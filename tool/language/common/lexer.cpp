@@ -8,7 +8,7 @@ namespace robcogen::language {
 namespace {
 
 constexpr std::string_view kSymbols = "{}()[]=,:+-*/<>";
-constexpr std::size_t kLongestName = 255;
+constexpr std::size_t kMaxNameLength = 255;
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -40,7 +40,7 @@ class Lexer {
       list_.cut = true;
     }
     while (at_ < text_.size() && !list_.cut) next();
-    // The end is where the text ends, not where blank lines after it do.
+    // Blank lines at the end do not count.
     const std::size_t end = text_.find_last_not_of(" \t\r\n") + 1;
     list_.tokens.push_back({Token::Kind::end, false, "", {end, end}});
     return std::move(list_);
@@ -51,6 +51,8 @@ class Lexer {
   Diagnostics& diagnostics_;
   TokenList list_;
   std::size_t at_ = 0;
+  std::size_t closing_quote_ = std::string_view::npos;  // of quotes that were reported
+  std::string strays_;                                  // characters that were reported in the present line
 
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
   std::string_view text_from(std::size_t begin) const { return text_.substr(begin, at_ - begin); }
@@ -63,7 +65,8 @@ class Lexer {
 
   void next() {
     const char c = peek();
-    if (is_blank(c)) {
+    if (is_blank(c) || at_ == closing_quote_) {
+      if (c == '\n' || c == '\r') strays_.clear();
       ++at_;
     } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
       comment();
@@ -80,8 +83,9 @@ class Lexer {
     }
   }
 
-  // The error is at the text from there to the present place.
+  // The error covers the text from `begin` to the present place.
   Diagnostic& error(const char* code, std::size_t begin, std::string message) {
+    list_.faults.push_back({begin, at_});
     return diagnostics_.error(code, {list_.source, {begin, at_}}, std::move(message));
   }
 
@@ -97,7 +101,7 @@ class Lexer {
       const std::size_t end = text_.find("*/", at_ + 2);
       if (end == std::string_view::npos) {
         at_ += 2;
-        error("unterminated-comment", begin, "this comment does not end");
+        error("unterminated-comment", begin, "this comment does not end: '*/' is missing");
         list_.cut = true;
         return;
       }
@@ -115,12 +119,22 @@ class Lexer {
     const std::size_t first = at_;
     while (is_word(peek())) ++at_;
     const std::string_view name = text_from(first);
-    push(Token::Kind::identifier, begin, name.substr(0, kLongestName)).escaped = escaped;
-    if (name.size() > kLongestName)
-      error("name-too-long", begin, fmt::format("a name of more than {} characters", kLongestName));
+    if (!escaped && peek() == '.' && is_digit(peek(1))) {
+      skip_malformed_number();
+      Diagnostic& fault =
+          error("bad-number", begin, fmt::format("{} is neither a name nor a number", quote(text_from(begin))));
+      if (name == "O" || name == "o") fault.hint = "write the digit 0, not the letter O";
+      push(Token::Kind::number, begin, text_from(begin));
+      return;
+    }
+    push(Token::Kind::identifier, begin, name.substr(0, kMaxNameLength)).escaped = escaped;
+    if (name.size() > kMaxNameLength)
+      error(
+          "name-too-long", begin,
+          fmt::format("this name has {} characters; at most {} are allowed", name.size(), kMaxNameLength));
   }
 
-  // Digits, point, exponent. What follows at once may be a name, which multiplies: `2.0a`; unless it reads like a
+  // Digits, point, exponent. A name that follows without a blank multiplies (`2.0a`), unless the text reads like a
   // number of another language.
   void number() {
     const std::size_t begin = at_;
@@ -144,7 +158,7 @@ class Lexer {
     }
     push(Token::Kind::number, begin, text_from(begin));
     if (!Number::parse(std::string(text_from(begin))))
-      error("number-too-large", begin, fmt::format("{} is too large a number", quote(text_from(begin))));
+      error("number-too-large", begin, fmt::format("number {} is too large for a double", quote(text_from(begin))));
   }
 
   // Letters, digits and points, and the sign of an exponent.
@@ -156,8 +170,8 @@ class Lexer {
     while (is_word(peek()) || peek() == '.' || at_sign()) ++at_;
   }
 
-  // What to write for a number that runs into letters as numbers of other languages do; empty where none follow, or
-  // they are a name.
+  // The hint for a number with letters at its end, as other languages write numbers; empty when no letters follow, or
+  // when they are a name.
   std::string hint_to_malformed_number(std::size_t begin, bool has_exponent) const {
     std::size_t end = at_;
     while (end < text_.size() && is_word(text_[end])) ++end;
@@ -171,7 +185,7 @@ class Lexer {
     if (not_underscore > 0 && (not_underscore == word.size() || is_digit(word[not_underscore])))
       return "write digits without separators";
     const std::string product = fmt::format("'{0} {1}' for {0} times '{1}'", number, word);
-    if (begins_with('e') && tail.empty()) return fmt::format("write digits behind the '{}', or {}", word, product);
+    if (begins_with('e') && tail.empty()) return fmt::format("write digits after the '{}', or {}", word, product);
     if (begins_with('e') && counts && has_exponent) return "write one exponent";
     if (begins_with('d') && counts)
       return fmt::format("write '{}e{}' for a power of ten, or {}", number, tail, product);
@@ -208,29 +222,54 @@ class Lexer {
     return last == std::string_view::npos || text_[last] == '\n' || text_[last] == '\r';
   }
 
-  // A run of bytes that mean nothing is one error.
+  // A run of meaningless bytes is one error, and so are a pair of quotes and a character that repeats in its line.
   void stray() {
     const std::size_t begin = at_;
     const auto byte = static_cast<unsigned char>(peek());
+    const bool is_repeated = strays_.find(peek()) != std::string::npos;
+    strays_ += peek();
     ++at_;
+    if (byte == '"' || byte == '\'') {
+      quotes(begin, is_repeated);
+      return;
+    }
     while (at_ < text_.size() && !is_blank(peek()) && !is_word(peek()) && !is_symbol(peek()) && peek() != '^' &&
            peek() != '$')
       ++at_;
+    if (is_repeated) return;
     if (byte >= 0x80) {
       error("stray-character", begin, "unexpected character outside ASCII").hint =
-          "names consist of A-Z, a-z, 0-9 and '_'; any text may stand in a comment";
+          "names consist of A-Z, a-z, 0-9 and '_'; comments may hold any text";
     } else if (byte == '#' || (byte == ';' && begins_line(begin))) {
       at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
       error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin])).hint =
           "a comment begins with '//'";
     } else if (byte == ';') {
       error("stray-character", begin, "unexpected character ';'").hint =
-          "leave it out: nothing stands between items, and a comment begins with '//'";
+          "items need no separator, components and names of a list are separated by ',', a comment begins with '//'";
+    } else if (byte == '^' && at_ < text_.size() && is_word(peek())) {
+      error("stray-character", begin, "unexpected character '^'").hint =
+          "write a power as a product; '^' stands only before a name that is a keyword";
     } else if (byte > 0x20 && byte < 0x7f) {
       error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin]));
     } else {
       error("stray-character", begin, fmt::format("unexpected byte 0x{:02x}", byte));
     }
+  }
+
+  // The text between quotes is read as if they were absent.
+  void quotes(std::size_t begin, bool is_repeated) {
+    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    const std::size_t closing = text_.find(text_[begin], at_);
+    if (closing < end) {
+      closing_quote_ = closing;
+      at_ = closing + 1;
+    }
+    if (!is_repeated)
+      error("stray-character", begin, fmt::format("unexpected character {}", text_[begin])).hint =
+          "write names and numbers without quotes";
+    if (!is_repeated) list_.faults.back().end = begin + 1;
+    at_ = begin + 1;
   }
 };
 

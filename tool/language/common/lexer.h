@@ -28,19 +28,19 @@ struct TokenList {
   std::shared_ptr<const Source> source;
   std::vector<Token> tokens;  // the last one is `end`
   std::vector<Comment> comments;
-  bool cut = false;  // the tokens end before the text does, which has been reported: nothing that is missing is news
+  std::vector<Span> faults;  // text that was reported here, in order
+  bool cut = false;  // the tokens end before the text does, which has been reported: do not report what is missing
 };
 
-// Reports bytes that belong to no token, malformed numbers (`0x1F`, `1_000`, `1e`, `1d0`, `1.0f`), and names without
-// end; goes on after each. What makes
-// the rest of the text meaningless (a comment that does not end, a `${…}` of a template, UTF-16) is reported and ends
-// the list.
+// Reports bytes that belong to no token (a character once per line), malformed numbers (`0x1F`, `1_000`, `1e`, `1d0`,
+// `1.0f`, `O.5`), quotes around a token, and names that are too long; continues after each. Text that makes the rest
+// meaningless (a comment without an end, a `${…}` of a template, UTF-16) is reported and ends the list.
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The value of a number; zero for one that was reported.
+// The value of a number; zero for a number that was reported.
 Number number_of(const Token& token);
 
-// The text between quotes, cut where it is too long for a message.
+// The text between quotes, shortened when it is too long for a message.
 std::string quote(std::string_view text);
 
 }  // namespace robcogen::language

@@ -11,8 +11,8 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr int kDeepest = 200;         // nested parentheses, functions and signs
-constexpr int kMostOperations = 500;  // in one expression
+constexpr int kMaxDepth = 200;       // nested parentheses, functions and signs
+constexpr int kMaxOperations = 500;  // in one expression
 
 constexpr std::array kFunctions = {
     std::pair("sin", Kind::sine), std::pair("cos", Kind::cosine), std::pair("tan", Kind::tangent),
@@ -58,18 +58,18 @@ class ExpressionParser {
   int depth_ = 0;
   int operations_ = 0;
 
-  // `2.0 -PI` and nothing more.
+  // At `2.0 -PI`, alone.
   bool at_signed_product() const {
     const std::size_t first = cursor_.at("-") ? 1 : 0;
     const Token &number = cursor_.peek(first), &sign = cursor_.peek(first + 1), &name = cursor_.peek(first + 2);
     if (number.kind != Token::Kind::number || !cursor_.at("-", first + 1) || !cursor_.at_name(first + 2)) return false;
     if (number.span.end == sign.span.begin || sign.span.end != name.span.begin) return false;
-    constexpr std::array kGoesOn = {"+", "-", "*", "/", "(", "[", "="};
+    constexpr std::array kContinues = {"+", "-", "*", "/", "(", "[", "="};
     return std::none_of(
-        kGoesOn.begin(), kGoesOn.end(), [&](const char* symbol) { return cursor_.at(symbol, first + 3); });
+        kContinues.begin(), kContinues.end(), [&](const char* symbol) { return cursor_.at(symbol, first + 3); });
   }
 
-  // The sign goes to the number, `-2.0 PI`, which nobody takes for a difference.
+  // The sign moves to the number: `-2.0 PI` cannot be read as a difference.
   ExpressionPtr signed_product() {
     const std::size_t begin = cursor_.peek().span.begin;
     const bool negative = cursor_.accept("-");
@@ -81,8 +81,8 @@ class ExpressionParser {
         .warning_at(
             span, "signed-product",
             fmt::format(
-                "this is the product of {}{} and -{}, as the first RobCoGen read it", negative ? "-" : "", number.text,
-                name->name))
+                "this is read as the product of {}{} and -{}, as in the first RobCoGen", negative ? "-" : "",
+                number.text, name->name))
         .hint = fmt::format(
         "write '{0}{1} {2}' for the product, '{3}{1} - {2}' for the difference", negative ? "" : "-", number.text,
         name->name, negative ? "-" : "");
@@ -144,7 +144,30 @@ class ExpressionParser {
     if (cursor_.at("p") && cursor_.at(":", 1)) return coloned_parameter();
     if (cursor_.at_name() && cursor_.at(".", 1)) return member();
     if (cursor_.at_name()) return name_or_function();
-    cursor_.unexpected("a number, a name or '('", "");
+    missing_operand();
+  }
+
+  // A keyword in the place of a value is skipped, with those after it in `Ix = Iy = Iz = 0.3`: it begins no item.
+  [[noreturn]] void missing_operand() {
+    if (!cursor_.at_keyword() || cursor_.after_line_end() || cursor_.is_faulty_here())
+      cursor_.unexpected(
+          "a number, a name or '('",
+          cursor_.at_begin() ? std::string() : fmt::format("after '{}'", cursor_.previous().text));
+    const Token keyword = cursor_.peek();
+    Diagnostic& d = cursor_.error(
+        "unexpected-token", fmt::format("expected a number, a name or '(', found the keyword '{}'", keyword.text));
+    if (cursor_.at("=", 1)) {
+      d.hint = "give each item its own value";
+    } else {
+      d.hint = "a keyword has no value: write a number or a parameter";
+      cursor_.take();
+    }
+    while (cursor_.at_keyword() && cursor_.at("=", 1) && !cursor_.after_line_end()) {
+      cursor_.take();
+      cursor_.take();
+      if (!cursor_.at_keyword()) break;
+    }
+    throw SyntaxError{};
   }
 
   // Its span is that of the expression inside.
@@ -159,6 +182,8 @@ class ExpressionParser {
   ExpressionPtr name_or_function() {
     const Token token = cursor_.take();
     if (cursor_.at("(") && !token.escaped) return function(token);
+    if (is_function(token) && cursor_.peek().kind == Token::Kind::number && !cursor_.after_line_end())
+      cursor_.unexpected("'('", fmt::format("after '{}'", token.text));
     Expression e;
     const std::string lower_case = lower(token.text);
     e.kind = !token.escaped && lower_case == "pi" ? Kind::pi : Kind::name;
@@ -168,9 +193,8 @@ class ExpressionParser {
     if (accept_default(e)) {
       e.kind = Kind::name;
     } else if (!token.escaped && (lower_case == "nan" || lower_case == "inf" || lower_case == "infinity")) {
-      cursor_
-          .error_at(token.span, "not-a-number", fmt::format("'{}' is no number that a document can hold", token.text))
-          .hint = fmt::format("write '^{}' for a parameter of this name", token.text);
+      cursor_.error_at(token.span, "not-a-number", fmt::format("'{}' is not a finite number", token.text)).hint =
+          fmt::format("write '^{}' for a parameter of this name", token.text);
       throw SyntaxError{};
     }
     return std::make_shared<const Expression>(std::move(e));
@@ -220,11 +244,17 @@ class ExpressionParser {
     return std::make_shared<const Expression>(std::move(e));
   }
 
-  ExpressionPtr function(const Token& name) {
-    const auto known = std::find_if(
+  static auto find_function(const Token& name) {
+    return std::find_if(
         kFunctions.begin(), kFunctions.end(), [&](const auto& function) { return name.text == function.first; });
+  }
+
+  static bool is_function(const Token& name) { return !name.escaped && find_function(name) != kFunctions.end(); }
+
+  ExpressionPtr function(const Token& name) {
+    const auto known = find_function(name);
     if (known == kFunctions.end()) {
-      cursor_.error_at(name.span, "unknown-function", fmt::format("there is no function '{}'", name.text)).hint =
+      cursor_.error_at(name.span, "unknown-function", fmt::format("unknown function '{}'", name.text)).hint =
           "the functions are sin, cos, tan and sqrt";
       throw SyntaxError{};
     }
@@ -241,7 +271,7 @@ class ExpressionParser {
     return std::make_shared<const Expression>(std::move(e));
   }
 
-  // Its name, and its value after this symbol.
+  // The name, and after the symbol the value.
   Expression constant(std::size_t begin, std::string_view before_value) {
     const Token name = cursor_.expect_name("the name of a constant");
     Expression e;
@@ -266,15 +296,16 @@ class ExpressionParser {
   }
 
   void enter(Span span) {
-    if (++depth_ <= kDeepest) return;
-    cursor_.error_at(span, "nesting-too-deep", fmt::format("an expression nests deeper than {} levels", kDeepest));
+    if (++depth_ <= kMaxDepth) return;
+    cursor_.error_at(
+        span, "nesting-too-deep", fmt::format("this expression is nested more than {} levels deep", kMaxDepth));
     throw SyntaxError{};
   }
 
-  // Long chains are deep trees.
+  // A long chain is a deep tree.
   void count_operation() {
-    if (++operations_ <= kMostOperations) return;
-    cursor_.error("expression-too-long", fmt::format("an expression has more than {} operations", kMostOperations));
+    if (++operations_ <= kMaxOperations) return;
+    cursor_.error("expression-too-long", fmt::format("this expression has more than {} operations", kMaxOperations));
     throw SyntaxError{};
   }
 };

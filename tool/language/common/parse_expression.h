@@ -1,16 +1,17 @@
 // Arithmetic in documents: tokens to the tree of expression.h.
 //
 //     sum     = product (('+' | '-') product)*
-//     product = unary (('*' | '/')? unary)*          without a sign between: a name or `<constant>` after a number
+//     product = unary (('*' | '/')? unary)*          with no operator: a name or `<constant>` after a number
 //     unary   = ('-' | '+')* primary
 //     primary = NUMBER | NAME ('[' NUMBER ']')? | NAME '.' NAME ('[' NUMBER ']')? | constant
 //             | 'p' ':' NAME ('[' NUMBER ']')? | FUNCTION '(' sum ')' | '(' sum ')'
 //     constant = '<' NAME ('=' NUMBER)? '>' | 'c' ':' NAME (':' NUMBER)? | 'consts' '.' NAME
 //
-// A name right after a number multiplies it, as strongly as `*`: `2.0 PI/3.0`, `0.5 len`, `2.0a`. The first RobCoGen
-// read a signed name so too, and had no differences: an expression that is nothing but `2.0 -PI`, with a blank before
-// the sign and none after it, is that product, and a warning says so; `2.0 - PI`, `2.0-PI` and longer expressions
-// subtract. A keyword is no name: `Ix=0.5 Iy=0.3` are two items. Nor is a name before '=', which is a misspelt keyword.
+// A name directly after a number multiplies it, with the precedence of `*`: `2.0 PI/3.0`, `0.5 len`, `2.0a`. The first
+// RobCoGen read a signed name in the same way, and had no differences. Therefore an expression that consists of
+// `2.0 -PI` only, with a blank before the sign and none after it, is that product, with a warning; `2.0 - PI`, `2.0-PI`
+// and longer expressions subtract. A keyword is not a name: `Ix=0.5 Iy=0.3` are two items. Neither is a name before
+// '=': it is a misspelt keyword.
 #pragma once
 
 #include "language/common/cursor.h"
@@ -18,9 +19,8 @@
 
 namespace robcogen::language {
 
-// Never null. Throws SyntaxError, reported, where there is no expression; where it nests or goes on beyond all measure
-// (what comes after may walk the tree by recursion); and for `NaN` and `inf`, which read like names and are none unless
-// escaped.
+// Never null. Throws SyntaxError, after reporting it, where there is no expression, where it is nested too deep or too
+// long (later phases walk the tree by recursion), and for `NaN` and `inf`, which are not names unless escaped.
 ExpressionPtr parse_expression(Cursor& cursor);
 
 }  // namespace robcogen::language

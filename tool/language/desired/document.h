@@ -31,14 +31,14 @@ struct Document {
   std::vector<std::string> comments;
 };
 
-// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
-// can be printed in any case. What its names stand for is not looked at.
+// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// printed in any case. Does not check what the names refer to.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text, its comments at the beginning. parse(print(d)) equals d, places apart.
+// The canonical text, its comments at the beginning. parse(print(d)) equals d, except for places.
 std::string print(const Document& document);
 
-// Same content, places apart.
+// Same content; places may differ.
 bool equal(const Document& a, const Document& b);
 
 }  // namespace robcogen::language::desired

@@ -10,7 +10,7 @@
 namespace robcogen::language::desired {
 namespace {
 
-// A section or a pair that fails is skipped up to the next one, or to the end of its block.
+// After an error in a section or a pair, the parser skips to the next one, or to the end of the block.
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -25,7 +25,7 @@ class Parser {
       check_complete();
     } catch (const SyntaxError&) {
     } catch (const OtherLanguage&) {
-      // reported; nothing further can be made of the file
+      // reported; the rest of the file is not read
     }
     document_.comments = cursor_.comments_before(source_->text().size() + 1);
     return std::move(document_);
@@ -36,7 +36,10 @@ class Parser {
   Cursor cursor_;
   Document document_;
   std::vector<Token> found_;  // the words that begin sections
-  bool section_may_be_missed_ = false;
+  bool may_have_skipped_section_ = false;
+  std::size_t pair_begin_ = 0;  // of the present pair
+  bool pair_begins_line_ = false;
+  bool equals_is_reported_ = false;
 
   void header() {
     try {
@@ -54,6 +57,7 @@ class Parser {
 
   void sections() {
     while (!cursor_.at_end()) {
+      cursor_.begin_statement();
       try {
         if (!cursor_.at_any({"Frames", "Transforms", "Jacobians"})) unknown_section();
         const Token word = section_word();
@@ -63,7 +67,7 @@ class Parser {
           pairs(word, word.text == "Transforms" ? document_.transforms : document_.jacobians);
         }
       } catch (const SyntaxError&) {
-        section_may_be_missed_ = true;
+        may_have_skipped_section_ = true;
         cursor_.skip_until([&] { return at_section(); });
       }
     }
@@ -74,13 +78,13 @@ class Parser {
     const auto earlier =
         std::find_if(found_.begin(), found_.end(), [&](const Token& token) { return token.text == word.text; });
     if (earlier != found_.end())
-      cursor_.error_at(word.span, "duplicate-item", fmt::format("a second '{}'", word.text))
-          .notes.push_back({cursor_.place(earlier->span), "first one here"});
+      cursor_.error_at(word.span, "duplicate-item", fmt::format("'{}' is given twice", word.text))
+          .notes.push_back({cursor_.place(earlier->span), "first given here"});
     found_.push_back(word);
     return word;
   }
 
-  // The dialect of 2018 asked for quantities by query: `FK name { … }`, `IKpos name { … }`.
+  // In the dialect of 2018, `FK name { … }` and `IKpos name { … }` are queries.
   [[noreturn]] void unknown_section() {
     const std::string_view word = cursor_.peek().text;
     if (word == "FK" || word.starts_with("IK")) {
@@ -96,8 +100,8 @@ class Parser {
   void check_complete() {
     for (const char* word : {"Frames", "Transforms"}) {
       const bool found = std::any_of(found_.begin(), found_.end(), [&](const Token& t) { return t.text == word; });
-      if (!found && !section_may_be_missed_)
-        cursor_.error_at(document_.robot.span, "missing-item", fmt::format("the document lacks '{} {{ … }}'", word));
+      if (!found && !may_have_skipped_section_)
+        cursor_.error_at(document_.robot.span, "missing-item", fmt::format("the document has no '{} {{ … }}'", word));
     }
   }
 
@@ -107,7 +111,10 @@ class Parser {
   }
 
   [[noreturn]] void missing_brace(std::string_view section, const Token& open) {
-    cursor_.error("missing-brace", fmt::format("the '}}' of '{}' is missing before this", section))
+    cursor_
+        .error(
+            "missing-brace",
+            fmt::format("expected '}}' at the end of '{}', found {}", section, describe(cursor_.peek())))
         .notes.push_back({cursor_.place(open.span), "opened here"});
     throw SyntaxError{};
   }
@@ -115,21 +122,29 @@ class Parser {
   void frames() {
     const Token open = cursor_.expect("{", "after 'Frames'");
     while (!cursor_.at("}")) {
+      cursor_.begin_statement();
       if (at_section()) missing_brace("Frames", open);
       if (cursor_.accept(",") && cursor_.at("}")) cursor_.unexpected("the name of a frame", "after ','");
       document_.frames.push_back(name("the name of a frame"));
+      if (cursor_.at("-") || cursor_.at(".")) cursor_.unexpected("',' or '}'", "after the name of a frame");
     }
     cursor_.take();
   }
 
   void pairs(const Token& section, std::vector<Pair>& list) {
     const Token open = cursor_.expect("{", fmt::format("after '{}'", section.text));
+    const std::size_t inside = cursor_.open_blocks();
     while (!cursor_.at("}")) {
+      cursor_.begin_statement();
+      pair_begin_ = cursor_.peek().span.begin;
+      pair_begins_line_ = cursor_.begins_line();
+      equals_is_reported_ = false;
       try {
+        if (cursor_.at_end()) cursor_.unexpected("'}'", "");
         if (at_section()) missing_brace(section.text, open);
         list.push_back(pair());
       } catch (const SyntaxError&) {
-        skip_to_pair();
+        skip_to_pair(inside);
         if (cursor_.at_end() || at_section()) throw;
       }
     }
@@ -141,8 +156,13 @@ class Parser {
   bool at_pair() const {
     return at_left() || at_right() || (cursor_.at_name() && (cursor_.at("->", 1) || cursor_.at("<-", 1)));
   }
-  void skip_to_pair() {
-    cursor_.skip_until([&] { return cursor_.at("}") || at_pair() || at_section(); });
+  // After an error in a pair that begins a line, the next pair begins one too.
+  bool at_next_pair() const {
+    return at_pair() && cursor_.peek().span.begin > pair_begin_ && (cursor_.begins_line() || !pair_begins_line_);
+  }
+  void skip_to_pair(std::size_t inside) {
+    cursor_.skip_until(
+        [&] { return (cursor_.at("}") && cursor_.open_blocks() <= inside) || at_next_pair() || at_section(); });
   }
 
   Pair pair() {
@@ -167,20 +187,20 @@ class Parser {
     pair.right = left_first ? second : first;
   }
 
-  // When it is faulty, the second side that follows is no pair of its own.
+  // After an error, the second side in the same line is not a pair of its own.
   Name first_side() {
     const bool left_first = at_left();
     try {
       return side();
     } catch (const SyntaxError&) {
-      skip_to_pair();
-      if (left_first ? at_right() : at_left()) side();
+      skip_to_pair(cursor_.open_blocks());
+      if (!pair_begins_line_ && (left_first ? at_right() : at_left())) side();
       throw;
     }
   }
 
   [[noreturn]] void wrong_second_side(bool left_first) {
-    const bool repeated = at_left() || at_right();
+    const bool repeated = (at_left() || at_right()) && !cursor_.after_line_end();
     try {
       cursor_.unexpected(
           left_first ? "'target', 'right' or 'right_frame'" : "'base', 'left' or 'left_frame'",
@@ -191,18 +211,32 @@ class Parser {
     }
   }
 
+  // A missing '=' is reported once in a pair.
   Name side() {
     const Token word = cursor_.take();
     try {
-      cursor_.expect("=", fmt::format("after '{}'", word.text));
+      if (!equals_is_reported_ || cursor_.at("="))
+        cursor_.expect("=", fmt::format("after '{}'", word.text));
+      else
+        cursor_.accept(":");
     } catch (const SyntaxError&) {
-      if (!cursor_.at_name()) throw;  // else the '=' is all that is missing
+      equals_is_reported_ = true;
+      cursor_.accept(":");
+      if (!cursor_.at_name() || cursor_.after_line_end()) throw;  // else only the '=' is missing
     }
     return name("the name of a frame");
   }
 
   // `A <- B` means A_X_B, `A -> B` means B_X_A.
   void arrow(Pair& pair) {
+    if (cursor_.at(",")) {
+      if (!cursor_.is_faulty_here())
+        cursor_.error("unexpected-token", "unexpected ',' between pairs of frames").hint =
+            "pairs are separated by blanks only";
+      throw SyntaxError{};
+    }
+    if (cursor_.at_name() && cursor_.at("=", 1) && !suggest_keyword(cursor_.peek().text, {"base", "target"}).empty())
+      cursor_.unexpected("'base' or 'target'", "");
     const Name first = name("a pair of frames");
     if (!cursor_.at_any({"->", "<-"})) cursor_.unexpected("'->' or '<-'", fmt::format("after '{}'", first.text));
     const bool to_first = cursor_.take().text == "<-";

@@ -31,7 +31,8 @@ struct Frame {
   Placement placement;
 };
 
-// Moments are about the origin of the link frame (or of `reference`), products of inertia have positive sign.
+// Moments are about the origin of the link frame (or of `reference`). ixy is the integral of x y dm, with positive
+// sign.
 struct Inertia {
   ExpressionPtr mass;
   Vector com;
@@ -55,7 +56,7 @@ struct Link {
   std::optional<Inertia> inertia;
   std::vector<Child> children;
   std::vector<Frame> frames;
-  std::vector<std::string> comments;  // those before this element and in it, in order, with their delimiters
+  std::vector<std::string> comments;  // before this element and in it, in order, with their delimiters
   Span span;
 };
 
@@ -78,14 +79,14 @@ struct Document {
   std::vector<Joint> joints;                   // in declaration order
 };
 
-// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
-// can be printed in any case.
+// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// printed in any case.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
+// The canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
 std::string print(const Document& document);
 
-// Same content, places apart.
+// Same content; places may differ.
 bool equal(const Document& a, const Document& b);
 
 Document without_comments(Document document);

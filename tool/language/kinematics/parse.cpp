@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <utility>
 
 #include "language/common/content.h"
 #include "language/common/parse_expression.h"
@@ -21,16 +22,26 @@ const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "
 const WordList kJointItems = {"id", "ref_frame"};
 const WordList kPlacementItems = {"translation", "rotation"};
 
-// The words that begin the items of one block, as found.
+// The words that begin the items of one block, in the order of the text.
 using Words = std::vector<Token>;
 
-// Elements stand in the robot's block, items in theirs; the order of neither matters. An item that fails is skipped up
-// to the next item of its block or its end, and when the braces do not match, up to the next element: the keyword of
-// an element cannot stand anywhere else.
+std::string quoted(WordList words) {
+  std::string text;
+  for (std::string_view word : words) text += fmt::format("'{}', ", word);
+  text.resize(text.size() - 2);
+  return text;
+}
+
+// Elements stand in the block of the robot, items in the block of an element, both in any order. After an error in an
+// item, the parser skips to the next item of the block or to its end. When the braces do not match, it skips to the
+// next element: the keyword of an element cannot stand anywhere else.
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
+      : source_(std::move(source)),
+        errors_before_(diagnostics.error_count()),
+        diagnostics_(diagnostics),
+        cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
     document_.source = source_;
   }
 
@@ -42,7 +53,7 @@ class Parser {
       check_bases();
     } catch (const SyntaxError&) {
     } catch (const OtherLanguage&) {
-      // reported; nothing further can be made of the file
+      // reported; the rest of the file is not read
     }
     std::stable_partition(
         document_.links.begin(), document_.links.end(), [](const Link& link) { return link.is_base; });
@@ -51,10 +62,12 @@ class Parser {
 
  private:
   std::shared_ptr<const Source> source_;
+  std::size_t errors_before_;
+  const Diagnostics& diagnostics_;
   Cursor cursor_;
   Document document_;
-  std::vector<Name> bases_;  // those that failed too
-  bool base_may_be_missed_ = false;
+  std::vector<Name> bases_;  // including those with errors
+  bool may_have_skipped_base_ = false;
 
   // -------------------------------------------------------------------------------------------------------------------
   // The robot: its header, its elements, its end.
@@ -66,7 +79,7 @@ class Parser {
       document_.robot = name("the name of the robot");
       cursor_.expect("{", "after the name of the robot");
     } catch (const SyntaxError&) {
-      base_may_be_missed_ = true;
+      may_have_skipped_base_ = true;
       cursor_.skip_until([&] { return at_element(); });
       if (cursor_.at_end()) throw;
     }
@@ -74,6 +87,7 @@ class Parser {
 
   void elements() {
     while (!cursor_.at("}") && !cursor_.at_end()) {
+      cursor_.begin_statement();
       try {
         if (cursor_.at_any({"RobotBase", "link"})) {
           link();
@@ -89,16 +103,21 @@ class Parser {
     }
   }
 
-  // A keyword alone may be a name by mistake.
-  bool at_element() const { return cursor_.at_any(kElements) && cursor_.peek(1).kind == Token::Kind::identifier; }
+  // A keyword alone may be used as a name by mistake.
+  bool at_element() const {
+    const bool has_name = cursor_.peek(1).kind == Token::Kind::identifier;
+    return cursor_.at_any(kElements) && has_name && (cursor_.at_name(1) || cursor_.at("{", 2));
+  }
 
   void unknown_element() {
-    base_may_be_missed_ = true;
+    may_have_skipped_base_ = true;
     const Token& token = cursor_.peek();
-    Diagnostic& d = cursor_.error(
-        "unknown-element", fmt::format("expected {} or '}}', found {}", fmt::join(kElements, ", "), describe(token)));
-    if (token.kind == Token::Kind::identifier)
-      d.hint = did_you_mean(std::string(token.text), {kElements.begin(), kElements.end()});
+    if (!cursor_.is_faulty_here()) {
+      Diagnostic& d = cursor_.error(
+          "unknown-element", fmt::format("expected {} or '}}', found {}", quoted(kElements), describe(token)));
+      if (token.kind == Token::Kind::identifier)
+        d.hint = suggest_keyword(token.text, {kElements.begin(), kElements.end()});
+    }
     cursor_.skip_until([&] { return cursor_.at("{") || cursor_.at("}") || at_element(); });
     if (!cursor_.accept("{")) return;
     const std::size_t inside = cursor_.open_blocks();
@@ -106,14 +125,17 @@ class Parser {
     cursor_.accept("}");
   }
 
-  // When elements follow the brace that ends the robot, a brace before it is one too many: they are read too.
+  // When elements follow the brace that ends the robot, there is one brace too many before it: they are read too. After
+  // other errors this is not reported: they may be about a brace.
   void end() {
-    if (cursor_.at_end() && cursor_.open_blocks() == 0) return;  // the header is faulty, and its brace missing
+    if (cursor_.at_end() && cursor_.open_blocks() == 0) return;  // there was an error in the header
     const Token brace = cursor_.expect("}", "at the end of the robot");
     document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
     if (cursor_.at_end()) return;
-    cursor_.error("text-after-end", fmt::format("{} stands after the end of the robot", describe(cursor_.peek())))
-        .notes.push_back({cursor_.place(brace.span), "the robot ends here"});
+    const bool may_follow = at_element() && diagnostics_.error_count() > errors_before_;
+    if (!may_follow && !cursor_.is_faulty_here())
+      cursor_.error("text-after-end", fmt::format("{} stands after the end of the robot", describe(cursor_.peek())))
+          .notes.push_back({cursor_.place(brace.span), "the robot ends here"});
     while (at_element()) {
       elements();
       cursor_.take();
@@ -121,20 +143,21 @@ class Parser {
   }
 
   void check_bases() {
-    if (bases_.empty() && !base_may_be_missed_)
+    if (bases_.empty() && !may_have_skipped_base_)
       cursor_.error_at(
           document_.robot.span, "no-base", fmt::format("robot '{}' has no RobotBase", document_.robot.text));
     for (std::size_t i = 1; i < bases_.size(); ++i)
-      cursor_.error_at(bases_[i].span, "two-bases", fmt::format("a second base '{}'", bases_[i].text))
-          .notes.push_back({cursor_.place(bases_[0].span), "first base here"});
+      cursor_.error_at(bases_[i].span, "two-bases", fmt::format("'{}' is a second base", bases_[i].text))
+          .notes.push_back({cursor_.place(bases_[0].span), "the first base is here"});
   }
 
   // -------------------------------------------------------------------------------------------------------------------
   // Blocks of items.
 
-  // `{`, items, `}`. Each begins at a token that at_item knows, or else item reports it. Tells whether all went well.
+  // `{`, items, `}`. An item begins at a token that at_item knows; otherwise item() reports it. `outer` are the words
+  // that begin an item of the enclosing block. Returns whether there was no error.
   template <class AtItem, class Item>
-  bool block(const std::string& owner, AtItem at_item, Item item) {
+  bool block(const std::string& owner, AtItem at_item, Item item, WordList outer = {}) {
     bool sound = true;
     const Token open = cursor_.peek();
     try {
@@ -145,11 +168,33 @@ class Parser {
       sound = false;
     }
     const std::size_t inside = cursor_.open_blocks();
-    while (!cursor_.at("}")) {
+    bool comma_is_reported = false;
+    while (true) {
+      if (cursor_.at("}")) {
+        const Token brace = cursor_.take();
+        if (!at_item()) return sound;
+        report_extra_brace(owner, brace);
+        cursor_.assume_open_brace();
+        sound = false;
+      }
+      cursor_.begin_statement();
       try {
         if (cursor_.at_end()) cursor_.unexpected("'}'", "");
         if (at_element()) missing_brace(owner, open);
-        item();
+        if (cursor_.at_any(outer) && !at_item() && sound) {
+          report_missing_brace(owner, open);
+          cursor_.assume_closing_brace();
+          return sound;
+        }
+        if (!cursor_.at(",")) {
+          item();
+          continue;
+        }
+        if (!std::exchange(comma_is_reported, true) && !cursor_.is_faulty_here())
+          cursor_.error("unexpected-token", fmt::format("unexpected ',' in {}", owner)).hint =
+              "items are separated by blanks only";
+        sound = false;
+        cursor_.take();
       } catch (const SyntaxError&) {
         sound = false;
         cursor_.skip_until([&] {
@@ -159,60 +204,68 @@ class Parser {
         if (cursor_.at_end() || cursor_.open_blocks() < inside || at_element()) throw;
       }
     }
-    cursor_.take();
-    return sound;
   }
 
   template <class Item>
-  bool block(const std::string& owner, WordList words, Item item) {
+  bool block(const std::string& owner, WordList words, Item item, WordList outer = {}) {
     return block(
-        owner, [&] { return cursor_.at_any(words); }, item);
+        owner, [&] { return cursor_.at_any(words); }, item, outer);
+  }
+
+  void report_missing_brace(const std::string& owner, const Token& open) {
+    cursor_
+        .error(
+            "missing-brace", fmt::format("expected '}}' at the end of {}, found {}", owner, describe(cursor_.peek())))
+        .notes.push_back({cursor_.place(open.span), "opened here"});
   }
 
   [[noreturn]] void missing_brace(const std::string& owner, const Token& open) {
-    cursor_.error("missing-brace", fmt::format("the '}}' of {} is missing before this", owner))
-        .notes.push_back({cursor_.place(open.span), "opened here"});
+    report_missing_brace(owner, open);
     throw SyntaxError{};
   }
 
-  // Takes the word that begins an item; items of one name stand once in a block.
+  void report_extra_brace(const std::string& owner, const Token& brace) {
+    cursor_.error_at(brace.span, "extra-brace", fmt::format("this '}}' ends {} before its last item", owner))
+        .notes.push_back({cursor_.place(cursor_.peek().span), "the next item is here"});
+  }
+
+  // Takes the word that begins an item. A block has at most one item of a name.
   Token word(Words& found) {
     const Token token = cursor_.take();
     const auto is_inertia = [](const Token& t) { return t.text.starts_with("inertia_"); };
     for (const Token& earlier : found) {
       if (earlier.text != token.text && !(is_inertia(earlier) && is_inertia(token))) continue;
-      cursor_.error_at(token.span, "duplicate-item", fmt::format("a second '{}'", token.text))
-          .notes.push_back({cursor_.place(earlier.span), "first one here"});
+      cursor_.error_at(token.span, "duplicate-item", fmt::format("'{}' is given twice", token.text))
+          .notes.push_back({cursor_.place(earlier.span), "first given here"});
       return token;
     }
     found.push_back(token);
     return token;
   }
 
-  // Reports at the owner which of these words were not found. Tells whether all were.
+  // Reports at the owner the words that were not found. Returns whether all were.
   bool check_complete(const std::string& owner, Span span, const Words& found, WordList words) {
     std::string missing;
     for (std::string_view word : words) {
       if (std::any_of(found.begin(), found.end(), [&](const Token& t) { return t.text == word; })) continue;
       missing += fmt::format("{}'{}'", missing.empty() ? "" : ", ", word);
     }
-    if (!missing.empty()) cursor_.error_at(span, "missing-item", fmt::format("{} lacks {}", owner, missing));
+    if (!missing.empty()) cursor_.error_at(span, "missing-item", fmt::format("{} has no {}", owner, missing));
     return missing.empty();
   }
 
   [[noreturn]] void unknown_item(const std::string& owner, WordList words) {
+    if (cursor_.is_faulty_here()) throw SyntaxError{};
     const Token& token = cursor_.peek();
     Diagnostic& d = cursor_.error(
-        "unknown-item",
-        fmt::format("expected {} or '}}' in {}, found {}", fmt::join(words, ", "), owner, describe(token)));
-    if (token.kind == Token::Kind::identifier)
-      d.hint = did_you_mean(std::string(token.text), {words.begin(), words.end()});
+        "unknown-item", fmt::format("expected {} or '}}' in {}, found {}", quoted(words), owner, describe(token)));
+    if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, {words.begin(), words.end()});
     throw SyntaxError{};
   }
 
   [[noreturn]] void old_dialect(const std::string& sign) {
     cursor_.error("old-dialect", sign + " belongs to the dialect of 2011-2012, which is not supported").hint =
-        "today: translation = (x, y, z), inertia_params { mass = m CoM = (x, y, z) Ix = … }";
+        "write translation = (x, y, z), inertia_params { mass = m CoM = (x, y, z) Ix = … }";
     throw OtherLanguage{};
   }
 
@@ -237,7 +290,7 @@ class Parser {
     const bool sound = block(owner, kLinkItems, [&] {
       if (cursor_.at("id")) {
         const Token id = word(found);
-        if (link.is_base) cursor_.error_at(id.span, "base-with-id", "the base has no 'id'");
+        if (link.is_base) cursor_.error_at(id.span, "base-with-id", "a base cannot have an 'id'");
         link.id_span = id.span;
         link.id = integer(id);
       } else if (cursor_.at_any({"inertia_params", "inertia_properties"})) {
@@ -262,12 +315,17 @@ class Parser {
 
   int integer(const Token& key) {
     equals(key);
-    const Token token = cursor_.peek();
-    const bool is_integer = token.kind == Token::Kind::number &&
+    const bool is_negative = cursor_.at("-") && cursor_.peek(1).kind == Token::Kind::number;
+    const Token token = cursor_.peek(is_negative ? 1 : 0);
+    const bool is_integer = !is_negative && token.kind == Token::Kind::number &&
                             token.text.find_first_not_of("0123456789") == std::string::npos &&
                             number_of(token).value() <= INT_MAX;
     if (!is_integer) {
-      cursor_.error("bad-id", fmt::format("an id is an integer from 0 to {}, not {}", INT_MAX, describe(token)));
+      const std::string expected = fmt::format("an integer from 0 to {}", INT_MAX);
+      if (cursor_.after_line_end() || cursor_.is_faulty_here()) cursor_.unexpected(expected, "after '='");
+      const Span span = {cursor_.peek().span.begin, token.span.end};
+      const std::string found = is_negative ? fmt::format("number '-{}'", token.text) : describe(token);
+      cursor_.error_at(span, "bad-id", fmt::format("expected {} as id, found {}", expected, found));
       throw SyntaxError{};
     }
     cursor_.take();
@@ -280,10 +338,11 @@ class Parser {
         [&] {
           Child child;
           child.link = name("the name of a child link");
-          cursor_.expect("via", fmt::format("after child '{}'", child.link.text));
+          cursor_.expect("via", fmt::format("after '{}'", child.link.text));
           child.joint = name("the name of a joint");
           link.children.push_back(std::move(child));
-        });
+        },
+        kLinkItems);
   }
 
   // One block, or several in a row; blocks may be empty.
@@ -295,7 +354,8 @@ class Parser {
             const Name name = this->name("the name of a frame");
             const auto placement = this->placement(fmt::format("frame '{}'", name.text), name.span);
             if (placement) link.frames.push_back({name, *placement});
-          });
+          },
+          kLinkItems);
     } while (cursor_.at("{"));
   }
 
@@ -307,23 +367,26 @@ class Parser {
                                 std::pair("Iz", &inertia.iz),   std::pair("Ixy", &inertia.ixy),
                                 std::pair("Ixz", &inertia.ixz), std::pair("Iyz", &inertia.iyz)};
     Words found;
-    const bool sound = block(owner, kInertiaItems, [&] {
-      const Token key = cursor_.peek();
-      if (cursor_.at_any({"moments", "products"})) old_dialect(fmt::format("'{}'", key.text));
-      if (!cursor_.at_any(kInertiaItems)) unknown_item(owner, kInertiaItems);
-      word(found);
-      equals(key);
-      if (key.text == "ref_frame") {
-        inertia.reference = name("the name of a frame");
-      } else if (key.text == "CoM") {
-        inertia.com = vector(key);
-      } else if (key.text == "mass") {
-        inertia.mass = scalar();
-      } else {
-        for (const auto& [moment, value] : moments)
-          if (key.text == moment) *value = scalar();
-      }
-    });
+    const bool sound = block(
+        owner, kInertiaItems,
+        [&] {
+          const Token key = cursor_.peek();
+          if (cursor_.at_any({"moments", "products"})) old_dialect(fmt::format("'{}'", key.text));
+          if (!cursor_.at_any(kInertiaItems)) unknown_item(owner, kInertiaItems);
+          word(found);
+          equals(key);
+          if (key.text == "ref_frame") {
+            inertia.reference = name("the name of a frame");
+          } else if (key.text == "CoM") {
+            inertia.com = vector(key);
+          } else if (key.text == "mass") {
+            inertia.mass = scalar();
+          } else {
+            for (const auto& [moment, value] : moments)
+              if (key.text == moment) *value = scalar();
+          }
+        },
+        kLinkItems);
     inertia.span = {keyword.span.begin, cursor_.previous().span.end};
     if (!sound || !check_complete(owner, keyword.span, found, kInertiaNeeds)) return std::nullopt;
     return inertia;
@@ -376,13 +439,14 @@ class Parser {
   }
 
   void equals(const Token& key) {
-    if (cursor_.at(":")) old_dialect(fmt::format("'{} :'", key.text));
+    const bool is_of_placement = key.text == "translation" || key.text == "rotation";
+    if (cursor_.at(":") && is_of_placement) old_dialect(fmt::format("'{} :'", key.text));
     cursor_.expect("=", fmt::format("after '{}'", key.text));
   }
 
   ExpressionPtr scalar() {
     ExpressionPtr value = parse_expression(cursor_);
-    if (at_decimal_comma()) decimal_comma(cursor_.peek().span);
+    if (cursor_.at_decimal_comma()) cursor_.decimal_comma(cursor_.peek().span);
     return value;
   }
 
@@ -391,28 +455,18 @@ class Parser {
     std::vector<ExpressionPtr> components = {parse_expression(cursor_)};
     std::optional<Span> comma;
     while (cursor_.at(",")) {
-      if (!comma && at_decimal_comma()) comma = cursor_.peek().span;
+      if (!comma && cursor_.at_decimal_comma()) comma = cursor_.peek().span;
       cursor_.take();
       components.push_back(parse_expression(cursor_));
     }
+    if (!cursor_.at(")") && components.size() < 3)
+      cursor_.unexpected("','", fmt::format("after a component of '{}'", key.text));
     const Token close = cursor_.expect(")", fmt::format("after the components of '{}'", key.text));
     if (components.size() == 3) return {components[0], components[1], components[2]};
-    if (components.size() > 3 && comma) decimal_comma(*comma);
+    if (components.size() > 3 && comma) cursor_.decimal_comma(*comma);
     cursor_.error_at(
         {open.span.begin, close.span.end}, "component-count",
-        fmt::format("'{}' has {} components instead of 3", key.text, components.size()));
-    throw SyntaxError{};
-  }
-
-  // `1,5`
-  bool at_decimal_comma() const {
-    const Token &before = cursor_.previous(), &comma = cursor_.peek(), &after = cursor_.peek(1);
-    return cursor_.at(",") && before.kind == Token::Kind::number && after.kind == Token::Kind::number &&
-           before.span.end == comma.span.begin && comma.span.end == after.span.begin;
-  }
-
-  [[noreturn]] void decimal_comma(Span span) {
-    cursor_.error_at(span, "decimal-comma", "a number is written with a point: '1.5', not '1,5'");
+        fmt::format("'{}' needs 3 components, found {}", key.text, components.size()));
     throw SyntaxError{};
   }
 };

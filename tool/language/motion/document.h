@@ -13,7 +13,7 @@ struct Motion {
   Name to;
   std::vector<AxisStep> steps;  // may be empty: the frames coincide
   std::optional<Name> name;
-  std::vector<std::string> comments;  // those before the motion
+  std::vector<std::string> comments;  // before the motion
   Span span;
 };
 
@@ -33,14 +33,14 @@ struct Document {
 const std::vector<std::string>& keywords();
 const std::vector<std::string>& step_words();
 
-// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
-// can be printed in any case. What its names stand for is not looked at.
+// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// printed in any case. Does not check what the names refer to.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
+// The canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
 std::string print(const Document& document);
 
-// Same content, places apart.
+// Same content; places may differ.
 bool equal(const Document& a, const Document& b);
 
 }  // namespace robcogen::language::motion

@@ -6,7 +6,7 @@
 namespace robcogen::language::motion {
 namespace {
 
-// A motion that fails is skipped up to the next one.
+// After an error in a motion, the parser skips to the next one.
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -33,6 +33,7 @@ class Parser {
 
   void convention() {
     try {
+      cursor_.begin_statement();
       if (!cursor_.at("Convention")) missing_convention();
       const Token word = cursor_.take();
       document_.convention_comments = cursor_.comments_before(word.span.begin);
@@ -43,11 +44,11 @@ class Parser {
       const bool is_local = value.text == "local" || value.text == "currentFrame";
       document_.convention = is_local ? Convention::local : Convention::fixed;
     } catch (const SyntaxError&) {
-      skip_to_motion();
+      cursor_.skip_until([&] { return at_motion(); });
     }
   }
 
-  // Where a motion stands, the line is forgotten; another word may be meant as its keyword.
+  // At a motion, the line is missing; another word may be its misspelt keyword.
   [[noreturn]] void missing_convention() {
     if (!at_motion()) cursor_.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
     cursor_
@@ -61,7 +62,7 @@ class Parser {
 
   bool at_motion() const { return cursor_.at_name() && cursor_.at("->", 1); }
 
-  // To the next motion, or to what may be meant as one.
+  // To the next motion, or to a line that may be a faulty one.
   void skip_to_motion() {
     cursor_.skip_until([&] { return at_motion() || (cursor_.at_name() && cursor_.begins_line()); });
   }
@@ -71,7 +72,7 @@ class Parser {
       try {
         document_.motions.push_back(motion());
       } catch (const SyntaxError&) {
-        // What begins the faulty motion begins no other one.
+        // The token that begins the faulty motion does not begin another one.
         if (!cursor_.at_end() && cursor_.peek().span.begin == begin_) cursor_.take();
         skip_to_motion();
       }
@@ -86,6 +87,7 @@ class Parser {
   Motion motion() {
     Motion motion;
     begin_ = cursor_.peek().span.begin;
+    cursor_.begin_statement();
     motion.comments = cursor_.comments_before(begin_);
     motion.from = frame();
     cursor_.expect("->", fmt::format("after '{}'", motion.from.text));
@@ -94,8 +96,7 @@ class Parser {
     motion.steps = parse_steps(cursor_, step_words());
     motion.name = parse_user_name(cursor_);
     motion.span = {begin_, cursor_.previous().span.end};
-    if (!cursor_.at_end() && !at_motion())
-      cursor_.unexpected("'trx', 'try', 'trz', 'rotx', 'roty', 'rotz', '[' or the next motion", "after a motion");
+    if (!cursor_.at_end() && !at_motion()) unexpected_after_steps(cursor_, step_words(), "a motion", "the next motion");
     return motion;
   }
 

@@ -13,7 +13,7 @@ struct Transform {
   Name right;
   std::vector<AxisStep> primitives;
   std::optional<Name> name;
-  std::vector<std::string> comments;  // those before the transform
+  std::vector<std::string> comments;  // before the transform
   Span span;
 };
 
@@ -34,14 +34,14 @@ struct Document {
 const std::vector<std::string>& keywords();
 const std::vector<std::string>& primitive_words();
 
-// Reads as far as it can and reports every error it finds. The document is meaningful only when no error was added; it
-// can be printed in any case. What its names stand for is not looked at.
+// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// printed in any case. Does not check what the names refer to.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text. parse(print(d)) equals d, places apart; print(parse(print(d))) == print(d).
+// The canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
 std::string print(const Document& document);
 
-// Same content, places apart.
+// Same content; places may differ.
 bool equal(const Document& a, const Document& b);
 
 }  // namespace robcogen::language::transforms

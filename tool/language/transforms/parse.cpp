@@ -6,7 +6,7 @@
 namespace robcogen::language::transforms {
 namespace {
 
-// A transform that fails is skipped up to the next one.
+// After an error in a transform, the parser skips to the next one.
 class Parser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -33,6 +33,7 @@ class Parser {
 
   void position() {
     try {
+      cursor_.begin_statement();
       if (!cursor_.at_any({"TransformedFramePos", "MovedFramePos"})) missing_position();
       const Token word = cursor_.take();
       document_.position_comments = cursor_.comments_before(word.span.begin);
@@ -40,11 +41,11 @@ class Parser {
       if (!cursor_.at_any({"left", "right"})) cursor_.unexpected("'left' or 'right'", "after '='");
       document_.position = cursor_.take().text == "left" ? MovedFramePosition::left : MovedFramePosition::right;
     } catch (const SyntaxError&) {
-      skip_to_transform();
+      cursor_.skip_until([&] { return at_transform(); });
     }
   }
 
-  // Where a transform stands, the line is forgotten; another word may be meant as its keyword.
+  // At a transform, the line is missing; another word may be its misspelt keyword.
   [[noreturn]] void missing_position() {
     if (!at_transform())
       cursor_.unexpected("'Frames', 'Params', 'MovedFramePos' or 'TransformedFramePos'", "in the header");
@@ -60,7 +61,7 @@ class Parser {
 
   bool at_transform() const { return cursor_.at("{") && cursor_.at("}", 2) && cursor_.at("_X_", 3); }
 
-  // To the next transform, or to what may be meant as one.
+  // To the next transform, or to a line that may be a faulty one.
   void skip_to_transform() {
     cursor_.skip_until([&] { return at_transform() || (cursor_.at("{") && cursor_.begins_line()); });
   }
@@ -70,7 +71,7 @@ class Parser {
       try {
         document_.transforms.push_back(transform());
       } catch (const SyntaxError&) {
-        // What begins the faulty transform begins no other one.
+        // The token that begins the faulty transform does not begin another one.
         if (!cursor_.at_end() && cursor_.peek().span.begin == begin_) cursor_.take();
         skip_to_transform();
       }
@@ -87,6 +88,7 @@ class Parser {
   Transform transform() {
     Transform transform;
     begin_ = cursor_.peek().span.begin;
+    cursor_.begin_statement();
     transform.comments = cursor_.comments_before(begin_);
     transform.left = frame();
     cursor_.expect("_X_", "between two frames");
@@ -96,7 +98,7 @@ class Parser {
     transform.name = parse_user_name(cursor_);
     transform.span = {begin_, cursor_.previous().span.end};
     if (!cursor_.at_end() && !at_transform())
-      cursor_.unexpected("'Rx', 'Ry', 'Rz', 'Tx', 'Ty', 'Tz', '[' or the next transform", "after a transform");
+      unexpected_after_steps(cursor_, primitive_words(), "a transform", "the next transform");
     return transform;
   }
 
