@@ -13,7 +13,7 @@ namespace desired = language::desired;
 
 namespace {
 
-// Which frames a list may name: those of a robot, or of a model of motions.
+// The frames that a list may name: those of a robot, or of a model of motions.
 struct Frames {
   std::string kind;  // "robot", "model"
   std::string owner;
@@ -37,7 +37,7 @@ class FrameResolver {
     diagnostics_.warning(
         "robot-name-differs", place(document_.robot.span),
         fmt::format(
-            "this is a list for {0} '{1}', but the {0} is '{2}'", frames_.kind, document_.robot.text, frames_.owner));
+            "this list is for {0} '{1}', but the {0} is '{2}'", frames_.kind, document_.robot.text, frames_.owner));
   }
 
   void check_list() {
@@ -54,7 +54,7 @@ class FrameResolver {
     }
   }
 
-  // Pairs whose frames exist, each once. `what` is what a pair stands for.
+  // Pairs whose frames exist, each once. `what` is the meaning of a pair: `transform`, `Jacobian`.
   std::vector<Resolved> resolve(const std::vector<desired::Pair>& pairs, const std::string& what) {
     std::vector<Resolved> resolved;
     std::map<std::pair<int, int>, Place> seen;
@@ -69,8 +69,8 @@ class FrameResolver {
         diagnostics_
             .warning(
                 "repeated-pair", place(pair.span),
-                fmt::format("{} from '{}' to '{}' is asked for twice", what, pair.right.text, pair.left.text))
-            .notes.push_back({earlier->second, "first asked for here"});
+                fmt::format("{} from '{}' to '{}' is listed twice", what, pair.right.text, pair.left.text))
+            .notes.push_back({earlier->second, "first listed here"});
       }
     }
     return resolved;
@@ -97,7 +97,7 @@ class FrameResolver {
     const bool is_world = name.text == "world" || name.text == model::implicit_frame_name("world");
     if (is_world && frames_.kind == "robot") {
       warning.hint = fmt::format(
-          "the base stands in the world, or moves in it where it is 'floating': its frame is '{}'",
+          "the base is fixed to the world, or moves in it when it is 'floating': its frame is '{}'",
           frames_.index.name_of(0));
     } else if (const auto similar = frames_.index.nearest_to(name.text)) {
       warning.hint = fmt::format("did you mean '{}'?", frames_.index.name_of(*similar));
@@ -110,19 +110,19 @@ class FrameResolver {
   Diagnostics& diagnostics_;
 };
 
-// "'A' is connected with 'B' and 'C'", for a hint.
+// `'A' is connected to 'B', 'C'`, for a hint.
 std::string connections(const model::RigidMotions& motions, const std::string& frame) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> names;
   for (const std::string& other : motions.frames) {
     if (other != frame && model::transform_between(motions, frame, other)) names.push_back(fmt::format("'{}'", other));
   }
-  if (names.empty()) return fmt::format("'{}' is connected with no frame", frame);
+  if (names.empty()) return fmt::format("'{}' is connected to no frame", frame);
   if (names.size() > kShown) {
     names.resize(kShown);
     names.push_back("…");
   }
-  return fmt::format("'{}' is connected with {}", frame, fmt::join(names, ", "));
+  return fmt::format("'{}' is connected to {}", frame, fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ std::vector<FrameNames> desired_frame_pairs(
   if (!document.jacobians.empty()) {
     diagnostics.error(
         "jacobian-without-robot", {document.source, document.jacobians.front().span},
-        "Jacobians are of robots: motions have no joints");
+        "Jacobians need a robot: motions have no joints");
   }
   std::vector<FrameNames> result;
   for (const auto& [left_index, right_index, place] : resolver.resolve(document.transforms, "transform")) {
@@ -170,7 +170,7 @@ std::vector<FrameNames> desired_frame_pairs(
       result.emplace_back(left, right);
       continue;
     }
-    diagnostics.error("not-connected", place, fmt::format("no motions lead from frame '{}' to frame '{}'", left, right))
+    diagnostics.error("not-connected", place, fmt::format("no motions connect frame '{}' to frame '{}'", left, right))
         .hint = fmt::format("{}; {}", connections(motions, left), connections(motions, right));
   }
   return result;

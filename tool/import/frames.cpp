@@ -17,7 +17,7 @@ using model::Quantity;
 
 namespace {
 
-// What documents of both languages need: the frames that may be named, and the reader of amounts.
+// For documents of both languages: the frames that may be named, and the reader of amounts.
 class FramesReader {
  public:
   FramesReader(std::shared_ptr<const Source> source, const FramesHeader& header, Diagnostics& diagnostics)
@@ -32,7 +32,7 @@ class FramesReader {
     for (const AxisStep& step : steps) reader_.declare_names_in(*step.amount);
   }
 
-  // Reports a frame that the document's list lacks; without a list, every frame that is named exists.
+  // Reports a frame that is not in the document's list. Without a list, every frame that is named exists.
   void use(const Name& name) {
     if (index_.contains(name.text)) return;
     if (is_listed_) {
@@ -50,7 +50,7 @@ class FramesReader {
     return reader_.read(*step.amount, step.rotation ? ParameterKind::angle : ParameterKind::length);
   }
 
-  // Reports a user's name that was given before.
+  // Reports a name of the user's that was given before.
   void name(const Name& name) {
     const auto [earlier, is_new] = names_.insert({name.text, place(name.span)});
     if (is_new) return;
@@ -83,7 +83,7 @@ class FramesReader {
   std::map<std::string, Place> names_;
 };
 
-// Which frames the motions so far connect: each frame leads to one that stands for its tree.
+// The frames that the motions so far connect: each frame leads to the representative of its tree.
 class Forest {
  public:
   // False when they are connected already.
@@ -141,16 +141,15 @@ class MotionsReader {
     }
     const auto [earlier, is_new] = pairs_.insert({std::minmax(from, to), place});
     if (!is_new) {
-      diagnostics_
-          .error("duplicate-motion", place, fmt::format("a second motion between frames '{}' and '{}'", from, to))
+      diagnostics_.error("duplicate-motion", place, fmt::format("frames '{}' and '{}' have a second motion", from, to))
           .notes.push_back({earlier->second, "the first one is here"});
     } else if (!forest_.connect(from, to)) {
       diagnostics_
           .error(
               "motion-loop", place,
               fmt::format(
-                  "this motion closes a loop: other motions lead from frame '{}' to frame '{}' already", from, to))
-          .hint = "leave out the one motion that follows from the others";
+                  "this motion closes a loop: other motions already connect frame '{}' to frame '{}'", from, to))
+          .hint = "remove the motion that follows from the others";
     }
   }
 
@@ -161,7 +160,7 @@ class MotionsReader {
     return result;
   }
 
-  // Said once: documents of robots have many, where a joint stands in the origin of its link.
+  // One note: a document of a robot has many such motions, for joints at the origin of their links.
   void mention_empty_motions() {
     const auto is_empty = [](const language::motion::Motion& m) { return m.steps.empty(); };
     const auto& motions = document_.motions;
@@ -170,8 +169,9 @@ class MotionsReader {
     const auto count = std::count_if(first, motions.end(), is_empty);
     diagnostics_.note(
         "empty-motion", reader_.place(first->span),
-        count == 1 ? fmt::format("no steps: frames '{}' and '{}' coincide", first->from.text, first->to.text)
-                   : fmt::format("no steps, in {} motions of which this is the first: their frames coincide", count));
+        count == 1
+            ? fmt::format("this motion has no steps: frames '{}' and '{}' coincide", first->from.text, first->to.text)
+            : fmt::format("{} motions have no steps: their frames coincide; this is the first", count));
   }
 
   const language::motion::Document& document_;
@@ -213,7 +213,8 @@ std::optional<model::CoordinateTransforms> coordinate_transforms(
     if (left == right) {
       diagnostics.error("self-transform", place, fmt::format("this transform maps frame '{}' to itself", left));
     } else if (!is_new) {
-      diagnostics.error("duplicate-transform", place, fmt::format("a second transform '{{{}}}_X_{{{}}}'", left, right))
+      diagnostics
+          .error("duplicate-transform", place, fmt::format("transform '{{{}}}_X_{{{}}}' is given twice", left, right))
           .notes.push_back({earlier->second, "the first one is here"});
     }
     model::CoordinateTransform read = {left, right, {}, transform.name ? transform.name->text : ""};

@@ -13,19 +13,19 @@
 
 namespace robcogen::import {
 
-// Reports frames that the document's own list lacks, motions from a frame to itself, pairs of frames that two motions
-// connect, and motions that close a loop. nullopt when an error was reported.
+// Reports frames that are not in the document's list, motions from a frame to itself, pairs of frames with two motions,
+// and motions that close a loop. nullopt when an error was reported.
 std::optional<model::RigidMotions> rigid_motions(const language::motion::Document& document, Diagnostics& diagnostics);
 
-// Reports frames that the document's own list lacks, transforms from a frame to itself, and pairs that are given twice.
-// nullopt when an error was reported.
+// Reports frames that are not in the document's list, transforms from a frame to itself, and pairs that are given
+// twice. nullopt when an error was reported.
 std::optional<model::CoordinateTransforms> coordinate_transforms(
     const language::transforms::Document& document,
     Diagnostics& diagnostics);
 
 using model::FrameNames;
 
-// The transforms that a list asks of a model of motions, each once. Lenient as for robots: see desired_transforms
+// The transforms between frames of motions that a list asks for, each once. As lenient as desired_transforms
 // (import/kinematics.h). Frames that no motions connect are an error, and so are Jacobians: they need joints.
 std::vector<FrameNames> desired_frame_pairs(
     const language::desired::Document& document,

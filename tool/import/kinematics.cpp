@@ -61,7 +61,7 @@ class Describer {
   Place place(const Span& span) const { return {document_.source, span}; }
 
   std::array<Quantity, 3> read(const kinematics::Vector& v, ParameterKind kind) {
-    // In this order, which decides that of the parameters.
+    // In this order, which determines the order of the parameters.
     const Quantity x = reader_.read(*v[0], kind), y = reader_.read(*v[1], kind), z = reader_.read(*v[2], kind);
     return {x, y, z};
   }
@@ -90,6 +90,7 @@ class Describer {
     if (link.inertia) {
       result.inertia = read(*link.inertia);
       result.inertia_place = place(link.inertia->span);
+      result.mass_place = place(link.inertia->mass->span);
       if (const auto& reference = link.inertia->reference) {
         result.reference_frame = reference->text;
         result.reference_place = place(reference->span);

@@ -1,4 +1,4 @@
-// From documents to the model: names and expressions of the syntax get their meaning.
+// From robot documents to the model: resolves names and evaluates expressions.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace robcogen::import {
 
-// What the document says, with parameters collected by where they stand. Reports names used in two kinds, bad arity of
-// meaning (constants that are not finite), and the like.
+// The robot of the document, with its parameters, whose kind follows from where they stand. Reports errors in
+// expressions, such as constants that are not finite, and parameters of two kinds.
 model::Description describe(const language::kinematics::Document& document, Diagnostics& diagnostics);
 
 // describe, then model::build.
@@ -18,8 +18,8 @@ std::optional<model::KinematicTree> kinematic_tree(
     const language::kinematics::Document& document,
     Diagnostics& diagnostics);
 
-// Frames resolved against the robot. Lenient: a pair that names an unknown frame is skipped with a warning, as are
-// duplicates, unlisted frames and a robot name that differs.
+// Resolves the frames of the list. A pair with an unknown frame is skipped with a warning. Duplicates, unlisted frames
+// and another robot name are warnings.
 model::DesiredTransforms desired_transforms(
     const language::desired::Document& document,
     const model::KinematicTree& tree,

@@ -32,7 +32,7 @@ constexpr auto kUnits = std::to_array<Unit>(
      {"grad", kDegrees},  {"n", kOther},     {"nm", kOther},     {"kn", kOther},       {"nms", kOther},
      {"s", kOther},       {"sec", kOther},   {"ms", kOther},     {"hz", kOther},       {"rpm", kOther}});
 
-// How other languages call the constant and its multiples.
+// Names of the constant and its multiples in other languages.
 constexpr auto kPiSpellings = std::to_array<std::string_view>(
     {"m_pi", "m_pi_2", "m_pi_4", "pi_2", "pi_4", "pi2", "pi4", "twopi", "two_pi", "halfpi", "half_pi", "mpi"});
 
@@ -71,8 +71,8 @@ Word word_around(const std::string& text, std::size_t begin, std::size_t end) {
   return {begin, end};
 }
 
-constexpr std::size_t kShortestWord = 4;
-// Names of larger documents are made by programs, which do not slip; comparing all with all takes its time.
+constexpr std::size_t kMinWordLength = 4;
+// Larger documents are written by programs, which do not misspell names; comparing all pairs would take long.
 constexpr std::size_t kMaxCompared = 3000;
 
 }  // namespace
@@ -80,21 +80,21 @@ constexpr std::size_t kMaxCompared = 3000;
 bool differ_by_slip(const std::string& a, const std::string& b) {
   if (a.size() > b.size()) return differ_by_slip(b, a);
   if (a == b || b.size() - a.size() > 1) return false;
-  std::size_t begin = 0, end = 0;  // what is the same before and after
+  std::size_t begin = 0, end = 0;  // lengths of the common beginning and end
   while (begin < a.size() && lower(a[begin]) == lower(b[begin])) ++begin;
-  if (begin == b.size()) return a.size() >= kShortestWord;  // upper and lower case alone
+  if (begin == b.size()) return a.size() >= kMinWordLength;  // they differ in case only
   while (end < a.size() - begin && lower(a[a.size() - 1 - end]) == lower(b[b.size() - 1 - end])) ++end;
   const std::string_view in_a = std::string_view(a).substr(begin, a.size() - end - begin);
   const std::string_view in_b = std::string_view(b).substr(begin, b.size() - end - begin);
   if (!std::all_of(in_a.begin(), in_a.end(), is_letter) || !std::all_of(in_b.begin(), in_b.end(), is_letter))
     return false;
   const Word word = word_around(a, begin, a.size() - end);
-  if (word.end - word.begin < kShortestWord) return false;
+  if (word.end - word.begin < kMinWordLength) return false;
   const bool exchanged =
       in_a.size() == 2 && in_b.size() == 2 && lower(in_a[0]) == lower(in_b[1]) && lower(in_a[1]) == lower(in_b[0]);
   if (exchanged) return true;
   if (in_b.size() != 1) return false;
-  // The first and the last letter of a word may tell things apart: `hipx` and `hipy`. A doubled one does not.
+  // The first or the last letter of a word may distinguish two names: `hipx` and `hipy`. A doubled letter does not.
   const bool doubled = in_a.empty() && begin > 0 && lower(b[begin - 1]) == lower(in_b[0]);
   const bool inside = begin > word.begin && a.size() - end < word.end;
   return doubled || inside;
@@ -134,7 +134,7 @@ void NameUses::report(Diagnostics& diagnostics) const {
 bool NameUses::report_accident(const std::string& text, const Name& name, Diagnostics& diagnostics) const {
   const std::string otherwise = fmt::format("; write '^{}' for a {} of this name", text, name.what);
   const Unit* unit = unit_of(text);
-  // A letter is a unit only where it stands as one.
+  // A single letter is a unit only after a number.
   if (unit != nullptr && (text.size() > 1 || name.after_number == name.count)) {
     diagnostics.warning("unit-as-name", name.first, fmt::format("'{}' is a {} here, not a unit", text, name.what))
         .hint = fmt::format("{}{}", unit->instead, otherwise);
@@ -151,7 +151,7 @@ bool NameUses::report_accident(const std::string& text, const Name& name, Diagno
       .warning(
           "number-runs-into-name", name.run_in,
           fmt::format("'{}' is the product of {} and {} '{}'", name.text, name.number, name.what, text))
-      .hint = fmt::format("write '{} {}', with a blank, where this is meant", name.number, text);
+      .hint = fmt::format("write '{} {}', with a blank, for this product", name.number, text);
   return true;
 }
 
@@ -159,11 +159,11 @@ void NameUses::report_similar(const std::string& text, const Name& name, Diagnos
   if (name.count > 1 || names_.size() > kMaxCompared) return;
   for (const auto& [other_text, other] : names_) {
     if (!differ_by_slip(text, other_text)) continue;
-    // Of two that are used once, the later one is reported.
+    // Of two names that are used once, the later one is reported.
     const bool other_is_later = other.first.span.begin > name.first.span.begin;
     if (!other.is_meant && other.count == 1 && other_is_later) continue;
     Diagnostic& warning =
-        diagnostics.warning("similar-name", name.first, fmt::format("{} '{}' is used here alone", name.what, text));
+        diagnostics.warning("similar-name", name.first, fmt::format("{} '{}' is used only here", name.what, text));
     warning.hint = fmt::format("did you mean '{}'? If not, write '^{}'", other_text, text);
     warning.notes.push_back({other.first, fmt::format("'{}' is here", other_text)});
     return;

@@ -1,5 +1,5 @@
-// Names of a document that may have become parameters or variables by accident: units, a misspelt constant, the tail
-// of a number, a slip of the pen.
+// Names of a document that may be parameters or variables by accident: units, a misspelt constant, letters at the end
+// of a number, a misspelt name.
 #pragma once
 
 #include <map>
@@ -16,14 +16,14 @@ namespace robcogen::import {
 // (`^kg`) is meant.
 class NameUses {
  public:
-  // `what` is what the name is taken for: `parameter`, `variable`.
+  // `what` the name is: `parameter`, `variable`.
   void use(const language::Expression& name, const std::string& what, const Place& place);
-  // Of `2.0 a` and `2.0a`: the product by juxtaposition of a number and a name, used already.
+  // A product `2.0 a` or `2.0a`, whose name was passed to use().
   void multiply_by_number(const language::Expression& product, const Place& place);
   void declare(const std::string& name, const Place& place);
 
   // Warns of units, of spellings of the constant PI, of numbers that run into names, and of names used once that are
-  // nearly those of others.
+  // similar to others.
   void report(Diagnostics& diagnostics) const;
 
  private:
@@ -44,11 +44,11 @@ class NameUses {
   std::map<std::string, Name> names_;
 };
 
-// Whether one name is the other with a letter too many, too few, another or exchanged with its neighbour, inside of a
-// word: `lenght` and `length`, but not `m1` and `m2`, `offset_x` and `offset_y`, `mass_LF` and `mass_LH`.
+// Whether the names differ by one letter inside a word: inserted, missing, replaced, or exchanged with its neighbour:
+// `lenght` and `length`, but not `m1` and `m2`, `offset_x` and `offset_y`, `mass_LF` and `mass_LH`.
 bool differ_by_slip(const std::string& a, const std::string& b);
 
-// The codes of the warnings above, and of angles that look like degrees: a strict reading makes them errors.
+// The codes of the warnings above, and of angles that look like degrees: errors under --strict.
 const std::vector<std::string>& accident_codes();
 
 }  // namespace robcogen::import

@@ -30,15 +30,15 @@ const char* kind_name(ParameterKind kind) {
   return "a mass property";
 }
 
-// Nothing of a robot is as large as this, in SI units: beyond it, products of a few quantities would overflow.
+// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
 constexpr double kTooLarge = 1e15;
-// Nor is anything but zero as small as this: its reciprocal would overflow as well.
-constexpr double kNothing = 1e-60;
+// A constant as small as this is zero: its reciprocal would overflow.
+constexpr double kZero = 1e-60;
 
-// What a parameter is tried with: many magnitudes of either sign.
+// Trial values of a parameter: many magnitudes of either sign.
 constexpr std::array<double, 10> kTrialScales = {1.4, -1.4, 0.01, -0.01, 1e2, -1e2, 1e4, -1e4, 1e6, -1e6};
 
-// No two parameters are tried with equal values.
+// Two parameters never have equal trial values.
 double trial_value(double scale, std::size_t parameter) {
   return scale * (1.0 + 0.37 * static_cast<double>(parameter));
 }
@@ -84,9 +84,8 @@ void QuantityReader::declare_constant(const Expression& expression) {
   if (is_new || earlier->second.value.number() == value.number()) return;
   diagnostics_
       .error(
-          "conflicting-constant", place(expression),
-          fmt::format("constant '{}' is given a second value", expression.name))
-      .notes.push_back({earlier->second.place, "first value here"});
+          "conflicting-constant", place(expression), fmt::format("constant '{}' has a second value", expression.name))
+      .notes.push_back({earlier->second.place, "the first value is here"});
 }
 
 Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) {
@@ -95,37 +94,37 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   if (faults_ > faults_before) return result;
   if (kind == ParameterKind::angle && result.is_constant()) check_angle(expression, result.number());
   const double least = least_magnitude(result);
-  if (least < kNothing && result.is_constant()) return Quantity();
+  if (least < kZero && result.is_constant()) return Quantity();
   if (least < kTooLarge) return result;
   if (std::isinf(least))
     return fault(diagnostics_.error(
-        "not-finite", place(expression), "this expression has no finite value, whatever its parameters are"));
-  const std::string what =
-      result.is_constant() ? print_double(result.number().value()) : "whatever its parameters are, this expression";
+        "not-finite", place(expression), "this expression has no finite value for any values of its parameters"));
+  const std::string what = result.is_constant() ? print_double(result.number().value())
+                                                : "for all values of its parameters, this expression";
   return fault(diagnostics_.error(
       "too-large", place(expression),
-      fmt::format("{} is too large: what a robot has is below {} in SI units", what, print_double(kTooLarge))));
+      fmt::format("{} is too large: a quantity of a robot is below {} in SI units", what, print_double(kTooLarge))));
 }
 
 void QuantityReader::check_angle(const Expression& expression, const Number& angle) {
-  // A multiple of PI is meant; and 6.2832 is a turn.
+  // A multiple of PI is intended, and so is 6.2832, a turn.
   constexpr double kTurn = 6.2833;
   if (angle.is_pi_multiple() || std::abs(angle.value()) < kTurn || std::abs(angle.value()) > kTooLarge) return;
   diagnostics_
       .warning("large-angle", place(expression), fmt::format("{} rad is more than a turn", print_double(angle.value())))
-      .hint = "are these degrees? Angles are in rad, and one degree is 'PI/180.0'";
+      .hint = "angles are in rad; one degree is 'PI/180.0'";
 }
 
 double QuantityReader::least_magnitude(const Quantity& q) const {
   if (q.is_constant()) return std::abs(q.number().value());
   double least = std::numeric_limits<double>::infinity();
-  // Without parameters or variables there is one set of values: none.
+  // Without parameters or variables, the sets of values are empty.
   for (std::size_t i = 0; i < kTrialScales.size(); ++i) {
     const auto values = [&](const std::vector<std::vector<double>>& sets) {
       return sets.empty() ? std::span<const double>() : std::span<const double>(sets[i]);
     };
     const double magnitude = std::abs(evaluate(q, values(trials_), values(variable_trials_)));
-    if (magnitude < least) least = magnitude;  // never so when it is no number
+    if (magnitude < least) least = magnitude;  // false for NaN
   }
   return least;
 }
@@ -134,14 +133,14 @@ Quantity QuantityReader::finite(const Expression& expression, ParameterKind kind
   const int faults_before = faults_;
   const Quantity result = operate(expression, kind);
   const bool is_finite = !result.is_constant() || std::isfinite(result.number().value());
-  // Only the innermost expression that fails is to blame.
+  // Report only the innermost expression.
   if (is_finite || faults_ > faults_before) return result;
   return fault(diagnostics_.error("not-finite", place(expression), "this expression has no finite value"));
 }
 
 Quantity QuantityReader::fault(const Diagnostic&) {
   ++faults_;
-  // What comes of it is not a number either, and no check of the model finds fault with that.
+  // Results of NaN are NaN, which the checks of the model accept.
   return Quantity(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -161,7 +160,7 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
       return constant(expression);
     case Expression::Kind::negate:
       return -left();
-    // Operands in this order, which decides that of the parameters.
+    // Operands in this order, which determines the order of the parameters.
     case Expression::Kind::add: {
       const Quantity a = left(), b = right();
       return a + b;
@@ -207,7 +206,7 @@ Quantity QuantityReader::member(const Expression& expression, ParameterKind kind
     std::vector<std::string> names;
     for (const auto& [name, other] : groups_) names.push_back(name);
     Diagnostic& error = diagnostics_.error(
-        "unknown-group", place(expression), fmt::format("there is no group '{}' of parameters", expression.group));
+        "unknown-group", place(expression), fmt::format("unknown group '{}' of parameters", expression.group));
     error.hint = did_you_mean(expression.group, names);
     return fault(error);
   }
@@ -229,8 +228,8 @@ Quantity QuantityReader::variable(const Expression& expression) {
     diagnostics_
         .error(
             "variable-and-parameter", place(expression),
-            fmt::format("'{0}' is a variable here, and elsewhere 'p:{0}' is a parameter", expression.name))
-        .notes.push_back({parameter->second, "a parameter here"});
+            fmt::format("'{0}' is a variable here, but 'p:{0}' is a parameter", expression.name))
+        .notes.push_back({parameter->second, "the parameter is here"});
   }
   uses_.use(expression, "variable", place(expression));
   const auto [entry, is_new] = variable_indices_.insert({expression.name, static_cast<int>(variables_.size())});
@@ -263,7 +262,7 @@ Quantity QuantityReader::parameter(const Expression& expression, ParameterKind k
   return Quantity::parameter(index);
 }
 
-// Mass properties may depend on lengths and angles, which they do not make masses.
+// A length or an angle that mass properties depend on keeps its kind.
 void QuantityReader::join_kind(int index, ParameterKind kind, const Place& place) {
   Parameter& parameter = parameters_[static_cast<std::size_t>(index)];
   if (parameter.kind == kind) return;
@@ -297,7 +296,7 @@ void QuantityReader::set_default(Parameter& parameter, double value, const Place
 Quantity QuantityReader::constant(const Expression& expression) {
   const auto found = constants_.find(expression.name);
   if (found != constants_.end()) {
-    if (!std::isfinite(found->second.value.number().value())) ++faults_;  // reported where it was declared
+    if (!std::isfinite(found->second.value.number().value())) ++faults_;  // reported at its declaration
     return found->second.value;
   }
   std::vector<std::string> names;

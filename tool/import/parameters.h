@@ -13,12 +13,11 @@
 
 namespace robcogen::import {
 
-// What a name is that no declaration and no spelling makes anything else: robots have parameters, motions and
-// transforms have variables.
+// The meaning of a name without a declaration: a parameter in robots, a variable in motions and transforms.
 enum class PlainName { parameter, variable };
 
-// Parameters are of the kind of the place where they stand: a length or an angle, or, in mass properties alone, of
-// these. `PI` in any case is the constant, unless a parameter of exactly this name is declared.
+// The kind of a parameter follows from where it stands: a length or an angle in placements, otherwise inertial. `PI` in
+// upper or lower case is the constant, unless a parameter of exactly this name is declared.
 class QuantityReader {
  public:
   QuantityReader(
@@ -27,23 +26,23 @@ class QuantityReader {
       PlainName plain_name = PlainName::parameter)
       : source_(std::move(source)), diagnostics_(diagnostics), plain_name_(plain_name) {}
 
-  // Declares the parameters of a group, which may be used as `group.name` and as `name`. Reports what was declared
-  // before.
+  // Declares the parameters of a group, which may be used as `group.name` and as `name`. Reports names that were
+  // declared before.
   void declare_group(const language::ParameterGroup& group);
 
-  // Notes the constants (`<g=9.81>`) and the parameters (`p:length`, `Pi[3.1]`) that an expression declares, which may
-  // be used anywhere in the document. Reports a constant that is given two values.
+  // Stores the constants (`<g=9.81>`) and the parameters (`p:length`, `Pi[3.1]`) that an expression declares; they may
+  // be used anywhere in the document. Reports a constant with two values.
   void declare_names_in(const language::Expression& expression);
 
-  // `kind` is what a parameter would be in this place. Reports a parameter of two kinds or with two defaults, an
-  // unknown constant, and what has no finite value, or none that a robot can have: for constants as such, with
-  // parameters whatever values they take. A constant next to nothing is zero.
+  // `kind` is the kind of parameters in this place. Reports a parameter of two kinds or with two defaults, an unknown
+  // constant, and an expression whose value is not finite or too large for a robot (with parameters: for all their
+  // values). A constant close to zero becomes zero.
   model::Quantity read(const language::Expression& expression, model::ParameterKind kind);
 
-  // Warns of names that may be parameters by accident; to be called when all has been read.
+  // Warns of names that may be parameters by accident. To be called after all expressions were read.
   void report_accidents() const { uses_.report(diagnostics_); }
 
-  // Those of groups first, as declared; then in the order of their first use.
+  // First those of groups, as declared; then the others in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
   // In the order of their first use.
   const std::vector<std::string>& variables() const { return variables_; }
@@ -61,9 +60,9 @@ class QuantityReader {
   model::Quantity parameter(const language::Expression& expression, model::ParameterKind kind);
   void add_parameter(const std::string& name, model::ParameterKind kind, const Place& place);
   model::Quantity constant(const language::Expression& expression);
-  // The least magnitude that it takes for the values that parameters are tried with; infinite when it has none.
+  // The least magnitude for the trial values of parameters; infinite when no value is finite.
   double least_magnitude(const model::Quantity& q) const;
-  // What an expression is taken to be once its fault was reported.
+  // The value of an expression after an error in it was reported.
   model::Quantity fault(const Diagnostic& reported);
   Place place(const language::Expression& expression) const { return {source_, expression.span}; }
 

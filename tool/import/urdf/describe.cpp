@@ -9,7 +9,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// Where a link's URDF frame is: in the model's frame of the link that carries it.
+// The pose of a link's URDF frame in the model's frame of the link that carries it.
 struct Carried {
   int body = -1;  // a link; -1 for a root that is left out
   Pose pose;
@@ -61,7 +61,7 @@ model::Description describe(
     const Identifiers& identifiers,
     const std::vector<model::JointLimits>& limits,
     bool floating_base) {
-  // A root that only carries a floating joint is no part of the robot.
+  // A root that only carries a floating joint is not part of the robot.
   int base = topology.root;
   bool floats = floating_base;
   for (std::size_t j = 0; j < document.joints.size(); ++j) {
@@ -79,7 +79,10 @@ model::Description describe(
     bodies[at(own.body)].frames.push_back({identifiers.links[l], placement_of(own.pose), link.name.place});
     if (!link.inertial) continue;
     std::vector<PlacedInertial>& parts = inertials[at(own.body)];
-    if (parts.empty()) bodies[at(own.body)].inertia_place = link.inertial->place;
+    if (parts.empty()) {
+      bodies[at(own.body)].inertia_place = link.inertial->inertia_place;
+      bodies[at(own.body)].mass_place = link.inertial->mass_place;
+    }
     parts.push_back({&*link.inertial, own.pose});
   }
 

@@ -1,4 +1,4 @@
-// From a document to the description of a model: fixed joints are lumped, frames are turned to the joints' axes.
+// From a document to the description of a model: lumps links on fixed joints, and turns frames to the axes of joints.
 #pragma once
 
 #include "import/urdf/names.h"
@@ -7,8 +7,8 @@
 
 namespace robcogen::import::from_urdf {
 
-// Whether the model has such joints. Reports planar joints, floating ones but the first below a massless root (that one
-// is noted), and joints that mimic others: as errors, or, when they are free, in a note.
+// Reports joints that the model does not have: planar joints, floating joints except one below a massless root (a
+// note), and joints that mimic others (errors, or one note with `free_mimic_joints`).
 void check_joints(const Document& document, const Topology& topology, bool free_mimic_joints, Diagnostics& diagnostics);
 
 // `limits` are those of each joint of the document.

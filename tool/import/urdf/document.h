@@ -1,5 +1,4 @@
-// What a URDF says of a robot's mechanics, before it means anything: elements that refer to one another by name, and
-// exact numbers.
+// The mechanics in a URDF as written: elements that refer to one another by name, and exact numbers.
 #pragma once
 
 #include <array>
@@ -27,25 +26,26 @@ struct Origin {
   std::array<Place, 3> rpy_places;
 };
 
-// About the centre of mass, which is the origin, in its axes. Elements of the tensor: ixy = - integral of x y dm.
+// About the centre of mass, the origin, and in the axes of the origin. Elements of the tensor: ixy = - integral of x y
+// dm.
 struct Inertial {
   Origin origin;
   Number mass;
   Number ixx, ixy, ixz, iyy, iyz, izz;
-  Place place;
+  Place mass_place;     // of the number
+  Place inertia_place;  // of the element `inertia`, or of `inertial` when it is missing
 };
 
 struct Link {
   Name name;
-  std::optional<Inertial> inertial;  // absent, too, when all of it is zero
+  std::optional<Inertial> inertial;  // absent also when all of it is zero
 };
 
 enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };
 
-// The attributes that are there.
+// nullopt for an attribute that is missing.
 struct Limit {
   std::optional<Number> lower, upper, effort, velocity;
-  Place place;
 };
 
 struct Joint {
@@ -70,26 +70,26 @@ struct Document {
   std::string version;  // empty when there is none
   std::vector<Link> links;
   std::vector<Joint> joints;
-  std::map<std::string, int> ignored;  // elements that say nothing of mechanics, by name
+  std::map<std::string, int> ignored;  // elements without mechanical content, by name
 };
 
-// Whether xacro has expanded the document. Reports the first of its instructions that are left in what is read here, or
-// warns of the first elsewhere.
+// Whether xacro has expanded the document. Reports the first instruction of xacro in an element that is read, or warns
+// of the first one elsewhere.
 bool check_expanded(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-// Reports what is missing, malformed or given twice. The document is of use only when nothing was.
+// Reports what is missing, malformed or given twice. The document is valid only when no error was reported.
 Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 // The type's name in a URDF.
 const char* name_of(JointType type);
 
-// Roll, pitch and yaw of the joints' origins, and of those of inertials, that are within 1e-6 of a multiple of PI/12
-// but not exactly zero: with `snap` they become that multiple and each is noted, else one note counts them.
+// Treats roll, pitch and yaw of the origins of joints and inertials that are within 1e-6 of a multiple of PI/12 and not
+// exactly zero: with `snap` they become that multiple, with a note on each; otherwise one note counts them.
 void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostics);
 
-// Gives the document to urdfdom, the reader that most programs have. Reports what it refuses, in its words. Returns the
-// limits of each joint: infinite where the document has no limit of that kind; a missing `lower` or `upper` beside
-// others is zero, as URDF has it. Nothing when an error was reported.
+// Gives the document to urdfdom, the reader that most programs use. Reports its errors, in its words. Returns the
+// limits of each joint: infinite when the document has no limit of that kind; a missing `lower` or `upper` in a `limit`
+// is zero, as URDF defines it. Empty when an error was reported.
 std::vector<model::JointLimits> read_limits(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf

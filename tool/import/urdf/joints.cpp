@@ -1,4 +1,4 @@
-// Which joints the model has.
+// Checks of the types of joints.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@ void check_floating(const Document& document, const Topology& topology, std::siz
     diagnostics.note(
         "root-left-out", joint.name.place,
         fmt::format(
-            "link '{}' floats and is the base: root '{}' and joint '{}' are no part of the robot", joint.child.text,
+            "link '{}' is the floating base: root '{}' and joint '{}' are not part of the robot", joint.child.text,
             root.name.text, joint.name.text));
     return;
   }
   diagnostics.error(
       "floating-joint", joint.type_place,
       fmt::format(
-          "floating joint '{}' is not supported: only a root without mass, and without other children, may carry one",
+          "floating joint '{}' is not supported: its parent must be a root without mass and without other children",
           joint.name.text));
 }
 
@@ -50,9 +50,8 @@ void check_joints(
       diagnostics
           .error(
               "mimic-joint", joint.mimic->place,
-              fmt::format(
-                  "joint '{}' mimics joint '{}', which is not supported yet", joint.name.text, joint.mimic->text))
-          .hint = "--free-mimic-joints makes it a joint of its own";
+              fmt::format("joint '{}' mimics joint '{}', which is not supported", joint.name.text, joint.mimic->text))
+          .hint = "--free-mimic-joints makes it an independent joint";
     } else if (joint.mimic) {
       if (freed.empty()) first_freed = joint.mimic->place;
       freed += fmt::format("{}'{}'", freed.empty() ? "" : ", ", joint.name.text);
@@ -61,7 +60,7 @@ void check_joints(
   if (freed.empty()) return;
   diagnostics.note(
       "mimic-joints-freed", first_freed,
-      fmt::format("joints that mimic others, and are joints of their own here: {}", freed));
+      fmt::format("these joints mimic others and are read as independent joints: {}", freed));
 }
 
 }  // namespace robcogen::import::from_urdf

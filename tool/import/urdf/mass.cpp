@@ -14,13 +14,13 @@ using model::Quantity;
 
 namespace {
 
-// A principal moment may be negative by this part of the largest one: rods and plates lie exactly on the limit, and
-// moments that are written with three digits miss it by so much. (The model warns from 1e-6 on.)
+// A principal moment may be negative by this fraction of the largest one: rods and plates lie exactly on the limit, and
+// rounding to three digits moves them beyond it by as much. (The model warns from 1e-6 on.)
 constexpr double kRounding = 1e-2;
-// And by this part of the moment of the link's mass at its reach: point masses have no larger moment to compare with,
-// and whoever computed theirs subtracted moments of that size in doubles.
+// And by this fraction of the moment of the link's mass at its reach: the moments of a point mass are differences of
+// moments of that size, computed in doubles.
 constexpr double kNoise = 1e-11;
-const char* const kHint = "--allow-implausible makes a warning of it";
+const char* const kHint = "--allow-implausible makes this a warning";
 
 // Eigenvalues of the tensor in ascending order, as the roots of its characteristic polynomial (Smith 1961).
 std::array<double, 3> principal_moments(const Inertial& i) {
@@ -42,7 +42,7 @@ double length(const std::array<Number, 3>& v) {
   return std::hypot(v[0].value(), v[1].value(), v[2].value());
 }
 
-// By link: how far from the origin of its frame its centre of mass and its joints are, and it from its parent.
+// By link: the largest distance from the origin of its frame to its centre of mass, a joint, or its parent's frame.
 std::vector<double> reaches(const Document& document, const Topology* topology) {
   std::vector<double> reach(document.links.size(), 0.0);
   const auto widen = [&](int link, double distance) { reach[at(link)] = std::max(reach[at(link)], distance); };
@@ -56,7 +56,7 @@ std::vector<double> reaches(const Document& document, const Topology* topology) 
   return reach;
 }
 
-// By link: whether a joint moves it. The inertia of all others is that of a base.
+// By link: whether a joint moves it. The other links are part of the base.
 std::vector<bool> moved(const Document& document, const Topology* topology) {
   std::vector<bool> moved(document.links.size(), topology == nullptr);
   if (topology == nullptr) return moved;
@@ -67,13 +67,12 @@ std::vector<bool> moved(const Document& document, const Topology* topology) {
   return moved;
 }
 
-// `is_used`: the link moves. What a base that does not move is said to weigh changes no result.
-void report(const Link& link, bool is_used, const char* code, const std::string& message, Diagnostics& diagnostics) {
-  const Place& place = link.inertial->place;
+// `is_used`: the link moves. The mass of a fixed base changes no result.
+void report(bool is_used, const char* code, const Place& place, const std::string& message, Diagnostics& diagnostics) {
   if (is_used) {
     diagnostics.error(code, place, message).hint = kHint;
   } else {
-    diagnostics.warning(code, place, message).hint = "the link does not move, so that nothing depends on it";
+    diagnostics.warning(code, place, message).hint = "the link does not move: no result depends on it";
   }
 }
 
@@ -82,16 +81,16 @@ void check(const Link& link, double reach, bool is_used, Diagnostics& diagnostic
   const double mass = inertial.mass.value();
   if (mass < 0.0) {
     report(
-        link, is_used, "negative-mass",
-        fmt::format("mass of link '{}' is negative: {} kg", link.name.text, print_double(mass)), diagnostics);
+        is_used, "negative-mass", inertial.mass_place,
+        fmt::format("the mass of link '{}' is negative: {} kg", link.name.text, print_double(mass)), diagnostics);
   }
   const auto [low, middle, high] = principal_moments(inertial);
   const double tolerance = kRounding * std::abs(high) + kNoise * std::abs(mass) * reach * reach;
   if (low >= -tolerance) return;
   report(
-      link, is_used, "inertia-not-positive",
+      is_used, "inertia-not-positive", inertial.inertia_place,
       fmt::format(
-          "inertia of link '{}' is not positive semi-definite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2",
+          "the inertia of link '{}' is not positive semi-definite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2",
           link.name.text, low, middle, high),
       diagnostics);
 }
@@ -101,7 +100,7 @@ model::Inertia part_of_body(const PlacedInertial& part) {
   model::Inertia result;
   result.mass = Quantity(i.mass);
   result.ixx = Quantity(i.ixx), result.iyy = Quantity(i.iyy), result.izz = Quantity(i.izz);
-  // The model has products of inertia, a tensor has them with negative sign.
+  // The model holds products of inertia, the tensor their negatives.
   result.ixy = Quantity(-i.ixy), result.ixz = Quantity(-i.ixz), result.iyz = Quantity(-i.iyz);
   result.reference = placement_of(part.link * pose_of(i.origin));
   return result;

@@ -1,4 +1,4 @@
-// Mass properties of links, and of several links in one body.
+// Mass properties of links, and of bodies that consist of several links.
 #pragma once
 
 #include "import/urdf/document.h"
@@ -7,13 +7,13 @@
 
 namespace robcogen::import::from_urdf {
 
-// Reports masses that are negative, and tensors that are not positive semi-definite but for rounding: as errors, or as
-// warnings where the link is part of a base that does not move. `topology` may be null, where it was wrong.
+// Reports negative masses, and tensors that are not positive semi-definite beyond rounding: as errors, or as warnings
+// for a link of a fixed base. `topology` is null when it has errors.
 void check_inertials(const Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics);
 
 struct PlacedInertial {
   const Inertial* inertial = nullptr;
-  Pose link;  // of its link's frame in the body's
+  Pose link;  // of the frame of its link in the frame of the body
 };
 
 Pose pose_of(const Origin& origin);

@@ -6,7 +6,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-constexpr std::size_t kLongestName = 255;  // of a robot document
+constexpr std::size_t kMaxNameLength = 255;  // of a robot document
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -20,24 +20,23 @@ bool continues_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-// The identifiers that are taken, by the names that they stand for.
+// By identifier: the name that it stands for.
 using Taken = std::map<std::string, const Name*>;
 
 void take(Taken& taken, const std::string& identifier, const Name& name, const char* kind, Diagnostics& diagnostics) {
   const auto [earlier, is_new] = taken.insert({identifier, &name});
-  if (!is_new && earlier->second->text != name.text) {  // else it was reported as declared twice
+  if (!is_new && earlier->second->text != name.text) {  // equal names were reported as declared twice
     diagnostics
         .error(
             "name-collision", name.place,
             fmt::format(
-                "{0} '{1}' and {0} '{2}' would both be called '{3}'", kind, earlier->second->text, name.text,
-                identifier))
+                "{0} '{1}' and {0} '{2}' both become '{3}'", kind, earlier->second->text, name.text, identifier))
         .notes.push_back({earlier->second->place, fmt::format("'{}' is declared here", earlier->second->text)});
   }
-  if (identifier.size() > kLongestName) {
+  if (identifier.size() > kMaxNameLength) {
     diagnostics.error(
         "name-too-long", name.place,
-        fmt::format("the name of this {} has more than {} characters", kind, kLongestName));
+        fmt::format("the name of this {} has more than {} characters", kind, kMaxNameLength));
   }
 }
 
@@ -74,14 +73,14 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
             .error(
                 "name-collision", joint.name.place,
                 fmt::format(
-                    "joint '{}' has a link's name, and as '{}' it would have the name of link '{}'", joint.name.text,
-                    longer, other->second->text))
+                    "joint '{}' has the name of a link, and '{}' is the name of link '{}'", joint.name.text, longer,
+                    other->second->text))
             .notes.push_back({other->second->place, fmt::format("'{}' is declared here", other->second->text)});
       }
       diagnostics
           .note(
               "joint-renamed", joint.name.place,
-              fmt::format("joint '{}' becomes '{}': a link has its name", joint.name.text, longer))
+              fmt::format("joint '{}' becomes '{}': a link has the same name", joint.name.text, longer))
           .notes.push_back({link->second->place, "the link is declared here"});
       name = longer;
     }

@@ -8,14 +8,14 @@ namespace robcogen::import::from_urdf {
 struct Identifiers {
   std::string robot;
   std::vector<std::string> links;   // in the order of the document
-  std::vector<std::string> joints;  // too; empty for those that the model does not have
+  std::vector<std::string> joints;  // likewise; empty for those that the model does not have
 };
 
-// The name with `_` for each character that an identifier cannot have, and before a digit at its beginning.
+// The name with `_` instead of each character that an identifier cannot have, and before a digit at its beginning.
 std::string identifier(const std::string& name);
 
-// A joint that has a link's name becomes `<name>_joint`, with a note. Reports two names of one kind that become one,
-// and names that are longer than those of a robot document.
+// A joint with the name of a link becomes `<name>_joint`, with a note. Reports two names of one kind that become equal,
+// and names that are too long for a robot document.
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf

@@ -18,12 +18,12 @@ constexpr Real kPi = std::numbers::pi_v<Real>;
 using QuarterTurns = std::array<std::array<int, 3>, 3>;
 using Matrix = std::array<std::array<Real, 3>, 3>;
 
-// A rotation of more turns is reduced to three: what is exact in so long a chain is only so by accident.
-constexpr std::size_t kMostTurns = 12;
+// A rotation of more turns is reduced to three.
+constexpr std::size_t kMaxTurns = 12;
 
 // --- quarter turns ----------------------------------------------------------------------------------------------
 
-// How many, when it is a whole number of them for certain.
+// The number of quarter turns, when the angle is exactly a multiple.
 std::optional<int> quarter_turns_in(const Number& angle) {
   if (angle.is_zero()) return 0;
   if (!angle.is_pi_multiple() || angle.ratio()->den > 2) return std::nullopt;
@@ -102,7 +102,7 @@ Matrix matrix_of(const Rotation& rotation, const std::vector<Real>& angles) {
   return m * rest;
 }
 
-// An angle that a rotation may turn out to have: its value in the matrix that is looked at, and what it stands for.
+// An angle that a rotation may have: its value in the matrix under examination, and its meaning.
 struct Candidate {
   Real value;
   Number meaning;
@@ -117,14 +117,14 @@ struct Angles {
   bool all_are_candidates = false;
 };
 
-// The first candidate that the angle is; the nearest double where it is none.
+// The first candidate that equals the angle, else the nearest double.
 std::pair<Number, bool> meaning_of(Real angle, const std::vector<Candidate>& candidates, Real tolerance) {
   for (const Candidate& c : candidates)
     if (is_same_angle(angle, c.value, tolerance)) return {c.meaning, true};
   return {Number(static_cast<double>(angle)), false};
 }
 
-// Rx and Ry, once Rz is known: R Rz' = Rx Ry.
+// Rx and Ry for a known Rz: R Rz' = Rx Ry.
 Angles angles_for(
     const Matrix& R,
     Real rz,
@@ -137,8 +137,8 @@ Angles angles_for(
   return {{x, y, rz_meaning.first}, x_is_candidate && y_is_candidate && rz_meaning.second};
 }
 
-// The nearer Ry is to a quarter turn, the less it matters what part of the turn about the common axis is Rz's: the
-// first candidate will do that moves the matrix by no more than the tolerance.
+// The nearer Ry is to a quarter turn, the less Rz matters on its own: any candidate is accepted that moves the matrix
+// by no more than the tolerance.
 Angles angles_of(const Matrix& R, const std::vector<Candidate>& candidates, Real tolerance) {
   constexpr Real kAnyAngle = 2 * kPi;
   const Real cosine = std::hypot(R[0][0], R[0][1]);
@@ -151,7 +151,7 @@ Angles angles_of(const Matrix& R, const std::vector<Candidate>& candidates, Real
   return angles_for(R, rz, {Number(static_cast<double>(rz)), false}, candidates, tolerance);
 }
 
-// With other angles in the place of its own, equalities are none by accident: what is found holds for any angles.
+// Replaces the angles of the rotation by others without accidental equalities: the result holds for any angles.
 Angles angles_by_structure(const Rotation& rotation) {
   constexpr Real kTolerance = 1e-14L;
   std::vector<Real> angles;
@@ -187,14 +187,14 @@ Angles angles_by_value(const Rotation& rotation) {
     candidates.push_back({-angles.back(), -turn.angle});
     all_are_multiples = all_are_multiples && turn.angle.is_pi_multiple();
   }
-  // What may be either is not made exact.
+  // An angle that may be either is not made exact.
   std::stable_partition(
       candidates.begin() + 1, candidates.end(), [](const Candidate& c) { return !c.meaning.is_pi_multiple(); });
   for (int k = -11; k <= 12 && all_are_multiples; ++k) candidates.push_back({k * kPi / 12, Number::pi_multiple(k, 12)});
   return angles_of(matrix_of(rotation, angles), candidates, kTolerance);
 }
 
-// atan2, as a multiple of PI where it is one for certain.
+// atan2, as a multiple of PI where it is exactly one.
 Number exact_atan2(const Number& y, const Number& x) {
   const double ay = std::abs(y.value()), ax = std::abs(x.value());
   const int sign = y.value() < 0.0 ? -1 : 1;
@@ -231,7 +231,7 @@ Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation product = a;
   for (const Turn& turn : b.turns) append(product, turn);
   product.quarter_turns = product.quarter_turns * b.quarter_turns;
-  if (product.turns.size() <= kMostTurns) return product;
+  if (product.turns.size() <= kMaxTurns) return product;
   const std::array<Number, 3> angles = intrinsic_angles(product);
   return rotation_about(0, angles[0]) * rotation_about(1, angles[1]) * rotation_about(2, angles[2]);
 }

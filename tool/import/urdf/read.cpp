@@ -1,7 +1,9 @@
 // From elements to the document.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -11,10 +13,10 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// What a robot has is below this in SI units, and what is as small as that is nothing: beyond, products of a few
-// quantities would overflow.
+// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
 constexpr double kTooLarge = 1e15;
-constexpr double kNothing = 1e-60;
+// A quantity as small as this is zero: its reciprocal would overflow.
+constexpr double kZero = 1e-60;
 
 constexpr std::array<std::pair<const char*, JointType>, 6> kTypes = {{
     {"revolute", JointType::revolute},
@@ -30,11 +32,14 @@ bool is_inertia(const Inertial& i) {
   return std::any_of(all.begin(), all.end(), [](const Number& n) { return !n.is_zero(); });
 }
 
-// A word of an attribute, and where it stands.
+// A word of an attribute, with its place.
 struct Word {
   std::string text;
   Span span;
 };
+
+// Of attributes or elements.
+using Names = std::vector<const char*>;
 
 class DocumentReader {
  public:
@@ -52,7 +57,7 @@ class DocumentReader {
       } else if (child.name == "joint") {
         document.joints.push_back(joint(child));
       } else {
-        ++ignored_[child.name];
+        ignore(child, root, {"link", "joint"});
       }
     }
     if (document.links.empty())
@@ -70,13 +75,88 @@ class DocumentReader {
     return found == element.attributes.end() ? nullptr : &*found;
   }
 
+  // `did you mean 'x'?` for a name that is not known here: the nearest of `candidates` that is not among `found`.
+  template <class Items>
+  static std::string suggestion(
+      const std::string& name,
+      const Items& found,
+      const Names& candidates,
+      const Names& known) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return "";
+    std::vector<std::string> absent;
+    for (const char* candidate : candidates)
+      if (std::none_of(found.begin(), found.end(), [&](const auto& item) { return item.name == candidate; }))
+        absent.emplace_back(candidate);
+    return did_you_mean(name, absent);
+  }
+
+  // Of the elements that have attributes which must be there.
+  static const Names& known_attributes() {
+    static const Names names = {"name", "type", "link", "joint", "value", "xyz",
+                                "ixx",  "ixy",  "ixz",  "iyy",   "iyz",   "izz"};
+    return names;
+  }
+
   const Attribute* require(const Element& element, const char* attribute) {
     const Attribute* found = find(element, attribute);
-    if (found != nullptr) return found;
-    diagnostics_.error(
+    if (found == nullptr) report_missing_attributes(element, {attribute});
+    return found;
+  }
+
+  void report_missing_attributes(const Element& element, const Names& missing) {
+    Diagnostic& error = diagnostics_.error(
         "missing-attribute", place(element.span),
-        fmt::format("this '{}' has no attribute '{}'", element.name, attribute));
-    return nullptr;
+        fmt::format(
+            "this '{}' has no attribute{} '{}'", element.name, missing.size() > 1 ? "s" : "",
+            fmt::join(missing, "', '")));
+    for (const Attribute& attribute : element.attributes) {
+      const std::string hint = suggestion(attribute.name, element.attributes, missing, known_attributes());
+      if (hint.empty()) continue;
+      error.place.span = name_span(attribute);
+      error.hint = hint;
+      return;
+    }
+    error.hint = fmt::format("write <{} {}=\"...\">", element.name, fmt::join(missing, "=\"...\" "));
+  }
+
+  // The name stands before `=` and the value.
+  Span name_span(const Attribute& attribute) const {
+    const std::string_view text = source_->text();
+    const std::size_t equals = text.rfind('=', attribute.span.begin);
+    const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
+    return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
+  }
+
+  // Warns of an attribute that is not read, when it may be a misspelt one of `optional`, or always when `known` are all
+  // attributes of such an element.
+  void check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all) {
+    for (const Attribute& attribute : element.attributes) {
+      const bool is_known =
+          std::any_of(known.begin(), known.end(), [&](const char* name) { return attribute.name == name; });
+      const std::string hint = suggestion(attribute.name, element.attributes, optional, known);
+      if (is_known || (hint.empty() && !is_all)) continue;
+      diagnostics_
+          .warning(
+              "unknown-attribute", place(name_span(attribute)),
+              fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, element.name))
+          .hint = hint;
+    }
+  }
+
+  // Counts an element that is not read, or warns of it when it is a misspelt one of `names`. A misspelt element that
+  // must be there is reported as missing.
+  void ignore(const Element& child, const Element& parent, const Names& names) {
+    const std::string hint = suggestion(child.name, parent.children, names, names);
+    if (!hint.empty() && hint == did_you_mean(child.name, {"parent", "child", "mass"})) return;
+    if (hint.empty()) {
+      ++ignored_[child.name];
+      return;
+    }
+    diagnostics_
+        .warning(
+            "unknown-element", place(child.span),
+            fmt::format("element '{}' of this '{}' is unknown and ignored", child.name, parent.name))
+        .hint = hint;
   }
 
   Name name(const Element& element, const char* attribute) {
@@ -88,18 +168,18 @@ class DocumentReader {
     return {found->value, place(found->span)};
   }
 
-  // The elements of these names, each at most once; all others are counted as ignored.
-  std::map<std::string, const Element*> parts(const Element& element, std::initializer_list<const char*> names) {
+  // The elements of these names, each at most once. Other elements are ignored.
+  std::map<std::string, const Element*> parts(const Element& element, const Names& names) {
     std::map<std::string, const Element*> found;
     for (const Element& child : element.children) {
       if (std::find(names.begin(), names.end(), child.name) == names.end()) {
-        ++ignored_[child.name];
+        ignore(child, element, names);
       } else if (const auto [first, is_new] = found.insert({child.name, &child}); !is_new) {
         diagnostics_
             .warning(
                 "repeated-element", place(child.span),
-                fmt::format("a second '{}' of this '{}': only the first counts", child.name, element.name))
-            .notes.push_back({place(first->second->span), "the first one"});
+                fmt::format("this '{}' has a second '{}', which is ignored", element.name, child.name))
+            .notes.push_back({place(first->second->span), "the first one is here"});
       }
     }
     return found;
@@ -111,12 +191,23 @@ class DocumentReader {
       const char* part) {
     const auto found = parts.find(part);
     if (found != parts.end()) return found->second;
-    diagnostics_.error(
-        "missing-element", place(element.span), fmt::format("this '{}' has no '{}'", element.name, part));
+    report_missing_element(element, part, fmt::format("this '{}' has no element '{}'", element.name, part));
     return nullptr;
   }
 
-  // Words between blanks, each with its own place where the value stands in the text as it is.
+  // At the element that is probably a misspelt `part`, else at the owner.
+  Diagnostic& report_missing_element(const Element& owner, const char* part, const std::string& message) {
+    Diagnostic& error = diagnostics_.error("missing-element", place(owner.span), message);
+    for (const Element& child : owner.children) {
+      if (did_you_mean(child.name, {part}).empty()) continue;
+      error.place.span = child.span;
+      error.hint = fmt::format("did you mean '{}'?", part);
+      break;
+    }
+    return error;
+  }
+
+  // Words between blanks. Each has its own place, unless the value has entities.
   std::vector<Word> words(const Attribute& attribute) const {
     constexpr const char* kBlanks = " \t\n\r";
     const std::string& value = attribute.value;
@@ -133,42 +224,57 @@ class DocumentReader {
 
   enum class Range { of_a_robot, any };
 
-  Number number(const Word& word, Range range = Range::of_a_robot) {
-    const std::optional<Number> parsed = Number::parse(word.text);
-    if (!parsed) {
-      report_no_number(word);
-      return Number();
-    }
-    const double magnitude = std::abs(parsed->value());
+  Number number(const Word& word, Range range) {
+    const Number parsed = Number::parse(word.text).value_or(Number());
+    const double magnitude = std::abs(parsed.value());
     if (magnitude >= kTooLarge && range == Range::of_a_robot) {
       diagnostics_.error(
           "too-large", place(word.span),
-          fmt::format("{} is too large: what a robot has is below {} in SI units", word.text, print_double(kTooLarge)));
+          fmt::format(
+              "{} is too large: a quantity of a robot is below {} in SI units", word.text, print_double(kTooLarge)));
     }
-    return magnitude < kNothing ? Number() : *parsed;
+    return magnitude < kZero ? Number() : parsed;
   }
 
-  void report_no_number(const Word& word) {
-    constexpr std::size_t kShown = 40;
-    const std::string shown = word.text.size() > kShown ? word.text.substr(0, kShown) + "…" : word.text;
+  void report_not_a_number(const Word& word) {
+    constexpr std::size_t kMaxShown = 40;
+    const std::string& text = word.text;
+    const std::string shown = text.size() > kMaxShown ? text.substr(0, kMaxShown) + "…" : text;
     Diagnostic& error =
-        diagnostics_.error("not-a-number", place(word.span), fmt::format("'{}' is no finite decimal number", shown));
-    if (word.text.find(',') != std::string::npos) {
-      error.hint = "a decimal point is '.', and blanks stand between numbers";
+        diagnostics_.error("not-a-number", place(word.span), fmt::format("'{}' is not a finite decimal number", shown));
+    const std::size_t number_end = text.find_first_not_of("+-.0123456789");
+    if (text.find(',') != std::string::npos) {
+      error.hint = "write a decimal point as '.', and separate numbers by blanks";
+    } else if (text.find_first_of("*/()") != std::string::npos || text == "pi" || text == "PI") {
+      error.hint = "a URDF holds numbers; xacro evaluates expressions";
+    } else if (
+        number_end != 0 && number_end < text.size() && std::isalpha(static_cast<unsigned char>(text[number_end])) &&
+        std::all_of(text.begin() + static_cast<std::ptrdiff_t>(number_end), text.end(), [](unsigned char c) {
+          return std::isalpha(c) != 0;
+        })) {
+      error.hint = "write numbers without units; they are in SI units and radians";
     }
   }
 
+  // One error at most about the words: the first one that is not a number may be why their count is wrong.
   std::vector<Number> numbers(const Attribute& attribute, std::size_t count, Range range = Range::of_a_robot) {
-    std::vector<Number> result;
+    std::vector<Number> result(count);
     const std::vector<Word> all = words(attribute);
-    if (all.size() != count) {
+    const auto bad =
+        std::find_if(all.begin(), all.end(), [](const Word& word) { return !Number::parse(word.text).has_value(); });
+    if (bad != all.end()) {
+      report_not_a_number(*bad);
+    } else if (all.size() != count) {
+      const bool has_too_many = all.size() > count;
+      const Span span = has_too_many ? Span{all[count].span.begin, all.back().span.end} : attribute.span;
       diagnostics_.error(
-          "component-count", place(attribute.span),
-          fmt::format("'{}' needs {} number{}, and has {}", attribute.name, count, count == 1 ? "" : "s", all.size()));
+          "component-count", place(span),
+          fmt::format(
+              "'{}' needs {} number{}, found {}", attribute.name, count, count == 1 ? "" : "s",
+              all.empty() ? "none" : std::to_string(all.size())));
+    } else {
+      for (std::size_t i = 0; i < count; ++i) result[i] = number(all[i], range);
     }
-    for (const Word& word : all)
-      if (result.size() < count) result.push_back(number(word, range));
-    result.resize(count);
     return result;
   }
 
@@ -187,6 +293,7 @@ class DocumentReader {
     const auto found = parts.find("origin");
     if (found == parts.end()) return result;
     const Element& element = *found->second;
+    check_attributes(element, {"xyz", "rpy"}, {"xyz", "rpy", "quat_xyzw"}, true);
     if (const Attribute* xyz = find(element, "xyz")) result.xyz = triple(*xyz);
     if (const Attribute* rpy = find(element, "rpy")) {
       result.rpy = triple(*rpy);
@@ -195,7 +302,7 @@ class DocumentReader {
     }
     if (const Attribute* quaternion = find(element, "quat_xyzw")) {
       diagnostics_.error(
-          "unsupported-quaternion", place(quaternion->span), "rotations as quaternions are not supported: give 'rpy'");
+          "unsupported-quaternion", place(quaternion->span), "rotations as quaternions are not supported: write 'rpy'");
     }
     return result;
   }
@@ -213,42 +320,56 @@ class DocumentReader {
 
   Inertial inertial(const Element& element, const std::string& link) {
     Inertial result;
-    result.place = place(element.span);
+    const Place own_place = place(element.span);
+    result.mass_place = result.inertia_place = own_place;
     const auto own = parts(element, {"origin", "mass", "inertia"});
     result.origin = origin(own);
     const auto mass = own.find("mass");
     if (mass != own.end()) {
       result.mass = scalar(*mass->second, "value");
+      if (const Attribute* value = find(*mass->second, "value")) result.mass_place = place(value->span);
     } else {
-      diagnostics_.error("missing-element", result.place, fmt::format("the inertial of link '{}' has no mass", link))
-          .hint = "give it <mass value=\"...\"/>; a link without mass has no 'inertial'";
+      Diagnostic& error =
+          report_missing_element(element, "mass", fmt::format("the inertial of link '{}' has no mass", link));
+      if (error.hint.empty()) error.hint = "write <mass value=\"...\"/>; a link without mass has no 'inertial'";
     }
     if (const auto inertia = own.find("inertia"); inertia != own.end()) {
+      result.inertia_place = place(inertia->second->span);
       read_moments(*inertia->second, link, result);
     } else if (mass != own.end()) {
       diagnostics_.warning(
-          "missing-inertia", result.place,
-          fmt::format("the inertial of link '{}' has no 'inertia': it is taken for a point mass", link));
+          "missing-inertia", own_place,
+          fmt::format("the inertial of link '{}' has no 'inertia': the link is a point mass", link));
     }
     return result;
   }
 
   void read_moments(const Element& element, const std::string& link, Inertial& inertial) {
-    inertial.ixx = scalar(element, "ixx");
-    inertial.iyy = scalar(element, "iyy");
-    inertial.izz = scalar(element, "izz");
-    std::string missing;
-    for (const auto& [attribute, product] :
-         {std::pair("ixy", &inertial.ixy), std::pair("ixz", &inertial.ixz), std::pair("iyz", &inertial.iyz)}) {
-      if (find(element, attribute) != nullptr)
-        *product = scalar(element, attribute);
-      else
-        missing += fmt::format("{}'{}'", missing.empty() ? "" : ", ", attribute);
+    Names missing_moments, missing_products;
+    const auto read = [&](const char* attribute, Number& value, Names& missing) {
+      if (find(element, attribute) != nullptr) {
+        value = scalar(element, attribute);
+      } else {
+        missing.push_back(attribute);
+      }
+    };
+    read("ixx", inertial.ixx, missing_moments);
+    read("iyy", inertial.iyy, missing_moments);
+    read("izz", inertial.izz, missing_moments);
+    read("ixy", inertial.ixy, missing_products);
+    read("ixz", inertial.ixz, missing_products);
+    read("iyz", inertial.iyz, missing_products);
+    if (!missing_moments.empty()) {
+      report_missing_attributes(element, missing_moments);
+    } else if (!missing_products.empty()) {
+      Diagnostic& warning = diagnostics_.warning(
+          "missing-product", place(element.span),
+          fmt::format(
+              "the inertia of link '{}' has no '{}': taken as zero", link, fmt::join(missing_products, "', '")));
+      for (const Attribute& attribute : element.attributes)
+        if (warning.hint.empty())
+          warning.hint = suggestion(attribute.name, element.attributes, missing_products, known_attributes());
     }
-    if (missing.empty()) return;
-    diagnostics_.warning(
-        "missing-product", place(element.span),
-        fmt::format("the inertia of link '{}' has no {}: taken to be zero", link, missing));
   }
 
   Joint joint(const Element& element) {
@@ -259,7 +380,7 @@ class DocumentReader {
     if (const Element* parent = require_part(element, own, "parent")) result.parent = name(*parent, "link");
     if (const Element* child = require_part(element, own, "child")) result.child = name(*child, "link");
     result.origin = origin(own);
-    if (!has_type || !is_movable(result)) return result;  // what follows would mean nothing
+    if (!has_type || !is_movable(result)) return result;  // the rest has no meaning
     if (const auto axis = own.find("axis"); axis != own.end()) read_axis(*axis->second, result);
     if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = name(*mimic->second, "joint");
     if (const auto found = own.find("limit"); found != own.end()) {
@@ -268,7 +389,8 @@ class DocumentReader {
       diagnostics_.warning(
           "missing-limit", result.name.place,
           fmt::format(
-              "{} joint '{}' has no 'limit': it is taken to have none", name_of(result.type), result.name.text));
+              "{} joint '{}' has no 'limit': its motion is taken as unlimited", name_of(result.type),
+              result.name.text));
     }
     return result;
   }
@@ -284,11 +406,12 @@ class DocumentReader {
       joint.type = value;
       return true;
     }
+    const std::string hint = did_you_mean(type->value, names);
     diagnostics_
         .error(
             "unknown-joint-type", joint.type_place,
-            fmt::format("joint '{}' is of no known type: '{}'", joint.name.text, type->value))
-        .hint = did_you_mean(type->value, names);
+            fmt::format("joint '{}' has unknown type '{}'", joint.name.text, type->value))
+        .hint = hint.empty() ? fmt::format("the types are {}", fmt::join(names, ", ")) : hint;
     return false;
   }
 
@@ -301,12 +424,14 @@ class DocumentReader {
     if (!is_zero || diagnostics_.error_count() > errors_before) return;
     diagnostics_.error(
         "zero-axis", place(xyz->span),
-        fmt::format("the axis of joint '{}' has no direction: it is zero", joint.name.text));
+        fmt::format("the axis of joint '{}' is zero: it has no direction", joint.name.text));
   }
 
   Limit limit(const Element& element, const Joint& joint) {
     Limit result;
-    result.place = place(element.span);
+    const Place own_place = place(element.span);
+    const Names known = {"lower", "upper", "effort", "velocity"};
+    check_attributes(element, {"lower", "upper"}, known, false);
     const auto read = [&](const char* attribute) -> std::optional<Number> {
       const Attribute* found = find(element, attribute);
       if (found == nullptr) return std::nullopt;
@@ -314,18 +439,24 @@ class DocumentReader {
     };
     result.lower = read("lower"), result.upper = read("upper");
     result.effort = read("effort"), result.velocity = read("velocity");
-    for (const auto& [value, what] : {std::pair(result.effort, "effort"), std::pair(result.velocity, "velocity")}) {
-      if (value) continue;
-      diagnostics_.warning(
-          "missing-limit", result.place,
-          fmt::format("joint '{0}' has a 'limit' without '{1}': its {1} is taken to have none", joint.name.text, what));
+    Names missing;
+    if (!result.effort) missing.push_back("effort");
+    if (!result.velocity) missing.push_back("velocity");
+    if (!missing.empty()) {
+      Diagnostic& warning = diagnostics_.warning(
+          "missing-limit", own_place,
+          fmt::format(
+              "the 'limit' of joint '{}' has no '{}': taken as unlimited", joint.name.text,
+              fmt::join(missing, "', '")));
+      for (const Attribute& attribute : element.attributes)
+        if (warning.hint.empty()) warning.hint = suggestion(attribute.name, element.attributes, missing, known);
     }
     const double lower = result.lower.value_or(Number()).value(), upper = result.upper.value_or(Number()).value();
     if (lower > upper && joint.type != JointType::continuous) {
       diagnostics_.warning(
-          "crossed-limits", result.place,
+          "crossed-limits", own_place,
           fmt::format(
-              "joint '{}' has no position to be in: its lower limit is {}, its upper limit {}", joint.name.text,
+              "no position of joint '{}' is within its limits: the lower is {}, the upper is {}", joint.name.text,
               print_double(lower), print_double(upper)));
     }
     return result;
@@ -346,7 +477,7 @@ Document read_document(const Element& root, std::shared_ptr<const Source> source
   if (root.name == "robot") return DocumentReader(std::move(source), diagnostics).read(root);
   diagnostics.error(
       "other-format", {std::move(source), root.span},
-      fmt::format("this is XML, and no URDF: its root element is '{}', not 'robot'", root.name));
+      fmt::format("this XML is not a URDF: its root element is '{}', not 'robot'", root.name));
   return {};
 }
 

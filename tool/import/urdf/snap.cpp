@@ -1,4 +1,4 @@
-// Angles that were meant as multiples of PI/12, and lost that to decimals.
+// Angles that are multiples of PI/12 up to the rounding of their decimals.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::optional<Snap> near_multiple(const Number& angle) {
   if (angle.is_zero()) return std::nullopt;
   constexpr long double kStep = std::numbers::pi_v<long double> / kStepsInHalfTurn;
   const auto steps = std::llround(angle.value() / kStep);
-  // In long double, as the nearest double of PI/2 is not PI/2 either.
+  // In long double: the nearest double of PI/2 is not PI/2.
   const auto change = static_cast<double>(static_cast<long double>(steps) * kStep - angle.value());
   return std::abs(change) <= kNear ? std::optional<Snap>({Number::pi_multiple(steps, kStepsInHalfTurn), change})
                                    : std::nullopt;
@@ -61,7 +61,7 @@ class Snapper {
                 "a half of all operations",
                 count_ == 1 ? "an angle" : fmt::format("{} angles", count_), count_ == 1 ? "is" : "are",
                 count_ == 1 ? "it" : "they"))
-        .hint = "--snap-angles (SNAP_ANGLES in CMake) makes them exact; this is the first";
+        .hint = "--snap-angles (SNAP_ANGLES in CMake) makes them exact; the first one is shown";
   }
 
  private:

@@ -1,4 +1,4 @@
-// urdfdom, the reader that most programs have, as the second opinion: what it refuses is no URDF for them.
+// Checks the document with urdfdom, the reader that most programs use: they cannot read what it refuses.
 #include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <tinyxml.h>
@@ -15,7 +15,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// Keeps what urdfdom says from the console for as long as it lives.
+// Collects the messages of urdfdom instead of the console, during its lifetime.
 class Listener : public console_bridge::OutputHandler {
  public:
   Listener() { console_bridge::useOutputHandler(this); }
@@ -59,7 +59,7 @@ std::string text_of(const Link& link) {
       quoted(i.iyy), quoted(i.iyz), quoted(i.izz));
 }
 
-// urdfdom insists on a limit, and on its effort and velocity.
+// urdfdom requires a limit, with effort and velocity.
 std::string text_of(const Limit& limit) {
   std::string text = "<limit";
   if (limit.lower) text += fmt::format(" lower={}", quoted(*limit.lower));
@@ -80,7 +80,7 @@ std::string text_of(const Joint& joint) {
   return text + "</joint>\n";
 }
 
-// Only what is read here: no broken mesh stands in the way of dynamics.
+// Only the elements that are read: a broken mesh must not prevent dynamics.
 std::string text_of(const Document& document) {
   std::string text = fmt::format("<robot name={}", quoted(document.name.text));
   if (!document.version.empty()) text += fmt::format(" version={}", quoted(document.version));
@@ -90,7 +90,7 @@ std::string text_of(const Document& document) {
   return text + "</robot>\n";
 }
 
-// Of the element that the message names, else of the robot.
+// The place of the element that the message names, else of the robot.
 Place place_of(const std::string& message, const Document& document) {
   const auto names = [&](const Name& name) {
     return message.find(fmt::format("'{}'", name.text)) != std::string::npos ||
@@ -103,7 +103,7 @@ Place place_of(const std::string& message, const Document& document) {
   return document.name.place;
 }
 
-// What a URDF that must give a number means for none.
+// A URDF that must give a number writes a large one for no limit.
 double bounded(double limit) {
   constexpr double kNone = 1e9;
   return std::abs(limit) < kNone ? limit : std::copysign(std::numeric_limits<double>::infinity(), limit);
@@ -128,7 +128,7 @@ std::vector<model::JointLimits> read_limits(const Document& document, Diagnostic
     read = urdf::parseURDF(text_of(document));
     errors = std::move(listener.errors);
   }
-  if (!read && errors.empty()) errors.emplace_back("it gives no reason");
+  if (!read && errors.empty()) errors.emplace_back("no reason given");
   for (const std::string& error : errors) {
     diagnostics.error("urdfdom", place_of(error, document), fmt::format("urdfdom refuses this robot: {}", error));
   }
@@ -139,7 +139,7 @@ std::vector<model::JointLimits> read_limits(const Document& document, Diagnostic
     const urdf::JointConstSharedPtr found = read->getJoint(joint.name.text);
     limits.push_back(found && found->limits ? limits_of(joint, *found->limits) : model::JointLimits());
   }
-  // A link owns its children: freed as it is, a long chain would take as deep a recursion.
+  // A link owns its children: freeing a long chain would recurse as deep.
   for (const auto& [name, link] : read->links_) {
     link->child_links.clear();
     link->child_joints.clear();

@@ -1,5 +1,7 @@
-// Tags only, and no more of XML than it takes to find them: it stands before a parser that recurses.
+// A scanner of tags that protects TinyXML, which recurses, and gives clearer messages.
 #include <fmt/format.h>
+
+#include <set>
 
 #include "import/urdf/xml.h"
 
@@ -7,9 +9,10 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-constexpr std::size_t kDeepest = 100;
-constexpr int kMostAttributes = 1000;
-constexpr std::size_t kLargestText = std::size_t{64} << 20;
+constexpr std::size_t kMaxDepth = 100;
+constexpr std::size_t kMaxAttributes = 1000;
+constexpr std::size_t kNone = std::string_view::npos;
+constexpr std::size_t kMaxTextSize = std::size_t{64} << 20;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
@@ -39,7 +42,7 @@ class TagScanner {
       } else if (rest.size() > 1 && starts_name(rest[1])) {
         open();
       } else {
-        fault({at_, at_ + 1}, "a '<' that begins no tag").hint = "in a text or a value, '<' is spelled &lt;";
+        fault({at_, at_ + 1}, "'<' does not begin a tag here").hint = "in a text or a value, write &lt; instead of '<'";
       }
     }
     if (is_sound_ && !open_.empty()) {
@@ -58,16 +61,16 @@ class TagScanner {
 
   Diagnostic& fault(const Span& span, const std::string& message) {
     is_sound_ = false;
-    return diagnostics_.error("not-xml", place(span), fmt::format("this is no well-formed XML: {}", message));
+    return diagnostics_.error("not-xml", place(span), fmt::format("not well-formed XML: {}", message));
   }
 
-  // Of the span of `<name`.
+  // The name in the span of `<name`.
   std::string_view name_of(const Span& span) const { return text_.substr(span.begin + 1, span.end - span.begin - 1); }
 
   void skip_past(std::string_view end, std::size_t length_of_begin, const char* what) {
     const std::size_t found = text_.find(end, at_ + length_of_begin);
     if (found == std::string_view::npos) {
-      fault({at_, at_ + length_of_begin}, fmt::format("a {} does not end", what));
+      fault({at_, at_ + length_of_begin}, fmt::format("this {} does not end", what));
     } else {
       at_ = found + end.size();
     }
@@ -79,46 +82,79 @@ class TagScanner {
     return at;
   }
 
+  // The word between `begin` and the `=` at `end`.
+  Span name_before(std::size_t begin, std::size_t end) const {
+    while (end > begin && is_blank(text_[end - 1])) --end;
+    std::size_t first = end;
+    while (first > begin && !is_blank(text_[first - 1]) && text_[first - 1] != '"' && text_[first - 1] != '\'') --first;
+    return {first, end};
+  }
+
+  // Reports a character that cannot follow the quote which closes a value.
+  bool check_after_value(std::size_t opening, std::size_t closing) {
+    const char next = closing + 1 < text_.size() ? text_[closing + 1] : '>';
+    if (is_blank(next) || next == '/' || next == '>' || next == '<' || starts_name(next)) return true;
+    const std::string_view value = text_.substr(opening, closing + 1 - opening);
+    if (value.find('=') != std::string_view::npos) {
+      fault({opening, closing + 1}, fmt::format("a {} is missing in this attribute value", text_[opening]));
+    } else {
+      fault({closing + 1, closing + 2}, fmt::format("unexpected '{}' after the value of an attribute", next));
+    }
+    return false;
+  }
+
   void open() {
     const Span tag = {at_, end_of_name(at_ + 1)};
-    int attributes = 0;
-    char quote = 0;
+    std::set<std::string_view> attributes;
+    std::size_t quote = kNone;  // the one that is open
     std::size_t end = tag.end;
-    for (; end < text_.size() && (quote != 0 || text_[end] != '>'); ++end) {
+    for (; end < text_.size() && (quote != kNone || text_[end] != '>'); ++end) {
       const char c = text_[end];
-      if (quote != 0) {
-        if (c == quote) quote = 0;
+      if (quote != kNone) {
+        if (c != text_[quote]) continue;
+        if (!check_after_value(quote, end)) return;
+        quote = kNone;
       } else if (c == '"' || c == '\'') {
-        quote = c;
+        quote = end;
       } else if (c == '=') {
-        ++attributes;
+        const Span name = name_before(tag.end, end);
+        const std::string_view text = text_.substr(name.begin, name.end - name.begin);
+        if (!text.empty() && !attributes.insert(text).second) {
+          fault(name, fmt::format("attribute '{}' is given twice", text));
+          return;
+        }
       } else if (c == '<') {
         break;
       }
+    }
+    if (quote != kNone) {
+      fault({quote, quote + 1}, fmt::format("the attribute value that begins here has no closing {}", text_[quote]));
+      return;
     }
     if (end == text_.size() || text_[end] != '>') {
       fault(tag, fmt::format("the tag of element '{}' does not end", name_of(tag)));
       return;
     }
-    if (attributes > kMostAttributes) {
-      fault(tag, fmt::format("element '{}' has more than {} attributes", name_of(tag), kMostAttributes));
+    if (attributes.size() > kMaxAttributes) {
+      fault(tag, fmt::format("element '{}' has more than {} attributes", name_of(tag), kMaxAttributes));
       return;
     }
     at_ = end + 1;
     if (text_[end - 1] == '/') return;
     open_.push_back(tag);
-    if (open_.size() <= kDeepest) return;
+    if (open_.size() <= kMaxDepth) return;
     is_sound_ = false;
-    diagnostics_.error("nesting-too-deep", place(tag), fmt::format("elements are nested more than {} deep", kDeepest));
+    diagnostics_.error(
+        "nesting-too-deep", place(tag), fmt::format("elements are nested more than {} levels deep", kMaxDepth));
   }
 
   void close() {
     const Span tag = {at_, end_of_name(at_ + 2)};
     const std::string_view name = text_.substr(tag.begin + 2, tag.end - tag.begin - 2);
     if (open_.empty()) {
-      fault(tag, fmt::format("'</{}>' closes nothing", name));
+      fault(tag, fmt::format("'</{}>' has no opening tag", name));
     } else if (name != name_of(open_.back())) {
-      fault(tag, fmt::format("'</{}>' where element '{}' is open", name, name_of(open_.back())))
+      fault(tag, fmt::format("expected '</{}>', found '</{}>'", name_of(open_.back()), name))
           .notes.push_back({place(open_.back()), "opened here"});
     } else {
       open_.pop_back();
@@ -137,15 +173,15 @@ class TagScanner {
 }  // namespace
 
 bool check_tags(const std::shared_ptr<const Source>& source, std::string_view text, Diagnostics& diagnostics) {
-  if (text.size() > kLargestText) {
+  if (text.size() > kMaxTextSize) {
     diagnostics.error(
         "too-large", {source, {}},
         fmt::format(
-            "this text of {} MiB is no robot: {} MiB is the most that is read", text.size() >> 20, kLargestText >> 20));
+            "the text is too large for a robot: {} MiB, the limit is {} MiB", text.size() >> 20, kMaxTextSize >> 20));
     return false;
   }
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    diagnostics.error("not-xml", {source, {nul, nul + 1}}, "this is no XML: it holds a byte that is zero");
+    diagnostics.error("not-xml", {source, {nul, nul + 1}}, "not an XML document: it has a zero byte");
     return false;
   }
   return TagScanner(source, text, diagnostics).scan();

@@ -12,7 +12,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// Of links or joints; reports names that are given twice.
+// The names of links or joints. Reports names that are given twice.
 template <class Element>
 model::NameIndex names_of(
     const std::vector<Element>& elements,
@@ -39,6 +39,7 @@ class Connector {
   std::optional<Topology> connect() {
     const std::size_t errors_before = diagnostics_.error_count();
     links_ = names_of(document_.links, "link", "duplicate-link", diagnostics_);
+    names_are_sound_ = diagnostics_.error_count() == errors_before && !links_.find("");
     names_of(document_.joints, "joint", "duplicate-joint", diagnostics_);
     topology_.parent_joint.assign(document_.links.size(), -1);
     for (std::size_t j = 0; j < document_.joints.size(); ++j) {
@@ -47,7 +48,7 @@ class Connector {
       topology_.child.push_back(find(joint.child, joint));
       adopt(static_cast<int>(j));
     }
-    // What is missing or twice would be reported as roots once more.
+    // Without these links, others would seem to be roots.
     const bool is_complete = std::count(topology_.parent.begin(), topology_.parent.end(), -1) == 0 &&
                              std::count(topology_.child.begin(), topology_.child.end(), -1) == 0;
     if (!is_complete || diagnostics_.error_count() > errors_before || document_.links.empty()) return std::nullopt;
@@ -59,15 +60,17 @@ class Connector {
   }
 
  private:
-  // -1, and an error, when no link has the name.
+  // -1, and an error, when no link has the name. When a link has no name or that of another link, it may be meant to
+  // have this one: that error was reported.
   int find(const Name& name, const Joint& joint) {
-    if (name.text.empty()) return -1;  // reported where it was read
+    if (name.text.empty()) return -1;  // reported by read_document
     if (const auto found = links_.find(name.text)) return *found;
+    if (!names_are_sound_) return -1;
     Diagnostic& error = diagnostics_.error(
         "unknown-link", name.place,
-        fmt::format("joint '{}' connects a link '{}' that there is not", joint.name.text, name.text));
+        fmt::format("joint '{}' refers to undeclared link '{}'", joint.name.text, name.text));
     if (name.text == "world")
-      error.hint = "declare <link name=\"world\"/>; or leave the joint out, for the root link stands in the world";
+      error.hint = "declare <link name=\"world\"/>, or leave the joint out: the root link is fixed to the world";
     else if (const auto similar = links_.nearest_to(name.text))
       error.hint = fmt::format("did you mean '{}'?", links_.name_of(*similar));
     return -1;
@@ -82,7 +85,7 @@ class Connector {
     if (parent == child) {
       diagnostics_.error(
           "self-loop", joint.child.place,
-          fmt::format("joint '{}' connects link '{}' with itself", joint.name.text, joint.child.text));
+          fmt::format("joint '{}' connects link '{}' to itself", joint.name.text, joint.child.text));
       return;
     }
     int& parent_joint = topology_.parent_joint[at(child)];
@@ -94,7 +97,7 @@ class Connector {
               fmt::format(
                   "link '{}' has two parents: '{}' by joint '{}', and '{}' by joint '{}'", joint.child.text,
                   first.parent.text, first.name.text, joint.parent.text, joint.name.text))
-          .notes.push_back({first.child.place, "first parent here"});
+          .notes.push_back({first.child.place, "the first parent is given here"});
       return;
     }
     parent_joint = j;
@@ -113,7 +116,7 @@ class Connector {
           .error(
               "two-roots", second.name.place,
               fmt::format(
-                  "links '{}' and '{}' are both roots: no joint has either as its child", first.name.text,
+                  "links '{}' and '{}' are both roots: neither is the child of a joint", first.name.text,
                   second.name.text))
           .notes.push_back({first.name.place, fmt::format("'{}' is declared here", first.name.text)});
     }
@@ -131,7 +134,7 @@ class Connector {
     }
   }
 
-  // A link that no walk from a root meets leads up into a cycle.
+  // From a link that cannot be reached from a root, the walk to the parents ends in a cycle.
   void report_cycles() {
     enum class State { unseen, on_this_walk, done };
     std::vector<State> states(document_.links.size(), State::unseen);
@@ -163,13 +166,14 @@ class Connector {
         .error(
             "cycle", document_.links[at(loop.front())].name.place,
             fmt::format("links form a cycle: {}'{}'", text, link_name(loop.front())))
-        .notes.push_back({closing.child.place, fmt::format("'{}' is made a child here", link_name(loop.front()))});
+        .notes.push_back({closing.child.place, fmt::format("'{}' becomes a child here", link_name(loop.front()))});
   }
 
   const Document& document_;
   Diagnostics& diagnostics_;
   model::NameIndex links_;
   Topology topology_;
+  bool names_are_sound_ = true;
 };
 
 }  // namespace

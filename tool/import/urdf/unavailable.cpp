@@ -1,4 +1,4 @@
-// What stands in the place of all others in this folder where urdfdom is not.
+// Replaces the other sources of this folder in a build without urdfdom.
 #include "import/urdf.h"
 
 namespace robcogen::import {

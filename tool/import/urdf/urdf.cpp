@@ -21,11 +21,11 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
   diagnostics.note(
       "ignored-elements", document.name.place,
-      fmt::format("elements that say nothing of kinematics and dynamics are ignored: {}", list));
+      fmt::format("elements without influence on kinematics and dynamics are ignored: {}", list));
 }
 
-// A hint of the model's on inertias is for documents that give moments about the origin of a frame, which a URDF does
-// not.
+// Leaves out the hints on inertias, which are for documents with moments about the origin of a frame. In a URDF they
+// are about the centre of mass.
 std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
   Diagnostics of_model;
   auto tree = model::build(description, of_model);

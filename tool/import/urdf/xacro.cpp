@@ -1,4 +1,4 @@
-// What is left of xacro's instructions in a URDF: the robot would lack what they stand for.
+// Instructions of xacro in a URDF: without their expansion the robot would be incomplete.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace {
 
 struct Instruction {
   Span span;
-  std::string text;  // what it is, for a message
+  std::string text;  // for a message: `element 'xacro:include'`
 };
 
-// In what is read, and in what nothing here reads: meshes, simulators, transmissions.
+// In elements that are read, and in those that are ignored: meshes, simulators, transmissions.
 struct Instructions {
   std::vector<Instruction> read, ignored;
 };
@@ -23,7 +23,7 @@ bool is_expression(const std::string& value) {
   return value.find("${") != std::string::npos || value.find("$(") != std::string::npos;
 }
 
-// Older versions had their instructions in no namespace.
+// Older versions had no namespace.
 bool is_instruction(const Element& element, bool is_top_level) {
   return element.name.starts_with("xacro:") || (is_top_level && (element.name == "macro" || element.name == "include"));
 }
@@ -38,7 +38,7 @@ void collect(const Element& element, bool is_read, Instructions& found) {
   for (const Element& child : element.children) {
     if (is_instruction(child, is_robot)) {
       found.read.push_back({child.span, fmt::format("element '{}'", child.name)});
-      continue;  // what is in it belongs to it
+      continue;  // its content belongs to it
     }
     const auto names = is_robot                  ? std::vector{"link", "joint"}
                        : element.name == "link"  ? std::vector{"inertial"}
@@ -65,7 +65,7 @@ bool check_expanded(const Element& root, const std::shared_ptr<const Source>& so
             "unexpanded-xacro", {source, first.span},
             fmt::format("{} is for xacro, which has not expanded this file{}", first.text, others(found.read)))
         .hint =
-        "expand it first: `xacro robot.urdf.xacro > robot.urdf`; robcogen_add_robot does so where MODEL is a .xacro";
+        "expand it first: `xacro robot.urdf.xacro > robot.urdf`; robcogen_add_robot does so when MODEL is a .xacro";
     return false;
   }
   if (!found.ignored.empty()) {
@@ -73,7 +73,7 @@ bool check_expanded(const Element& root, const std::shared_ptr<const Source>& so
     diagnostics.warning(
         "unexpanded-xacro", {source, first.span},
         fmt::format(
-            "{} is for xacro, which has not expanded this file{}; nothing of the kind is in what is read here",
+            "{} is for xacro, which has not expanded this file{}; the elements that are read are not affected",
             first.text, others(found.ignored)));
   }
   return true;

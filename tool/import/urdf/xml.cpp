@@ -7,8 +7,8 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// The text as TinyXML should see it, byte by byte at the same offsets: without a byte order mark, and with one kind of
-// line end, so that its rows and columns are ours.
+// The text for TinyXML, with each byte at the same offset: without a byte order mark, and with one kind of line end, so
+// that its rows and columns are those of the source.
 std::string with_plain_line_ends(std::string_view text) {
   std::string plain(text);
   if (text.starts_with(kByteOrderMark)) plain.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
@@ -29,7 +29,7 @@ class Converter {
  public:
   explicit Converter(std::string_view text) : text_(text), line_starts_(line_starts_of(text)) {}
 
-  // The end of the text for what TinyXML has no place of.
+  // The end of the text when TinyXML gives no place.
   std::size_t offset_of(int row, int column) const {
     if (row < 1 || column < 1 || static_cast<std::size_t>(row) > line_starts_.size()) return text_.size();
     return line_starts_[static_cast<std::size_t>(row - 1)] + static_cast<std::size_t>(column - 1);
@@ -67,10 +67,10 @@ class Converter {
 const char* reason(const TiXmlDocument& document) {
   switch (document.ErrorId()) {
     case TiXmlBase::TIXML_ERROR_READING_ATTRIBUTES:
-      return "an attribute is no name=\"value\"";
+      return "expected an attribute name=\"value\"";
     case TiXmlBase::TIXML_ERROR_PARSING_ELEMENT:
     case TiXmlBase::TIXML_ERROR_PARSING_EMPTY:
-      return "an element with an attribute twice, or with a stray character in its tag";
+      return "this tag has a stray character";
     default:
       return document.ErrorDesc();
   }
@@ -84,30 +84,31 @@ std::optional<Element> read_xml(const std::shared_ptr<const Source>& source, Dia
     diagnostics.error("not-xml", {source, span}, message);
     return std::nullopt;
   };
-  if (text.find_first_not_of(" \t\n") == std::string::npos) return fault({0, 0}, "the text is empty");
+  if (text.find_first_not_of(" \t\n") == std::string::npos)
+    return fault({0, 0}, "not an XML document: the file is empty");
   if (!check_tags(source, text, diagnostics)) return std::nullopt;
 
   TiXmlDocument document;
   document.SetTabSize(1);
-  // Bytes as they are: columns count bytes, names keep their spelling.
+  // Without decoding: columns count bytes, names keep their spelling.
   const char* end = document.Parse(text.c_str(), nullptr, TIXML_ENCODING_LEGACY);
   const Converter converter(text);
   if (document.Error() && document.ErrorId() != TiXmlBase::TIXML_ERROR_DOCUMENT_EMPTY) {
     const std::size_t at = converter.offset_of(document.ErrorRow(), document.ErrorCol());
-    return fault({at, at + 1}, fmt::format("this is no well-formed XML: {}", reason(document)));
+    return fault({at, at + 1}, fmt::format("not well-formed XML: {}", reason(document)));
   }
   const TiXmlElement* root = document.RootElement();
-  if (root == nullptr) return fault({0, 0}, "this is no XML: there is no element");
+  if (root == nullptr) return fault({0, 0}, "not an XML document: no root element");
   Element element = converter.convert(*root);
   if (const TiXmlElement* second = root->NextSiblingElement()) {
     const std::size_t at = converter.offset_of(second->Row(), second->Column());
     return fault(
         {at, at + 1 + second->ValueStr().size()},
-        fmt::format("this is no well-formed XML: a second element, '{}', at its top", second->ValueStr()));
+        fmt::format("not well-formed XML: '{}' is a second root element", second->ValueStr()));
   }
   if (end != nullptr && *end != '\0') {
     const auto at = static_cast<std::size_t>(end - text.c_str());
-    return fault({at, at + 1}, "this is no well-formed XML: text outside of the element at its top");
+    return fault({at, at + 1}, "not well-formed XML: text after the root element");
   }
   return element;
 }

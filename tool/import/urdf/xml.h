@@ -1,4 +1,4 @@
-// XML as elements with places: what TinyXML reads, found again in the text.
+// XML as elements with places in the text.
 #pragma once
 
 #include <memory>
@@ -24,12 +24,12 @@ struct Element {
   std::vector<Element> children;  // in the order of the text; text between elements is left out
 };
 
-// Whether the tags of the text open and close one another, nest at most 100 deep and have at most 1000 attributes each,
-// in at most 64 MiB: more than any robot needs, and no more than TinyXML, which recurses, can take. Reports what is
-// wrong. Offsets are those of the text; a byte order mark must have been taken off.
+// Checks that the tags of the text match, are nested at most 100 levels deep and have at most 1000 attributes each, in
+// at most 64 MiB: more than any robot needs, and no more than TinyXML can read, which recurses. Reports the first
+// fault. Offsets are those of the text; the byte order mark must have been removed.
 bool check_tags(const std::shared_ptr<const Source>& source, std::string_view text, Diagnostics& diagnostics);
 
-// The only element at the top of the document. Reports text that is no well-formed XML.
+// The root element. Reports text that is not well-formed XML.
 std::optional<Element> read_xml(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf
