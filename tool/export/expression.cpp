@@ -23,7 +23,7 @@ ExpressionPtr operation(Kind kind, ExpressionPtr left, ExpressionPtr right = nul
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// The number that a reader makes of the shortest literal of a double.
+// The number that parsing the shortest literal of a double gives.
 Number as_read(double value) {
   assert(std::isfinite(value));
   return *Number::parse(print_double(value));
@@ -35,7 +35,7 @@ ExpressionPtr literal(double value) {
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// What a document would not take for a name.
+// Words that a document does not read as names.
 bool is_reserved(const std::string& name) {
   std::string lower_case = name;
   for (char& c : lower_case)
@@ -69,8 +69,8 @@ ExpressionPtr signed_pi(bool negative) {
   return negative ? operation(Kind::negate, pi()) : pi();
 }
 
-// In what the original reads: a number alone, `0.75 PI`, or `-PI/1.5`. It has no quotients of numbers, so that what is
-// no decimal becomes the nearest double.
+// In the forms that the first RobCoGen reads: a number, `0.75 PI`, or `-PI/1.5`. It has no quotients of numbers, so
+// that a number without a finite decimal form becomes the nearest double.
 ExpressionPtr constant(const Number& number) {
   if (!number.is_pi_multiple()) return literal(number.value());
   const auto [num, den] = *number.ratio();

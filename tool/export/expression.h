@@ -8,7 +8,7 @@
 
 namespace robcogen::exporting {
 
-// An expression of the same value: exact where the quantity is, so multiples of PI and fractions are written as such.
+// An expression of the same value. It is exact when the quantity is: multiples of PI and fractions keep their form.
 language::ExpressionPtr expression(
     const model::Quantity& quantity,
     const std::vector<model::Parameter>& parameters,

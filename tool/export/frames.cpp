@@ -21,7 +21,7 @@ Name named(const std::string& text) {
   return {text, {}};
 }
 
-// The groups of a document, and which of them a parameter stands in.
+// The groups of a document, and the group of each parameter.
 struct Groups {
   std::vector<language::ParameterGroup> declared;
   std::map<std::string, std::string> of_parameter;
@@ -42,7 +42,7 @@ Groups groups_of(const std::vector<Parameter>& parameters) {
   return groups;
 }
 
-// Amounts as they are written in a document with these groups and keywords.
+// Spells amounts in a document with these groups and keywords.
 class AmountWriter {
  public:
   AmountWriter(

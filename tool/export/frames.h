@@ -7,7 +7,7 @@
 
 namespace robcogen::exporting {
 
-// Lengths and angles that are parameters stand in groups `lengths` and `angles`; places mean nothing.
+// Parameters are in groups `lengths` and `angles`. Places are not set.
 language::motion::Document motion_document(const model::RigidMotions& motions);
 language::transforms::Document transforms_document(const model::CoordinateTransforms& transforms);
 

@@ -14,7 +14,7 @@ using model::Quantity;
 
 namespace {
 
-// Mass properties without a reference frame: for a pose that no frame of the link has.
+// Mass properties in the link frame, when no frame of the link has the pose of their reference.
 model::Inertia moved_to_link_frame(const model::Inertia& inertia) {
   const model::RigidBodyInertia body = in_link_frame(inertia);
   model::Inertia moved{body.mass, {}, body.ixx, body.iyy, body.izz, body.ixy, body.ixz, body.iyz, {}};
@@ -58,7 +58,7 @@ class Writer {
            std::equal(a.rotation.begin(), a.rotation.end(), b.rotation.begin(), same_quantity);
   }
 
-  // A frame of the link that is where its mass properties are given.
+  // A frame of the link that has the pose of the reference of its mass properties.
   const model::UserFrame* reference_frame(std::size_t link, const model::Placement& reference) const {
     for (const model::UserFrame* frame : frames_[link]) {
       if (same(frame->placement, reference)) return frame;

@@ -8,15 +8,14 @@
 
 namespace robcogen::exporting {
 
-// The robot in the Kinematics-DSL; places in it mean nothing. Everything of the model but joint limits, which the
-// language cannot say.
+// The robot in the Kinematics-DSL, without joint limits, which the language does not have. Places are not set.
 language::kinematics::Document kinematics_document(const model::KinematicTree& tree);
 
-// The joints with those of a link's ancestors before its own, in declaration order otherwise.
+// The joints, parents before children, otherwise in declaration order.
 std::vector<int> joints_parents_first(const model::KinematicTree& tree);
 
-// The same document with links and joints in that order, and ids along: the original tool takes it that a parent has a
-// smaller id than its children. Positions of joints in q change with the order of the joints.
+// The same document with links and joints in that order, and ids to match: the first RobCoGen assumes that a parent has
+// a smaller id than its children. The order of the joints is the order of q.
 language::kinematics::Document numbered_parents_first(
     const model::KinematicTree& tree,
     language::kinematics::Document document);

@@ -12,10 +12,10 @@ namespace robcogen::exporting {
 namespace {
 
 constexpr Real kPi = std::numbers::pi_v<Real>;
-// Differences of angles, and cosines, below this are rounding.
+// Differences of angles, and cosines, below this are rounding errors.
 constexpr Real kNegligible = 5e-16L;
 
-// With the angle as exact as it is known.
+// The angle is as exact as it is known.
 struct SineCosine {
   Real sine, cosine;
 };
@@ -51,10 +51,10 @@ void append(std::vector<Turn>& turns, const Turn& turn) {
   if (turns.back().angle.is_zero()) turns.pop_back();
 }
 
-// The double of an angle that was computed from turns. Where it is one of their angles, but for its sign and for
-// quarter turns, that angle is meant, and no rounding of it.
+// The double of an angle that was computed from turns. When it equals one of their angles, up to its sign and to
+// quarter turns, the result is exactly that angle.
 double nearest_meant(Real angle, const std::vector<Turn>& turns) {
-  if (angle < kNegligible - kPi) angle += 2 * kPi;  // half a turn has two signs, and rounding would choose
+  if (angle < kNegligible - kPi) angle += 2 * kPi;  // -pi and pi are the same turn: rounding must not choose
   std::vector<Number> origins{Number()};
   for (const Turn& turn : turns) origins.insert(origins.end(), {turn.angle, -turn.angle});
   for (const Number& origin : origins) {
@@ -140,8 +140,8 @@ std::array<double, 3> roll_pitch_yaw(const Pose& pose) {
     for (const Turn& turn : pose.turns) angles[at(turn.axis)] = turn.angle.value();
     return angles;
   }
-  // One angle after the other, each with what the earlier ones have become: close to a pitch of PI/2, where roll is
-  // hardly determined, yaw makes up for what roll got.
+  // One angle after the other, each with the final values of the earlier ones: close to a pitch of PI/2, where roll is
+  // badly determined, yaw compensates for it.
   const Matrix3 R = rotation_matrix(pose);
   auto& [roll, pitch, yaw] = angles;
   if (std::hypot(R[2][1], R[2][2]) > kNegligible) roll = nearest_meant(std::atan2(R[2][1], R[2][2]), pose.turns);

@@ -1,7 +1,7 @@
-// Poses of constants for languages that spell rotations in their own way.
+// Constant poses, for languages with other conventions of rotation.
 //
-// A rotation is kept as the turns that it was given by: turns that cancel do so exactly, and an angle that survives a
-// change of notation survives as the same double. What has to be computed is computed in long double.
+// A rotation is stored as the turns that it was given by: turns that cancel do so exactly, and an angle that remains
+// after a change of convention remains the same double. Other angles are computed in long double.
 #pragma once
 
 #include <array>
