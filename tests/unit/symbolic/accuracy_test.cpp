@@ -4,18 +4,13 @@
 
 #include <cmath>
 
+#include "programs.h"
 #include "symbolic/double_double.h"
-#include "symbolic/text.h"
 
 namespace robcogen::symbolic {
 namespace {
 
-Program program(const std::string& text) {
-  std::string error;
-  const std::optional<Program> p = parse(text, error);
-  EXPECT_TRUE(p.has_value()) << error;
-  return *p;
-}
+using test::program;
 
 // x + y, by way of a number that is in and out.
 std::string detour(const std::string& number) {
