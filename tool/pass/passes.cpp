@@ -13,9 +13,7 @@ struct Pass {
   symbolic::Program (*run)(symbolic::Program);
 };
 
-constexpr std::array kPasses = {
-    Pass{"simplify", simplify}, Pass{"reassociate", reassociate}, Pass{"cse", eliminate_common_subexpressions},
-    Pass{"dead-code", eliminate_dead_code}, Pass{"sink", sink}};
+constexpr std::array kPasses = {Pass{"canonical", canonical}, Pass{"reassociate", reassociate}, Pass{"sink", sink}};
 
 }  // namespace
 

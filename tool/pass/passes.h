@@ -9,17 +9,11 @@
 namespace robcogen::pass {
 
 // Rebuilds the program through the folding rules of symbolic::Graph: constants, zeros, ones, k1 (k2 x), k1 x + k2 x,
-// (x + c1) + c2, (p + q) - q. What nothing uses goes.
-symbolic::Program simplify(symbolic::Program program);
+// (x + c1) + c2, (p + q) - q. Equal statements are computed once, and what no output needs goes.
+symbolic::Program canonical(symbolic::Program program);
 
 // Reorders sums that nothing else reads so that each addition can be fused with a product.
 symbolic::Program reassociate(symbolic::Program program);
-
-// Computes equal statements once: same operation on the same operands, in either order where it commutes.
-symbolic::Program eliminate_common_subexpressions(symbolic::Program program);
-
-// Drops statements that no output needs.
-symbolic::Program eliminate_dead_code(symbolic::Program program);
 
 // Moves each statement to the latest section that still precedes all its uses: values live shorter, sections stay
 // whole.

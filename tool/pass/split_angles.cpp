@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "pass/lane_names.h"
-#include "pass/passes.h"
+#include "pass/statements.h"
 #include "support/index.h"
 #include "support/parallel.h"
 #include "support/unique_name.h"

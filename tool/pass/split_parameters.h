@@ -30,8 +30,6 @@ struct Interfaces {
 
 // `interfaces` tells them of each parameter. Programs without an input of role `parameters`
 // stay as they are.
-SplitPrograms split_parameters(
-    std::vector<symbolic::Program> programs,
-    const std::vector<Interfaces>& interfaces);
+SplitPrograms split_parameters(std::vector<symbolic::Program> programs, const std::vector<Interfaces>& interfaces);
 
 }  // namespace robcogen::pass

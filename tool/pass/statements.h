@@ -14,6 +14,9 @@ symbolic::Program rearrange(
     const std::vector<int>& kept,
     const std::vector<int>& replacement);
 
+// Drops statements that no output needs.
+symbolic::Program eliminate_dead_code(symbolic::Program program);
+
 // Calls f on every operand that reads a statement.
 template <class F>
 void for_each_read(const symbolic::Statement& s, F f) {

@@ -102,7 +102,7 @@ Expression cos(const Expression& a) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Graph: nodes
 
-Graph::Graph(bool rewrite) : rewrite_(rewrite), known_(1024, -1) {
+Graph::Graph() : known_(1024, -1) {
   sections_.push_back({"", "t"});
   constant(0.0);
   constant(1.0);
@@ -246,32 +246,28 @@ Expression Graph::add(Expression a, Expression b) {
   if (a.is_constant() && b.is_constant()) return constant(a.number() + b.number());
   if (a.node() == b.node()) {
     if (a.negative() != b.negative()) return positive(0);
-    if (rewrite_) return constant(2.0) * a;
+    return constant(2.0) * a;
   }
-  if (rewrite_) {
-    // k1 t + k2 t
-    const Scaled split_a = split_factor(a.node()), split_b = split_factor(b.node());
-    if (split_a.rest == split_b.rest) return constant(factor(a, split_a) + factor(b, split_b)) * positive(split_a.rest);
-    for (const auto& [sum, other] : {std::pair(a, b), std::pair(b, a)}) {
-      const std::optional<std::array<Expression, 2>> both = terms(sum);
-      if (!both) continue;
-      const auto& [first, second] = *both;
-      // (t + c1) + c2
-      if (other.is_constant() && first.is_constant()) return second + (first + other);
-      if (other.is_constant() && second.is_constant()) return first + (second + other);
-      // (p + q) - q
-      if (first.node() == other.node() && first.negative() != other.negative()) return second;
-      if (second.node() == other.node() && second.negative() != other.negative()) return first;
-    }
+  // k1 t + k2 t
+  const Scaled split_a = split_factor(a.node()), split_b = split_factor(b.node());
+  if (split_a.rest == split_b.rest) return constant(factor(a, split_a) + factor(b, split_b)) * positive(split_a.rest);
+  for (const auto& [sum, other] : {std::pair(a, b), std::pair(b, a)}) {
+    const std::optional<std::array<Expression, 2>> both = terms(sum);
+    if (!both) continue;
+    const auto& [first, second] = *both;
+    // (t + c1) + c2
+    if (other.is_constant() && first.is_constant()) return second + (first + other);
+    if (other.is_constant() && second.is_constant()) return first + (second + other);
+    // (p + q) - q
+    if (first.node() == other.node() && first.negative() != other.negative()) return second;
+    if (second.node() == other.node() && second.negative() != other.negative()) return first;
   }
-  if (rewrite_) {
-    // (p + r) + (q - r)
-    const std::optional<std::array<Expression, 2>> terms_a = terms(a), terms_b = terms(b);
-    if (terms_a && terms_b)
-      for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t k = 0; k < 2; ++k)
-          if ((*terms_a)[i] == -(*terms_b)[k]) return (*terms_a)[1 - i] + (*terms_b)[1 - k];
-  }
+  // (p + r) + (q - r)
+  const std::optional<std::array<Expression, 2>> terms_a = terms(a), terms_b = terms(b);
+  if (terms_a && terms_b)
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t k = 0; k < 2; ++k)
+        if ((*terms_a)[i] == -(*terms_b)[k]) return (*terms_a)[1 - i] + (*terms_b)[1 - k];
   // Canonical form: the operand that was made first stands first; a common sign moves outwards.
   const bool ordered = a.node() < b.node();
   if (!ordered) std::swap(a, b);
@@ -285,13 +281,11 @@ Expression Graph::multiply(Expression a, Expression b) {
   const bool negative = a.negative() != b.negative();
   if (a.node() == 1) return Expression(this, b.node(), negative);
   if (b.node() == 1) return Expression(this, a.node(), negative);
-  if (rewrite_) {
-    // k1 (k2 t)
-    for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
-      if (!scale.is_constant()) continue;
-      const Scaled split = split_factor(product.node());
-      if (split.rest != product.node()) return constant(scale.number() * factor(product, split)) * positive(split.rest);
-    }
+  // k1 (k2 t)
+  for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
+    if (!scale.is_constant()) continue;
+    const Scaled split = split_factor(product.node());
+    if (split.rest != product.node()) return constant(scale.number() * factor(product, split)) * positive(split.rest);
   }
   if (a.node() > b.node()) std::swap(a, b);
   const Expression product = operation(Op::multiply, positive(a.node()), positive(b.node()));

@@ -70,8 +70,7 @@ struct Node {
 
 class Graph {
  public:
-  // With `rewrite` off only constants, zeros and ones fold: what the simplification pass is measured against.
-  explicit Graph(bool rewrite = true);
+  Graph();
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
@@ -142,7 +141,6 @@ class Graph {
   // The two terms of a sum or difference.
   std::optional<std::array<Expression, 2>> terms(const Expression& x);
 
-  bool rewrite_;
   bool names_matter_ = true;
   std::vector<Node> nodes_;
   std::vector<Number> constants_;

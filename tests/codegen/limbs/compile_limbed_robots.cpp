@@ -35,12 +35,12 @@ constexpr const char* kOtherFunctions =
 const std::array<const char*, 16> kWays = {
     kDefault,        "--batch",
     kOtherFunctions, "--effort 0",
-    kDefault,        "--passes simplify,cse,dead-code,lanes --effort 0",
+    kDefault,        "--passes canonical,lanes --effort 0",
     kDefault,        "--passes frames,turn-inertia,reassociate,lanes",
     kOtherFunctions, "--passes lanes --effort 0",
-    kDefault,        "--passes regroup,choose-fd,cse,sink,lanes --effort 0",
+    kDefault,        "--passes regroup,choose-fd,canonical,sink,lanes --effort 0",
     kDefault,        "--effort 2",
-    kDefault,        "--passes frames,simplify,reassociate,cse,dead-code,sink,lanes"};
+    kDefault,        "--passes frames,canonical,reassociate,sink,lanes"};
 
 std::string in_quotes(const std::string& text) {
   return "'" + text + "'";

@@ -63,9 +63,9 @@ TEST(Regroup, SavesOperations) {
 }
 
 TEST(Formulation, IsTakenOutOfAListOfNames) {
-  std::vector<std::string> names{"sink", "regroup", "cse"};
+  std::vector<std::string> names{"sink", "regroup", "canonical"};
   EXPECT_TRUE(take_formulation(names).regroup);
-  EXPECT_EQ(names, (std::vector<std::string>{"sink", "cse"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"sink", "canonical"}));
   EXPECT_FALSE(take_formulation(names).regroup);
 }
 

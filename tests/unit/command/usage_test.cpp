@@ -16,8 +16,8 @@ TEST(Usage, GuessesWhatWasMeant) {
       {"check --strct " + model, "'--strict'"},
       {"ops --algoritms energy " + model, "'--algorithms'"},
       {"ops " + model + " --algorithms invers_dynamics", "'inverse_dynamics'"},
-      {"ops " + model + " --passes simplfy", "'simplify'"},
-      {"ops " + model + " --passes=frames,cs", "'cse'"},
+      {"ops " + model + " --passes canonicl", "'canonical'"},
+      {"ops " + model + " --passes=frames,sinc", "'sink'"},
       {"generate " + model + " --name h -o o --language mathlab", "'matlab'"},
       {"generate " + model + " --name h -o o --primitives lefd", "'left'"},
       {"check " + model + " --error-format mscv", "'msvc'"},
@@ -39,15 +39,15 @@ TEST(Usage, NoOptionIsAcceptedAndIgnored) {
 
 TEST(Usage, EverySingleStepAndNone) {
   for (const char* steps :
-       {"none", "regroup", "choose-fd", "frames", "turn-inertia", "simplify", "reassociate", "cse", "dead-code", "sink",
-        "lanes", "lanes,frames", "sink,lanes", "cse,cse"})
+       {"none", "regroup", "choose-fd", "frames", "turn-inertia", "canonical", "reassociate", "sink", "lanes",
+        "lanes,frames", "sink,lanes", "sink,sink"})
     for (const char* name : {"hyl", "hyl_parametric", "quadruped"}) {
       const std::string command = "ops --lanes --algorithms inverse_dynamics,jacobians --passes ";
       const Outcome run = run_tool(command + steps + " " + quoted(robot(name)));
       EXPECT_EQ(run.status, 0) << name << " " << steps << "\n" << run.errors;
       EXPECT_NE(run.output, "") << name << " " << steps;
     }
-  const Outcome both = run_tool("ops --passes none,cse " + quoted(robot("hyl")));
+  const Outcome both = run_tool("ops --passes none,sink " + quoted(robot("hyl")));
   EXPECT_EQ(both.status, 2);
   EXPECT_NE(both.errors.find("--passes: 'none' excludes other steps"), std::string::npos) << both.errors;
 }

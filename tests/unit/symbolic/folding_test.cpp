@@ -8,11 +8,9 @@
 namespace robcogen::symbolic {
 namespace {
 
-class Folding : public testing::TestWithParam<bool> {
+class Folding : public testing::Test {
  protected:
-  bool rewrite() const { return GetParam(); }
-
-  Graph graph{GetParam()};
+  Graph graph;
   Expression a = graph.input(0);
   Expression b = graph.input(1);
 
@@ -20,7 +18,7 @@ class Folding : public testing::TestWithParam<bool> {
   Expression k(const std::string& literal) { return graph.constant(*Number::parse(literal)); }
 };
 
-TEST_P(Folding, ZerosAndOnes) {
+TEST_F(Folding, ZerosAndOnes) {
   const std::size_t before = graph.nodes().size();
   EXPECT_EQ(a + k(0.0), a);
   EXPECT_EQ(k(0.0) - a, -a);
@@ -37,7 +35,7 @@ TEST_P(Folding, ZerosAndOnes) {
   EXPECT_EQ(cos(k(0.0)), graph.one());
 }
 
-TEST_P(Folding, ConstantsFoldExactly) {
+TEST_F(Folding, ConstantsFoldExactly) {
   EXPECT_EQ(k("0.1") + k("0.2"), k("0.3"));  // 0.1 + 0.2 in doubles is not 0.3
   EXPECT_EQ(k("0.1") * k(3.0), k("0.3"));
   EXPECT_EQ(k(1.0) / k(3.0) * k(3.0), graph.one());
@@ -47,7 +45,7 @@ TEST_P(Folding, ConstantsFoldExactly) {
   EXPECT_EQ(cos(k(-0.5)).number().value(), std::cos(0.5));
 }
 
-TEST_P(Folding, MultiplesOfPiFoldExactly) {
+TEST_F(Folding, MultiplesOfPiFoldExactly) {
   const Expression pi = graph.constant(Number::pi_multiple(1));
   EXPECT_TRUE(sin(pi).is_zero());
   EXPECT_EQ(cos(pi), -graph.one());
@@ -58,42 +56,42 @@ TEST_P(Folding, MultiplesOfPiFoldExactly) {
   EXPECT_TRUE((pi / k(2.0) + pi / k(2.0) - pi).is_zero());
 }
 
-TEST_P(Folding, OnARewritingGraphLikeTermsAreCollected) {
-  EXPECT_EQ(a + a == 2.0 * a, rewrite());
-  EXPECT_EQ(2.0 * a + 3.0 * a == 5.0 * a, rewrite());
-  EXPECT_EQ(2.0 * a - 3.0 * a == -a, rewrite());
-  EXPECT_EQ(a + 2.0 * a == 3.0 * a, rewrite());
-  EXPECT_EQ(-a - 2.0 * a == -3.0 * a, rewrite());
-  EXPECT_EQ(k("0.1") * a + k("0.2") * a == k("0.3") * a, rewrite());
-  EXPECT_EQ((2.0 * a - 1.0 * a) == a, rewrite());
+TEST_F(Folding, OnARewritingGraphLikeTermsAreCollected) {
+  EXPECT_TRUE(a + a == 2.0 * a);
+  EXPECT_TRUE(2.0 * a + 3.0 * a == 5.0 * a);
+  EXPECT_TRUE(2.0 * a - 3.0 * a == -a);
+  EXPECT_TRUE(a + 2.0 * a == 3.0 * a);
+  EXPECT_TRUE(-a - 2.0 * a == -3.0 * a);
+  EXPECT_TRUE(k("0.1") * a + k("0.2") * a == k("0.3") * a);
+  EXPECT_TRUE((2.0 * a - 1.0 * a) == a);
   EXPECT_TRUE((2.0 * a - 2.0 * a).is_zero());
 }
 
-TEST_P(Folding, OnARewritingGraphFactorsAreCollected) {
-  EXPECT_EQ(2.0 * (3.0 * a) == 6.0 * a, rewrite());
-  EXPECT_EQ((3.0 * a) * k(-2.0) == -6.0 * a, rewrite());
-  EXPECT_EQ(2.0 * (0.5 * a) == a, rewrite());
+TEST_F(Folding, OnARewritingGraphFactorsAreCollected) {
+  EXPECT_TRUE(2.0 * (3.0 * a) == 6.0 * a);
+  EXPECT_TRUE((3.0 * a) * k(-2.0) == -6.0 * a);
+  EXPECT_TRUE(2.0 * (0.5 * a) == a);
 }
 
-TEST_P(Folding, OnARewritingGraphConstantsOfSumsAreCollected) {
-  EXPECT_EQ((a + k(1.0)) + k(2.0) == a + k(3.0), rewrite());
-  EXPECT_EQ((a - k(1.0)) + k(3.0) == a + k(2.0), rewrite());
-  EXPECT_EQ((k(1.0) - a) + k(2.0) == k(3.0) - a, rewrite());
-  EXPECT_EQ(k(2.0) - (a + k(5.0)) == -(a + k(3.0)), rewrite());
-  EXPECT_EQ((a + k(1.0)) - k(1.0) == a, rewrite());
+TEST_F(Folding, OnARewritingGraphConstantsOfSumsAreCollected) {
+  EXPECT_TRUE((a + k(1.0)) + k(2.0) == a + k(3.0));
+  EXPECT_TRUE((a - k(1.0)) + k(3.0) == a + k(2.0));
+  EXPECT_TRUE((k(1.0) - a) + k(2.0) == k(3.0) - a);
+  EXPECT_TRUE(k(2.0) - (a + k(5.0)) == -(a + k(3.0)));
+  EXPECT_TRUE((a + k(1.0)) - k(1.0) == a);
 }
 
-TEST_P(Folding, OnARewritingGraphOppositesCancel) {
-  EXPECT_EQ((a + b) - b == a, rewrite());
-  EXPECT_EQ((a + b) - a == b, rewrite());
-  EXPECT_EQ((a - b) + b == a, rewrite());
-  EXPECT_EQ((a - b) - a == -b, rewrite());
-  EXPECT_EQ(a - (a + b) == -b, rewrite());
-  EXPECT_EQ(b + (a - b) == a, rewrite());
-  EXPECT_EQ(b - (b - a) == a, rewrite());
+TEST_F(Folding, OnARewritingGraphOppositesCancel) {
+  EXPECT_TRUE((a + b) - b == a);
+  EXPECT_TRUE((a + b) - a == b);
+  EXPECT_TRUE((a - b) + b == a);
+  EXPECT_TRUE((a - b) - a == -b);
+  EXPECT_TRUE(a - (a + b) == -b);
+  EXPECT_TRUE(b + (a - b) == a);
+  EXPECT_TRUE(b - (b - a) == a);
 }
 
-TEST_P(Folding, NearMissesStay) {
+TEST_F(Folding, NearMissesStay) {
   EXPECT_NE((a + b) + b, a);
   EXPECT_NE((a - b) - b, a);
   EXPECT_NE((a + b) + a, b);
@@ -102,10 +100,6 @@ TEST_P(Folding, NearMissesStay) {
   EXPECT_NE(2.0 * a + 2.0 * b, 4.0 * a);
   EXPECT_NE(sqrt(a * a), a);
 }
-
-INSTANTIATE_TEST_SUITE_P(, Folding, testing::Bool(), [](const auto& mode) {
-  return mode.param ? "rewriting" : "plain";
-});
 
 Program built(const Program& p, Graph& graph) {
   std::vector<Expression> values;
@@ -127,12 +121,12 @@ Program built(const Program& p, Graph& graph) {
   return graph.program(p.name, p.inputs, {shape}, {outputs});
 }
 
-TEST_P(Folding, KeepsTheValuesOfRandomExpressions) {
+TEST_F(Folding, KeepsTheValuesOfRandomExpressions) {
   for (unsigned seed = 0; seed < 3000; ++seed) {
     test::RandomPrograms random(seed);
     const Program original = random.make();
     ASSERT_EQ(verify(original), "") << "seed " << seed;
-    Graph fresh(rewrite());
+    Graph fresh;
     const Program folded = built(original, fresh);
     ASSERT_EQ(verify(folded), "") << "seed " << seed;
     ASSERT_EQ(test::difference(original, folded, random.inputs()), "") << "seed " << seed << "\n"

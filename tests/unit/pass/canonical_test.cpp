@@ -1,4 +1,4 @@
-// Simplification: text in, text out. The folding rules themselves are tested where they are made, in symbolic.
+// The canonical form: text in, text out. The folding rules themselves are tested where they are made, in symbolic.
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
@@ -7,30 +7,30 @@
 namespace robcogen::pass {
 namespace {
 
-std::string simplified(const std::string& text) {
-  const symbolic::Program p = simplify(test::program(text));
+std::string canonical_text(const std::string& text) {
+  const symbolic::Program p = canonical(test::program(text));
   EXPECT_EQ(verify(p), "");
   return print(p);
 }
 
-TEST(Simplify, FoldsAndKeepsNamesAndSections) {
+TEST(Canonical, FoldsAndKeepsNamesAndSections) {
   EXPECT_EQ(
-      simplified("program test\n"
-                 "input q joint_position A B\n"
-                 "output tau joint_force 3 1\n"
-                 "section hip link hip\n"
-                 "section knee link knee\n"
-                 "in 0\n"
-                 "tmp zero = q[0] * 0.0\n"
-                 "let sum = q[0] + q[1]\n"
-                 "tmp angle = pi:1:2 + zero\n"
-                 "in 1\n"
-                 "tmp c = cos angle\n"
-                 "let wz = c + sum\n"
-                 "tmp double = wz + wz\n"
-                 "let force = 0.5 * double\n"
-                 "let moment = double * sum\n"
-                 "return tau force -moment c\n"),
+      canonical_text("program test\n"
+                     "input q joint_position A B\n"
+                     "output tau joint_force 3 1\n"
+                     "section hip link hip\n"
+                     "section knee link knee\n"
+                     "in 0\n"
+                     "tmp zero = q[0] * 0.0\n"
+                     "let sum = q[0] + q[1]\n"
+                     "tmp angle = pi:1:2 + zero\n"
+                     "in 1\n"
+                     "tmp c = cos angle\n"
+                     "let wz = c + sum\n"
+                     "tmp double = wz + wz\n"
+                     "let force = 0.5 * double\n"
+                     "let moment = double * sum\n"
+                     "return tau force -moment c\n"),
       "program test\n"
       "input q joint_position A B\n"
       "output tau joint_force 3 1\n"
@@ -44,9 +44,9 @@ TEST(Simplify, FoldsAndKeepsNamesAndSections) {
       "return tau sum -moment 0.0\n");
 }
 
-TEST(Simplify, MergesEqualStatements) {
+TEST(Canonical, MergesEqualStatements) {
   EXPECT_EQ(
-      simplified(
+      canonical_text(
           test::head() + "in 0\n"
                          "let x = a[0] - a[1]\n"
                          "let y = a[1] - a[0]\n"
@@ -63,9 +63,9 @@ TEST(Simplify, MergesEqualStatements) {
 }
 
 // A cosine of what cancels is the constant one, in whichever statement the zero stood.
-TEST(Simplify, OfWhatCancels) {
+TEST(Canonical, OfWhatCancels) {
   EXPECT_EQ(
-      simplified(test::head(2) + "in 0\nlet x = a[0] - a[0]\nlet c = cos x\nlet s = sin x\nreturn out c s\n"),
+      canonical_text(test::head(2) + "in 0\nlet x = a[0] - a[0]\nlet c = cos x\nlet s = sin x\nreturn out c s\n"),
       "program test\n"
       "input a value 0 1 2 3\n"
       "output out value 2 1\n"
@@ -73,9 +73,9 @@ TEST(Simplify, OfWhatCancels) {
 }
 
 // A second run finds nothing more. (It may turn `x * y` into `y * x`: whichever operand was made first stands first.)
-TEST(Simplify, IsIdempotent) {
+TEST(Canonical, IsIdempotent) {
   for (unsigned seed = 0; seed < 500; ++seed) {
-    const symbolic::Program once = simplify(test::RandomPrograms(seed).make()), twice = simplify(once);
+    const symbolic::Program once = canonical(test::RandomPrograms(seed).make()), twice = canonical(once);
     EXPECT_EQ(twice.statements.size(), once.statements.size()) << "seed " << seed << print(once) << print(twice);
     EXPECT_LE(once.statements.size(), test::RandomPrograms(seed).make().statements.size());
   }

@@ -3,7 +3,7 @@
 
 namespace robcogen::pass {
 
-symbolic::Program simplify(symbolic::Program program) {
+symbolic::Program canonical(symbolic::Program program) {
   Rebuild rebuild(program);
   for (std::size_t i = 0; i < program.statements.size(); ++i) {
     rebuild.enter_section_of(i);
