@@ -4,7 +4,7 @@
 #include "../unit/model/descriptions.h"
 #include "algorithm/catalogue/catalogue.h"
 #include "packed_programs.h"
-#include "pass/pack_lanes.h"
+#include "pass/lanes/pack_lanes.h"
 #include "pass/passes.h"
 #include "symbolic/text.h"
 

@@ -9,7 +9,7 @@
 #include "algorithm/catalogue/catalogue.h"
 #include "interpreted_robot.h"
 #include "packed_programs.h"
-#include "pass/pack_lanes.h"
+#include "pass/lanes/pack_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
 #include "symbolic/blocks.h"

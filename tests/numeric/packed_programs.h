@@ -12,7 +12,7 @@
 
 #include "algorithm/formulation/congruent_limbs.h"
 #include "import/kinematics.h"
-#include "pass/correspondence.h"
+#include "pass/lanes/correspondence.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::numeric {

@@ -8,7 +8,7 @@
 #include "algorithm/catalogue/model_numbers.h"
 #include "algorithm/formulation/congruent_limbs.h"
 #include "driver/accurate_functions.h"
-#include "pass/pack_lanes.h"
+#include "pass/lanes/pack_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
 #include "pass/split_parameters.h"

@@ -13,9 +13,9 @@ using symbolic::Op;
 using symbolic::Program;
 using symbolic::Role;
 
-class Gathering {
+class ParameterGatherer {
  public:
-  explicit Gathering(const Program& program) : program_(program), rebuild_(program) {
+  explicit ParameterGatherer(const Program& program) : program_(program), rebuild_(program) {
     for (const symbolic::InputArray& array : program.inputs)
       is_parameter_.insert(is_parameter_.end(), array.elements.size(), array.role == Role::parameters);
   }
@@ -104,7 +104,7 @@ class Gathering {
 }  // namespace
 
 Program gather_parameters(const Program& program) {
-  return Gathering(program).run();
+  return ParameterGatherer(program).run();
 }
 
 }  // namespace robcogen::pass

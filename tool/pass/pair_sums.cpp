@@ -57,9 +57,9 @@ std::vector<int> partners(const Program& p) {
 }
 
 // Puts statements in their order, and before the first sum of a pair all that the second one needs.
-class Ordering {
+class PairOrder {
  public:
-  Ordering(const Program& p, std::vector<int> partners)
+  PairOrder(const Program& p, std::vector<int> partners)
       : program_(p), partners_(std::move(partners)), is_placed_(p.statements.size(), false) {}
 
   std::vector<int> run() {
@@ -97,7 +97,7 @@ class Ordering {
 Program pair_sums(Program program) {
   std::vector<int> same(program.statements.size());
   std::iota(same.begin(), same.end(), 0);
-  const std::vector<int> order = Ordering(program, partners(program)).run();
+  const std::vector<int> order = PairOrder(program, partners(program)).run();
   return rearrange(std::move(program), order, same);
 }
 

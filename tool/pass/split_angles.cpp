@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "pass/lane_names.h"
+#include "pass/lanes/lane_names.h"
 #include "pass/statements.h"
 #include "support/index.h"
 #include "support/parallel.h"

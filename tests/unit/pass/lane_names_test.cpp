@@ -1,5 +1,5 @@
 // Names of lanes: what the names of their limbs have in common.
-#include "pass/lane_names.h"
+#include "pass/lanes/lane_names.h"
 
 #include <gtest/gtest.h>
 

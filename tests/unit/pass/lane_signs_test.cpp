@@ -1,5 +1,5 @@
 // Which lanes are negated: vectors over the field of two elements, up to a sign of the whole.
-#include "pass/lane_signs.h"
+#include "pass/lanes/lane_signs.h"
 
 #include <gtest/gtest.h>
 

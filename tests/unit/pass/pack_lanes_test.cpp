@@ -1,5 +1,5 @@
 // Equal limbs of small programs in lanes.
-#include "pass/pack_lanes.h"
+#include "pass/lanes/pack_lanes.h"
 
 #include <functional>
 

@@ -1,4 +1,4 @@
-#include "pass/lane_plan.h"
+#include "pass/lanes/lane_plan.h"
 
 #include <algorithm>
 #include <map>
@@ -14,9 +14,9 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-class Planning {
+class LanePlanner {
  public:
-  Planning(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
+  LanePlanner(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
       : p_(p), classes_(classes), zero_(zero), inner_(inner_sums(p)), alike_(p, classes, inner_) {
     plan_.scalars.resize(p.statements.size());
   }
@@ -36,7 +36,7 @@ class Planning {
   Correspondence alike_;
   LanePlan plan_;
   std::map<std::vector<std::pair<int, int>>, int> known_;  // by kinds and indices of the lanes
-  std::vector<int> pending_wides_, pending_scalars_;
+  std::vector<int> pending_packed_, pending_scalars_;
 
   const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
 
@@ -75,65 +75,65 @@ class Planning {
       tuple[lane].negative = false;
       key.emplace_back(static_cast<int>(tuple[lane].kind), tuple[lane].index);
     }
-    const auto [place, fresh] = known_.try_emplace(std::move(key), static_cast<int>(plan_.wides.size()));
-    result.wide = place->second;
+    const auto [place, fresh] = known_.try_emplace(std::move(key), static_cast<int>(plan_.packed_values.size()));
+    result.packed_value = place->second;
     if (fresh) add(std::move(tuple));
     return result;
   }
 
   void add(Tuple tuple) {
-    Wide w;
+    PackedValue w;
     w.kind = kind_of(tuple);
     w.width = static_cast<int>(tuple.size());
     for (const Operand& o : tuple)
       if (is_statement(o)) w.place = std::max(w.place, o.index);
     w.lanes = std::move(tuple);
-    pending_wides_.push_back(static_cast<int>(plan_.wides.size()));
-    plan_.wides.push_back(std::move(w));
+    pending_packed_.push_back(static_cast<int>(plan_.packed_values.size()));
+    plan_.packed_values.push_back(std::move(w));
   }
 
-  Wide::Kind kind_of(const Tuple& tuple) const {
+  PackedValue::Kind kind_of(const Tuple& tuple) const {
     const auto all = [&](auto condition) { return std::all_of(tuple.begin(), tuple.end(), condition); };
     const Operand& first = tuple.front();
-    if (all(symbolic::is_constant)) return Wide::Kind::numbers;
-    if (all([&](const Operand& o) { return o == first; })) return Wide::Kind::broadcast;
-    if (!all(symbolic::is_statement)) return Wide::Kind::gather;
+    if (all(symbolic::is_constant)) return PackedValue::Kind::numbers;
+    if (all([&](const Operand& o) { return o == first; })) return PackedValue::Kind::broadcast;
+    if (!all(symbolic::is_statement)) return PackedValue::Kind::gather;
     const Op op = statement(first).op;
-    if (is_sum(op) && all([&](const Operand& o) { return is_sum(statement(o).op); })) return Wide::Kind::sum;
-    if (all([&](const Operand& o) { return statement(o).op == op; })) return Wide::Kind::operation;
-    return Wide::Kind::gather;
+    if (is_sum(op) && all([&](const Operand& o) { return is_sum(statement(o).op); })) return PackedValue::Kind::sum;
+    if (all([&](const Operand& o) { return statement(o).op == op; })) return PackedValue::Kind::operation;
+    return PackedValue::Kind::gather;
   }
 
   // Vectors first: scalars that turn out to be lanes of them are not computed by themselves.
   void expand_all() {
-    while (!pending_wides_.empty() || !pending_scalars_.empty()) {
-      if (!pending_wides_.empty()) {
-        const int wide = pending_wides_.back();
-        pending_wides_.pop_back();
-        expand_wide(at(wide));
+    while (!pending_packed_.empty() || !pending_scalars_.empty()) {
+      if (!pending_packed_.empty()) {
+        const int packed_value = pending_packed_.back();
+        pending_packed_.pop_back();
+        expand_packed(at(packed_value));
         continue;
       }
       const int s = pending_scalars_.back();
       pending_scalars_.pop_back();
-      if (plan_.scalars[at(s)].wide < 0) expand_scalar(s);
+      if (plan_.scalars[at(s)].packed_value < 0) expand_scalar(s);
     }
   }
 
-  void expand_wide(std::size_t w) {
-    const Wide::Kind kind = plan_.wides[w].kind;
-    const Tuple lanes = plan_.wides[w].lanes;
-    if (kind == Wide::Kind::broadcast || kind == Wide::Kind::gather)
+  void expand_packed(std::size_t w) {
+    const PackedValue::Kind kind = plan_.packed_values[w].kind;
+    const Tuple lanes = plan_.packed_values[w].lanes;
+    if (kind == PackedValue::Kind::broadcast || kind == PackedValue::Kind::gather)
       for (const Operand& o : lanes) need(o);
-    if (kind != Wide::Kind::operation && kind != Wide::Kind::sum) return;
+    if (kind != PackedValue::Kind::operation && kind != PackedValue::Kind::sum) return;
     for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
       LanePlan::Scalar& scalar = plan_.scalars[at(lanes[lane].index)];
-      if (scalar.wide >= 0) continue;
-      scalar.wide = static_cast<int>(w);
+      if (scalar.packed_value >= 0) continue;
+      scalar.packed_value = static_cast<int>(w);
       scalar.lane = static_cast<int>(lane);
     }
     const Op op = statement(lanes.front()).op;
     std::vector<Part> parts;
-    if (kind == Wide::Kind::sum) {
+    if (kind == PackedValue::Kind::sum) {
       std::vector<std::vector<Operand>> lists;
       for (const Operand& o : lanes) lists.push_back(terms_of(p_, inner_, o.index));
       parts = parts_of(std::move(lists));
@@ -150,8 +150,8 @@ class Planning {
       parts.push_back(part(a));
       if (symbolic::is_binary(op)) parts.push_back(part(b));
     }
-    plan_.wides[w].op = op;
-    plan_.wides[w].parts = std::move(parts);
+    plan_.packed_values[w].op = op;
+    plan_.packed_values[w].parts = std::move(parts);
   }
 
   // Of the terms or factors of each limb: those that correspond first.
@@ -192,17 +192,17 @@ class Planning {
       (owner.limbs < 0 || !is_statement(o) ? sum.rest : lists[at(owner.limbs)][at(owner.lane)]).push_back(o);
     }
     for (std::size_t c = 0; c < classes_.size(); ++c) {
-      Wide w;
-      w.kind = Wide::Kind::sum;
+      PackedValue w;
+      w.kind = PackedValue::Kind::sum;
       w.width = static_cast<int>(width(c));
       w.place = s;
       for (const Tuple& tuple : alike_.match(lists[c])) w.parts.push_back(part(tuple));
       for (const std::vector<Operand>& list : lists[c]) sum.rest.insert(sum.rest.end(), list.begin(), list.end());
       if (w.parts.empty()) continue;
-      sum.wides.push_back(static_cast<int>(plan_.wides.size()));
-      plan_.wides.push_back(std::move(w));
+      sum.packed_values.push_back(static_cast<int>(plan_.packed_values.size()));
+      plan_.packed_values.push_back(std::move(w));
     }
-    if (!sum.wides.empty()) plan_.scalars[at(s)].sum = std::move(sum);
+    if (!sum.packed_values.empty()) plan_.scalars[at(s)].sum = std::move(sum);
   }
 
   // -------------------------------------------------------------------------------------------------------------------
@@ -214,16 +214,16 @@ class Planning {
       if (is_statement(o)) nodes.push_back(o.index);
     };
     if (node >= plan_.scalar_count()) {
-      const Wide& w = plan_.wides[at(node - plan_.scalar_count())];
-      for (const Part& part : w.parts) nodes.push_back(plan_.scalar_count() + part.wide);
-      if (w.kind == Wide::Kind::broadcast || w.kind == Wide::Kind::gather)
+      const PackedValue& w = plan_.packed_values[at(node - plan_.scalar_count())];
+      for (const Part& part : w.parts) nodes.push_back(plan_.scalar_count() + part.packed_value);
+      if (w.kind == PackedValue::Kind::broadcast || w.kind == PackedValue::Kind::gather)
         for (const Operand& o : w.lanes) note(o);
       return nodes;
     }
     const LanePlan::Scalar& s = plan_.scalars[at(node)];
-    if (s.wide >= 0) return {plan_.scalar_count() + s.wide};
+    if (s.packed_value >= 0) return {plan_.scalar_count() + s.packed_value};
     if (s.sum) {
-      for (const int wide : s.sum->wides) nodes.push_back(plan_.scalar_count() + wide);
+      for (const int packed_value : s.sum->packed_values) nodes.push_back(plan_.scalar_count() + packed_value);
       for (const Operand& o : s.sum->rest) note(o);
       return nodes;
     }
@@ -233,7 +233,7 @@ class Planning {
 
   bool order_values() {
     enum class State { fresh, open, done };
-    std::vector<State> states(plan_.scalars.size() + plan_.wides.size(), State::fresh);
+    std::vector<State> states(plan_.scalars.size() + plan_.packed_values.size(), State::fresh);
     std::vector<int> pending;
     for (const symbolic::OutputArray& array : p_.outputs) {
       for (auto o = array.values.rbegin(); o != array.values.rend(); ++o)
@@ -264,7 +264,7 @@ std::optional<LanePlan> lane_plan(
     const Program& program,
     const std::vector<InputTuples>& classes,
     const Operand& zero) {
-  return Planning(program, classes, zero).run();
+  return LanePlanner(program, classes, zero).run();
 }
 
 }  // namespace robcogen::pass

@@ -1,6 +1,6 @@
-#include "pass/plan_signs.h"
+#include "pass/lanes/plan_signs.h"
 
-#include "pass/lane_signs.h"
+#include "pass/lanes/lane_signs.h"
 #include "support/index.h"
 
 namespace robcogen::pass {
@@ -10,7 +10,7 @@ using symbolic::Op;
 
 class SignChoice {
  public:
-  explicit SignChoice(const LanePlan& plan) : plan_(plan), sign_(plan.wides.size()) {}
+  explicit SignChoice(const LanePlan& plan) : plan_(plan), sign_(plan.packed_values.size()) {}
 
   std::vector<unsigned> run() {
     for (const int node : plan_.order)
@@ -20,30 +20,33 @@ class SignChoice {
         choose_signs_of_sum(node);
     for (const Part& root : plan_.roots) signs_.make_plain(sign_of(root));
     std::vector<unsigned> values;
-    for (std::size_t w = 0; w < sign_.size(); ++w) values.push_back(signs_.value(sign_[w]) & all_lanes(plan_.wides[w]));
+    for (std::size_t w = 0; w < sign_.size(); ++w)
+      values.push_back(signs_.value(sign_[w]) & all_lanes(plan_.packed_values[w]));
     return values;
   }
 
  private:
   const LanePlan& plan_;
   Signs signs_{kMostLanes};
-  std::vector<Sign> sign_;  // by wide: of what is computed, against what it stands for
+  std::vector<Sign> sign_;  // by packed value: of what is computed, against what it stands for
 
-  const Wide& wide(const Part& part) const { return plan_.wides[at(part.wide)]; }
-  Sign sign_of(const Part& part) const { return signs_.product(sign_[at(part.wide)], signs_.fixed(part.flips)); }
-  bool is_numbers(const Part& part) const { return wide(part).kind == Wide::Kind::numbers; }
+  const PackedValue& packed_value(const Part& part) const { return plan_.packed_values[at(part.packed_value)]; }
+  Sign sign_of(const Part& part) const {
+    return signs_.product(sign_[at(part.packed_value)], signs_.fixed(part.flips));
+  }
+  bool is_numbers(const Part& part) const { return packed_value(part).kind == PackedValue::Kind::numbers; }
 
   void choose_sign(std::size_t index) {
-    const Wide& w = plan_.wides[index];
+    const PackedValue& w = plan_.packed_values[index];
     Sign& sign = sign_[index];
     switch (w.kind) {
-      case Wide::Kind::numbers:
+      case PackedValue::Kind::numbers:
         return;
-      case Wide::Kind::broadcast:
-      case Wide::Kind::gather:
+      case PackedValue::Kind::broadcast:
+      case PackedValue::Kind::gather:
         sign = signs_.variable(true);
         return;
-      case Wide::Kind::sum:
+      case PackedValue::Kind::sum:
         agree(w.parts);
         for (const Part& part : w.parts)
           if (!is_numbers(part)) {
@@ -51,7 +54,7 @@ class SignChoice {
             break;
           }
         return;
-      case Wide::Kind::operation:
+      case PackedValue::Kind::operation:
         break;
     }
     if (w.op == Op::multiply || w.op == Op::divide) {
@@ -78,8 +81,8 @@ class SignChoice {
 
   void choose_signs_of_sum(int s) {
     const LanePlan::Scalar& scalar = plan_.scalars[at(s)];
-    if (scalar.wide >= 0 || !scalar.sum) return;
-    for (const int wide : scalar.sum->wides) signs_.make_plain(sign_[at(wide)]);
+    if (scalar.packed_value >= 0 || !scalar.sum) return;
+    for (const int packed_value : scalar.sum->packed_values) signs_.make_plain(sign_[at(packed_value)]);
   }
 };
 

@@ -1,8 +1,8 @@
-#include "pass/lane_program.h"
+#include "pass/lanes/lane_program.h"
 
 #include <map>
 
-#include "pass/lane_builder.h"
+#include "pass/lanes/lane_builder.h"
 #include "pass/pair_sums.h"
 #include "support/index.h"
 
@@ -14,20 +14,20 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-class Making {
+class LaneProgramBuilder {
  public:
-  Making(const Program& p, const LanePlan& plan, const std::vector<unsigned>& signs, LaneBuilder& builder)
+  LaneProgramBuilder(const Program& p, const LanePlan& plan, const std::vector<unsigned>& signs, LaneBuilder& builder)
       : p_(p),
         plan_(plan),
         signs_(signs),
         builder_(builder),
         scalars_(plan.scalars.size()),
-        wides_(plan.wides.size()) {}
+        packed_(plan.packed_values.size()) {}
 
   Program run() {
     for (const int node : plan_.order)
       if (node >= plan_.scalar_count())
-        compute_wide(at(node - plan_.scalar_count()));
+        compute_packed(at(node - plan_.scalar_count()));
       else
         compute_scalar(node);
     for (const Part& root : plan_.roots) make_root(root);
@@ -48,20 +48,21 @@ class Making {
 
   const Program& p_;
   const LanePlan& plan_;
-  const std::vector<unsigned>& signs_;  // by wide: the lanes that are kept negated
+  const std::vector<unsigned>& signs_;  // by packed value: the lanes that are kept negated
   LaneBuilder& builder_;
-  std::vector<Operand> scalars_, wides_;  // what was made
+  std::vector<Operand> scalars_, packed_;  // what was made
   std::map<std::pair<int, unsigned>, Operand> flipped_;
-  std::map<int, Lanes> roots_;  // by wide: what outputs take in its place
+  std::map<int, Lanes> roots_;  // by packed value: what outputs take in its place
 
-  const Wide& wide(const Part& part) const { return plan_.wides[at(part.wide)]; }
-  bool is_numbers(const Part& part) const { return wide(part).kind == Wide::Kind::numbers; }
+  const PackedValue& packed_value(const Part& part) const { return plan_.packed_values[at(part.packed_value)]; }
+  bool is_numbers(const Part& part) const { return packed_value(part).kind == PackedValue::Kind::numbers; }
 
   // The value of a scalar operand of the old program.
   Operand scalar(const Operand& o) {
     if (!is_statement(o)) return o;
     const LanePlan::Scalar& s = plan_.scalars[at(o.index)];
-    Operand result = s.wide < 0 ? scalars_[at(o.index)] : lane({wides_[at(s.wide)], signs_[at(s.wide)]}, s.lane);
+    Operand result = s.packed_value < 0 ? scalars_[at(o.index)]
+                                        : lane({packed_[at(s.packed_value)], signs_[at(s.packed_value)]}, s.lane);
     result.negative = result.negative != o.negative;
     return result;
   }
@@ -77,7 +78,7 @@ class Making {
   Operand output(const Operand& o) {
     if (!is_statement(o)) return o;
     const LanePlan::Scalar& s = plan_.scalars[at(o.index)];
-    const auto root = roots_.find(s.wide);
+    const auto root = roots_.find(s.packed_value);
     if (root == roots_.end()) return scalar(o);
     Operand result = lane(root->second, s.lane);
     result.negative = result.negative != o.negative;
@@ -87,79 +88,79 @@ class Making {
   // Where lanes are kept with other signs than outputs give them, all of them are changed at once: less than one by
   // one, and what has the same sign in all lanes can be stored as a vector.
   void make_root(const Part& root) {
-    const Wide& w = plan_.wides[at(root.wide)];
-    const unsigned change = (signs_[at(root.wide)] ^ root.flips) & all_lanes(w);
-    const bool is_operation = w.kind == Wide::Kind::operation || w.kind == Wide::Kind::sum;
+    const PackedValue& w = plan_.packed_values[at(root.packed_value)];
+    const unsigned change = (signs_[at(root.packed_value)] ^ root.flips) & all_lanes(w);
+    const bool is_operation = w.kind == PackedValue::Kind::operation || w.kind == PackedValue::Kind::sum;
     if (!is_operation || change == 0 || change == all_lanes(w)) return;
     builder_.begin(w.lanes, w.place);
     const unsigned negated = root.flips & all_lanes(w);
-    roots_.emplace(root.wide, Lanes{use(root.wide, negated), negated});
+    roots_.emplace(root.packed_value, Lanes{use(root.packed_value, negated), negated});
   }
 
   // A value of lanes whose lanes are negated like this.
-  Operand use(int wide, unsigned flips) {
-    const Wide& w = plan_.wides[at(wide)];
-    if (w.kind == Wide::Kind::numbers) return builder_.numbers(w.lanes, flips & all_lanes(w));
-    const bool is_leaf = w.kind == Wide::Kind::broadcast || w.kind == Wide::Kind::gather;
-    unsigned change = (flips ^ (is_leaf ? 0U : signs_[at(wide)])) & all_lanes(w);
+  Operand use(int packed_value, unsigned flips) {
+    const PackedValue& w = plan_.packed_values[at(packed_value)];
+    if (w.kind == PackedValue::Kind::numbers) return builder_.numbers(w.lanes, flips & all_lanes(w));
+    const bool is_leaf = w.kind == PackedValue::Kind::broadcast || w.kind == PackedValue::Kind::gather;
+    unsigned change = (flips ^ (is_leaf ? 0U : signs_[at(packed_value)])) & all_lanes(w);
     const bool negative = change & 1U;
     if (negative) change ^= all_lanes(w);
-    Operand result = wides_[at(wide)];
+    Operand result = packed_[at(packed_value)];
     if (change) {
-      const auto known = flipped_.find({wide, change});
+      const auto known = flipped_.find({packed_value, change});
       if (known != flipped_.end()) {
         result = known->second;
       } else {
         const Tuple ones(at(w.width), builder_.number(Number(1.0)));
         result = builder_.product(result, builder_.numbers(ones, change));
-        flipped_.emplace(std::pair(wide, change), result);
+        flipped_.emplace(std::pair(packed_value, change), result);
       }
     }
     result.negative = result.negative != negative;
     return result;
   }
 
-  void compute_wide(std::size_t index) {
-    const Wide& w = plan_.wides[index];
-    Operand& made = wides_[index];
+  void compute_packed(std::size_t index) {
+    const PackedValue& w = plan_.packed_values[index];
+    Operand& made = packed_[index];
     builder_.begin(w.lanes, w.place);
     switch (w.kind) {
-      case Wide::Kind::numbers:
+      case PackedValue::Kind::numbers:
         return;  // made where they are used
-      case Wide::Kind::broadcast:
+      case PackedValue::Kind::broadcast:
         made = scalar(w.lanes.front());
         return;
-      case Wide::Kind::gather: {
+      case PackedValue::Kind::gather: {
         Tuple lanes;
         for (const Operand& o : w.lanes) lanes.push_back(scalar(o));
         made = builder_.gather(std::move(lanes));
         return;
       }
-      case Wide::Kind::sum: {
+      case PackedValue::Kind::sum: {
         std::vector<Operand> terms;
-        for (const Part& part : w.parts) terms.push_back(use(part.wide, signs_[index] ^ part.flips));
+        for (const Part& part : w.parts) terms.push_back(use(part.packed_value, signs_[index] ^ part.flips));
         made = builder_.sum(std::move(terms));
         break;
       }
-      case Wide::Kind::operation:
+      case PackedValue::Kind::operation:
         made = operation(w, signs_[index]);
         break;
     }
     if (!w.lanes.empty()) builder_.name(made, w.lanes);
   }
 
-  Operand operation(const Wide& w, unsigned sign) {
+  Operand operation(const PackedValue& w, unsigned sign) {
     const Part a = w.parts[0];
-    const auto own = [&](const Part& part) { return signs_[at(part.wide)]; };
+    const auto own = [&](const Part& part) { return signs_[at(part.packed_value)]; };
     if (symbolic::is_binary(w.op)) {
       const Part b = w.parts[1];
       const unsigned both = sign ^ a.flips ^ b.flips;
       const unsigned of_a = is_numbers(a) ? both ^ own(b) : own(a);
-      const Operand first = use(a.wide, of_a), second = use(b.wide, both ^ of_a);
+      const Operand first = use(a.packed_value, of_a), second = use(b.packed_value, both ^ of_a);
       return w.op == Op::multiply ? builder_.product(first, second) : builder_.quotient(first, second);
     }
-    if (w.op == Op::square_root) return builder_.unary(w.op, use(a.wide, a.flips));
-    Operand angle = use(a.wide, own(a));
+    if (w.op == Op::square_root) return builder_.unary(w.op, use(a.packed_value, a.flips));
+    Operand angle = use(a.packed_value, own(a));
     const bool odd = w.op == Op::sine && (angle.negative != ((own(a) ^ a.flips ^ sign) & 1U));
     angle.negative = false;
     Operand result = builder_.unary(w.op, angle);
@@ -170,7 +171,7 @@ class Making {
   void compute_scalar(int s) {
     const LanePlan::Scalar& here = plan_.scalars[at(s)];
     Operand& made = scalars_[at(s)];
-    if (here.wide >= 0) return;
+    if (here.packed_value >= 0) return;
     const Statement& old = p_.statements[at(s)];
     builder_.begin({}, s);
     if (!here.sum) {
@@ -178,8 +179,8 @@ class Making {
       made = symbolic::is_binary(old.op) ? builder_.binary(old.op, a, scalar(old.b)) : builder_.unary(old.op, a);
     } else {
       std::vector<Operand> terms;
-      for (const int wide : here.sum->wides)
-        terms.push_back(builder_.sum_lanes(use(wide, 0), plan_.wides[at(wide)].width));
+      for (const int packed_value : here.sum->packed_values)
+        terms.push_back(builder_.sum_lanes(use(packed_value, 0), plan_.packed_values[at(packed_value)].width));
       for (const Operand& o : here.sum->rest) terms.push_back(scalar(o));
       made = builder_.sum(std::move(terms));
     }
@@ -194,7 +195,7 @@ Program lane_program(
     const LanePlan& plan,
     const std::vector<unsigned>& signs,
     LaneBuilder& builder) {
-  return pair_sums(Making(program, plan, signs, builder).run());
+  return pair_sums(LaneProgramBuilder(program, plan, signs, builder).run());
 }
 
 }  // namespace robcogen::pass

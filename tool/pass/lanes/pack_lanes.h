@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "pass/correspondence.h"
+#include "pass/lanes/correspondence.h"
 #include "symbolic/program.h"
 
 namespace robcogen::pass {

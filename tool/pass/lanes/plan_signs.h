@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pass/lane_plan.h"
+#include "pass/lanes/lane_plan.h"
 
 namespace robcogen::pass {
 

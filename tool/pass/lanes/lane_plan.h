@@ -8,19 +8,19 @@
 #include <optional>
 #include <vector>
 
-#include "pass/correspondence.h"
+#include "pass/lanes/correspondence.h"
 #include "symbolic/program.h"
 
 namespace robcogen::pass {
 
 // A value of lanes, flipped in some of them.
 struct Part {
-  int wide = -1;  // into LanePlan::wides
+  int packed_value = -1;  // into LanePlan::packed_values
   unsigned flips = 0;
 };
 
 // A value of lanes.
-struct Wide {
+struct PackedValue {
   enum class Kind { broadcast, numbers, gather, operation, sum };
   Kind kind = Kind::gather;
   Tuple lanes;  // what it stands for, without signs; empty: a sum that no limb has by itself
@@ -31,26 +31,26 @@ struct Wide {
 };
 
 // A bit for each.
-constexpr unsigned all_lanes(const Wide& w) {
+constexpr unsigned all_lanes(const PackedValue& w) {
   return (1U << w.width) - 1U;
 }
 
 // A scalar sum of which some terms come from all limbs of a class.
 struct SumOfLimbs {
-  std::vector<int> wides;
+  std::vector<int> packed_values;
   std::vector<symbolic::Operand> rest;
 };
 
 struct LanePlan {
   struct Scalar {
     bool needed = false;
-    int wide = -1, lane = -1;  // where it is a lane of a value
+    int packed_value = -1, lane = -1;  // where it is a lane of a value
     std::optional<SumOfLimbs> sum;
   };
   std::vector<Scalar> scalars;  // by statement
-  std::vector<Wide> wides;
+  std::vector<PackedValue> packed_values;
   std::vector<Part> roots;  // the values of lanes that outputs ask for, with their signs there
-  std::vector<int> order;   // statements, then wides, as one list of indices; operands before users
+  std::vector<int> order;   // statements, then packed values, as one list of indices; operands before users
 
   int scalar_count() const { return static_cast<int>(scalars.size()); }
 };

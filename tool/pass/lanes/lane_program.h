@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "pass/lane_builder.h"
-#include "pass/lane_plan.h"
+#include "pass/lanes/lane_builder.h"
+#include "pass/lanes/lane_plan.h"
 
 namespace robcogen::pass {
 

@@ -1,11 +1,11 @@
-#include "pass/lane_builder.h"
+#include "pass/lanes/lane_builder.h"
 
 #include <algorithm>
 #include <functional>
 #include <queue>
 #include <unordered_set>
 
-#include "pass/lane_names.h"
+#include "pass/lanes/lane_names.h"
 #include "pass/statements.h"
 #include "support/index.h"
 #include "support/unique_name.h"
@@ -194,14 +194,14 @@ Operand LaneBuilder::sum(std::vector<Operand> terms) {
 }
 
 Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
-  Operand wide = width(a) > 1 ? a : gather(Tuple(at(lanes), a));
-  const bool negative = wide.negative;
-  wide.negative = false;
-  const auto [known, is_new] = sums_of_lanes_.try_emplace(wide.index);
+  Operand packed_value = width(a) > 1 ? a : gather(Tuple(at(lanes), a));
+  const bool negative = packed_value.negative;
+  packed_value.negative = false;
+  const auto [known, is_new] = sums_of_lanes_.try_emplace(packed_value.index);
   if (is_new) {
     Statement s;
     s.op = Op::sum_lanes;
-    s.a = wide;
+    s.a = packed_value;
     int latency = 0;
     for (int rest = lanes; rest > 1; rest /= 2) latency += symbolic::kMoveLatency + symbolic::kLatency;
     known->second = make(std::move(s), latency);

@@ -1,10 +1,10 @@
-#include "pass/pack_lanes.h"
+#include "pass/lanes/pack_lanes.h"
 
 #include <algorithm>
 #include <iterator>
 
-#include "pass/lane_program.h"
-#include "pass/plan_signs.h"
+#include "pass/lanes/lane_program.h"
+#include "pass/lanes/plan_signs.h"
 #include "support/index.h"
 #include "symbolic/count.h"
 

@@ -1,4 +1,4 @@
-#include "pass/lane_signs.h"
+#include "pass/lanes/lane_signs.h"
 
 #include <algorithm>
 #include <iterator>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pass/correspondence.h"
+#include "pass/lanes/correspondence.h"
 #include "symbolic/program.h"
 
 namespace robcogen::pass {

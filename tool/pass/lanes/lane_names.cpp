@@ -1,4 +1,4 @@
-#include "pass/lane_names.h"
+#include "pass/lanes/lane_names.h"
 
 #include <algorithm>
 

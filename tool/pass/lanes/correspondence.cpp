@@ -1,4 +1,4 @@
-#include "pass/correspondence.h"
+#include "pass/lanes/correspondence.h"
 
 #include <algorithm>
 #include <bit>
