@@ -1,8 +1,8 @@
 # The programs that robcogen_add_robot compiles once for each robot. A harness is an interface target that carries its
-# source, so that the function finds it alike in this tree and in an installed package.
+# source, so that the function finds it in this tree and in an installed package.
 
-# Makes robcogen::<name>_harness of `sources`, a list of a program and headers of its own; it includes those of the targets
-# that follow, too.
+# Defines robcogen::<name>_harness from `sources`, a program and its headers. The program also includes the headers of the
+# targets that follow.
 function(robcogen_harness name sources)
   set(target robcogen_${name}_harness)
   add_library(${target} INTERFACE)

@@ -1,4 +1,4 @@
-# In a cross build: the generator for the machine that builds, from this source tree, in a build of its own.
+# For a cross build: builds the generator for the build machine from this source tree, in a nested build.
 include(ExternalProject)
 
 set(host_tool_dir ${PROJECT_BINARY_DIR}/host-tool)
@@ -9,7 +9,7 @@ ExternalProject_Add(
   CMAKE_ARGS -DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY_RELEASE=${host_tool_dir} -DBUILD_TESTING=OFF
   BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --config Release --target robcogen
   BUILD_BYPRODUCTS ${host_tool_dir}/robcogen
-  # The nested build alone knows whether a source of the generator has changed.
+  # Only the nested build knows whether a source of the generator has changed.
   BUILD_ALWAYS ON
   INSTALL_COMMAND "")
 

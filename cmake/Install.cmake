@@ -1,4 +1,4 @@
-# The installed package: what find_package(robcogen) of another project needs, and the generator.
+# The installed package: the files for find_package(robcogen) in other projects, and the generator.
 include(CMakePackageConfigHelpers)
 
 set(package_dir lib/cmake/robcogen)
@@ -16,7 +16,7 @@ install(
 
 install(TARGETS robcogen_runtime robcogen_reference EXPORT robcogenTargets)
 install(EXPORT robcogenTargets NAMESPACE robcogen:: DESTINATION ${package_dir})
-# An export set of its own: a cross build reads the targets above, and not the executable of another machine.
+# A separate export set: a cross build reads the targets above, but not the executable for another machine.
 if(TARGET robcogen)
   install(TARGETS robcogen EXPORT robcogenToolTargets RUNTIME DESTINATION bin)
   install(EXPORT robcogenToolTargets NAMESPACE robcogen:: DESTINATION ${package_dir})

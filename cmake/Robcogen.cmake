@@ -1,49 +1,49 @@
-# robcogen_add_robot: a robot document or a URDF becomes a static library.
+# robcogen_add_robot: makes a static library from a robot document or a URDF.
 #
 #     robcogen_add_robot(
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
 #       MODEL hyl.kindsl            # the robot, .kindsl, .urdf (or .xml, a URDF too) or .urdf.xacro, relative to the calling
 #                                   # CMakeLists.txt
-#       [XACRO_ARGS name:=value…]   # of a .urdf.xacro, which the build expands with the program `xacro`, or with the one
-#                                   # that the variable ROBCOGEN_XACRO names; an edit of an included file is noticed
-#       [FLOATING_BASE]             # URDF: the root link floats (a robot document says so itself)
+#       [XACRO_ARGS name:=value…]   # for a .urdf.xacro, which the build expands with the program `xacro`, or with the one
+#                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
+#       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
 #       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
-#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the generator's choice
-#       [NAME ident]                # folder and namespace of the generated code; without it, TARGET made an identifier
-#       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have a NAME in
-#                                   # common where their NAMESPACEs differ
+#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the default ones
+#       [NAME ident]                # folder and namespace of the generated code; without it, TARGET as an identifier
+#       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have the
+#                                   # same NAME when their NAMESPACEs differ
 #       [ALGORITHMS group…]         # of the groups of functions that this file lists below, or `all`; without it, the
 #                                   # default ones. README.md says what is in each
-#       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: about ten times as
-#                                   # much to compile. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for what the
-#                                   # compiler does unasked, to be chosen from when a program runs
-#       [BATCH_LEVELS level…]       # of avx2 and avx512: the processors that BATCH compiles for beside the baseline; without it,
-#                                   # both. `baseline`: that alone. Where the machine has more, the best of these runs
+#       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
+#                                   # ten times as long. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for the
+#                                   # baseline of the compiler; a program selects one when it starts
+#       [BATCH_LEVELS level…]       # from avx2 and avx512: the levels that BATCH compiles for in addition to the baseline; without
+#                                   # it, both. `baseline`: only that. The best level that the machine has runs
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
-#       [DEPENDS file|target…]      # when a rule of the build makes MODEL or DESIRED
-#       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, these get -O2 in
-#                                   # configurations that ask for no optimisation, such as Debug or none
+#       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
+#       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, they get -O2 in
+#                                   # configurations without optimisation, such as Debug or none
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
-#       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel, its core and a part of that; without it, 65536: half of the
-#                                   # smallest default stack of a thread (musl's). With BATCH, 262144, the frame of what
-#                                   # calls the kernel included: eight states at once take eight times as much to keep
+#       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel, its core and a part; without it, 65536: half of the smallest
+#                                   # default stack of a thread (musl). With BATCH, 262144, with the frame of the caller of
+#                                   # the kernel: eight states at once need eight times the memory
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
 #
-# Makes, for TARGET hyl in C++ (in other languages alone, a target hyl that generates them):
+# Defines, for TARGET hyl in C++ (for other languages only, a target hyl that generates them):
 #     hyl            the static library; #include <hyl/hyl.h>
 #     hyl_codegen    the generated files only
 #     hyl_selfcheck  compares the compiled code with an independent recursion, and functions over many states with
-#                    those of one; ctest hyl.selfcheck, label `robot` (where BUILD_TESTING is on)
-#     hyl_allocations  runs every function where allocation aborts; ctest hyl.allocations. Beside it, the ctest
-#                    hyl.real_time of what can be seen in the files (RobcogenRealTime.cmake)
-#     hyl_bench      times the functions (where Google Benchmark is found)
-# and the umbrellas robcogen_codegen and robcogen_bench. Anything wrong in the call ends the configuration.
+#                    those over one state; ctest hyl.selfcheck, label `robot` (when BUILD_TESTING is on)
+#     hyl_allocations  runs every function with an allocator that aborts; ctest hyl.allocations. The ctest
+#                    hyl.real_time checks the compiled files (RobcogenRealTime.cmake)
+#     hyl_bench      times the functions (when Google Benchmark is found)
+# and the umbrellas robcogen_codegen and robcogen_bench. An error in the call stops the configuration.
 #
-# The list of generated files follows from the keywords alone, so that no configuration reads a model or runs the tool.
+# The list of generated files follows from the keywords only: the configuration neither reads a model nor runs the tool.
 cmake_minimum_required(VERSION 3.25)
 include_guard(GLOBAL)
 
@@ -56,7 +56,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces forwar
                                              joint_space_inertia_factor coriolis_matrix centroidal energy transforms
                                              jacobians jacobian_references jacobian_derivatives velocities
                                              accelerations)
-# Those that a robot gets that names none: what most programs need, and little to compile.
+# The default: the functions that most programs need, which compile quickly.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
@@ -124,7 +124,7 @@ function(robcogen_add_robot)
   endif()
 endfunction()
 
-# What a robot's document may be.
+# Checks the type of a robot's document.
 function(_robcogen_check_robot)
   cmake_path(GET library_MODEL EXTENSION LAST_ONLY extension)
   if(NOT extension MATCHES "^\\.(kindsl|urdf|xml|xacro)$")
@@ -141,7 +141,7 @@ function(_robcogen_check_robot)
   endforeach()
 endfunction()
 
-# Sets `result` to the path of a robot's header. A robot may be called like one of them: <name>/<name>.h is the umbrella
+# Sets `result` to the path of a robot's header. A robot may have the name of one of them: <name>/<name>.h is the umbrella
 # header, and the other one becomes <stem>_.h.
 function(_robcogen_header folder stem result)
   cmake_path(GET folder FILENAME name)
@@ -160,7 +160,7 @@ function(_robcogen_folder result)
   set(${result} ${folder} PARENT_SCOPE)
 endfunction()
 
-# Sets library_groups to the groups of functions that ALGORITHMS means.
+# Sets library_groups to the groups of functions that ALGORITHMS selects.
 function(_robcogen_choose_groups)
   set(chosen ${library_ALGORITHMS})
   if(NOT chosen)
@@ -194,7 +194,7 @@ function(_robcogen_generated_files folder chosen headers sources)
   set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
-# The same for what BATCH adds.
+# The same for the files that BATCH adds.
 function(_robcogen_batch_files folder chosen headers sources)
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
   _robcogen_header(${folder} batch header)
@@ -212,8 +212,8 @@ function(_robcogen_batch_files folder chosen headers sources)
   set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
-# Takes the processors that BATCH_LEVELS does not name out of `sources`, and sets `omitted_levels` to what tells the unit
-# that chooses between them.
+# Removes the levels that BATCH_LEVELS does not name from `sources`, and sets `omitted_levels` to the definitions for the
+# unit that selects a level.
 function(_robcogen_omit_levels)
   set(omitted "")
   if(library_BATCH_LEVELS)
@@ -229,9 +229,8 @@ function(_robcogen_omit_levels)
   set(sources ${sources} PARENT_SCOPE)
 endfunction()
 
-# Compiles each source of a batch for its processor. What these sources share with others are functions of C that the
-# compiler does not inline; all else in them has internal linkage or a name that says for which processor it is. (See
-# robcogen/lanes.h.)
+# Compiles each source of a batch for its processor. They share with others only C functions that the compiler
+# does not inline; all other functions have internal linkage or a name with the processor in it. (See robcogen/lanes.h.)
 function(_robcogen_set_levels)
   foreach(source IN LISTS sources)
     if(source MATCHES "/batch\\.cpp$")
@@ -243,8 +242,8 @@ function(_robcogen_set_levels)
   endif()
   set(avx2 -mavx2 -mfma)
   set(avx512 ${avx2} -mavx512f -mavx512dq -mavx512vl)
-  # clang fuses products into sums within one expression only, and not through the operators of a class. Roots of lanes
-  # are inlined where they need not report errors.
+  # clang fuses products and sums within one expression only, and not through the operators of a class. Square roots of
+  # lanes are inlined when they do not report errors.
   set(all -fno-math-errno $<$<CXX_COMPILER_ID:Clang>:-ffp-contract=fast>)
   foreach(source IN LISTS sources)
     if(source MATCHES "/batch/[a-z_]+_(baseline|avx2|avx512)\\.cpp$")
@@ -253,10 +252,10 @@ function(_robcogen_set_levels)
   endforeach()
 endfunction()
 
-# The rule's output is a stamp, and the files are by-products of a second rule, because the tool leaves a file that would
-# not change untouched: as outputs they would look out of date to Make for ever. The second rule has them, and not the
-# first, because Ninja opens what it says of a rule that fails with all that the rule makes: an error in the model comes
-# after one line. All that is left for the second is to make the files again that somebody has removed, under Ninja.
+# The output of the rule is a stamp, and the files are by-products of a second rule: the tool does not touch files that
+# would not change, so that as outputs they would always be out of date for Make. They belong to the second rule because
+# Ninja prints all outputs of a rule that fails: with the stamp only, an error in the model follows one line. The second
+# rule only generates files again that were removed, under Ninja.
 function(_robcogen_add_codegen target)
   _robcogen_folder(stem)
   string(REPLACE "/" "." stem ${stem})
@@ -266,7 +265,7 @@ function(_robcogen_add_codegen target)
   _robcogen_generate_arguments(arguments)
   cmake_path(GET library_MODEL FILENAME document)
   set(generate robcogen::robcogen generate ${library_MODEL} -o ${library_OUTPUT_DIR} ${arguments})
-  # DEPENDS, not MAIN_DEPENDENCY: two robots may be made of one document.
+  # DEPENDS, not MAIN_DEPENDENCY: two robots may have the same document.
   add_custom_command(
     OUTPUT ${stamp}
     COMMAND ${generate} --depfile ${depfile} --depfile-target ${stamp} --stamp ${stamp}
@@ -320,8 +319,8 @@ function(_robcogen_generate_arguments result)
   set(${result} ${arguments} ${library_OPTIONS} PARENT_SCOPE)
 endfunction()
 
-# A target for languages other than C++ alone. The names of their files follow from the model, which no configuration
-# reads.
+# A target for languages other than C++ only. The names of their files follow from the model, which the configuration does
+# not read.
 function(_robcogen_add_text)
   _robcogen_add_codegen(${library_TARGET}_codegen)
   _robcogen_exclusion(exclusion)
@@ -333,8 +332,8 @@ function(_robcogen_add_text)
   add_dependencies(${library_TARGET} ${library_TARGET}_codegen)
 endfunction()
 
-# Sets `result` to the optimisation of generated units: -O2 in each configuration whose flags ask for none, since a kernel
-# without runs five times as long, and nobody steps through it. Other options, sanitizers among them, stay as they are.
+# Sets `result` to the optimisation of generated units: -O2 in each configuration without optimisation, since a kernel is
+# five times slower without, and debugging it is rarely useful. Other options, such as sanitizers, are kept.
 function(_robcogen_optimisation result)
   set(${result} "" PARENT_SCOPE)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$")
@@ -371,18 +370,17 @@ function(_robcogen_add_library target)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${library_OUTPUT_DIR} FILES ${headers})
   target_link_libraries(${target} PUBLIC robcogen::runtime)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  # gcc packs neighbouring scalars of the straight-line kernels into vectors, and spends more on shuffling them than
-  # it wins; the generator packs where it pays. Registers renamed at the end save copies: one instruction in forty. What
-  # is left out else takes gcc a sixth of its time and changes nothing that is executed: it looks for dead stores, of
-  # which there are none, and sorts instructions, which processors do themselves.
-  # gcc takes the processor's own instructions for calls that may throw, and refers to what handles that, as clang does
-  # where assertions are on.
+  # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the
+  # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other passes
+  # that are off take a sixth of gcc's time without effect: dead stores do not occur, and processors reorder
+  # instructions themselves. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers to the
+  # handlers, as clang does with assertions.
   set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-exceptions)
   _robcogen_optimisation(optimisation)
   target_compile_options(
     ${target} PRIVATE ${optimisation} "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>"
                       "$<$<CXX_COMPILER_ID:Clang,AppleClang>:-fno-exceptions>" ${library_COMPILE_OPTIONS})
-  # One unit an algorithm is what keeps rebuilds small and parallel.
+  # One unit per algorithm: rebuilds are small and parallel.
   set_target_properties(
     ${target}
     PROPERTIES ROBCOGEN_MODEL ${library_MODEL}
@@ -397,7 +395,7 @@ function(_robcogen_add_selfcheck target)
   _robcogen_exclusion(exclusion)
   add_executable(${target} ${exclusion})
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
-  # Where it compiles long and runs for a moment: this project's own builds say -O0 for most robots.
+  # A self-check compiles long and runs briefly: builds of this project use -O0 for most robots.
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
@@ -411,7 +409,7 @@ function(_robcogen_can_run result)
   endif()
 endfunction()
 
-# The ctest of a self-check, of this label.
+# Adds the ctest of a self-check, with this label.
 function(_robcogen_run_selfcheck target label)
   _robcogen_can_run(can_run)
   if(NOT can_run)
@@ -439,7 +437,7 @@ function(_robcogen_add_allocations target)
   endif()
 endfunction()
 
-# The ctest of what can be seen without running anything, of this label.
+# Adds the ctest that checks the compiled files, with this label.
 function(_robcogen_add_real_time_check label)
   if(library_EXCLUDE_FROM_ALL OR NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$")
     return()
@@ -480,8 +478,8 @@ function(_robcogen_add_bench target)
   _robcogen_join_umbrella(robcogen_bench ${target})
 endfunction()
 
-# Makes `target` of a harness that is written once for all robots: its sources come with the interface target
-# `harness`, and these definitions tell it which robot it is compiled for.
+# Builds `target` from a harness that is written once for all robots: its sources are those of the interface target
+# `harness`, and these definitions select the robot.
 function(_robcogen_link_harness target harness)
   target_link_libraries(${target} PRIVATE ${library_TARGET} ${harness})
   string(JOIN "::" qualified ${library_NAMESPACE} ${library_NAME})

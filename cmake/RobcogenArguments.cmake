@@ -1,9 +1,9 @@
-# What a call of robcogen_add_robot or robcogen_add_transforms may say: its checks and its defaults.
+# Checks and defaults of the arguments of robcogen_add_robot and robcogen_add_transforms.
 #
-# The functions here read the variables library_<KEYWORD> of the call in whose scope they run, and library_CALL, its name.
-# library_MODEL is the document that the code is made of, whichever keyword names it.
+# These functions read the variables library_<KEYWORD> of the calling function, and library_CALL, its name. library_MODEL is
+# the document of the model, whichever keyword names it.
 
-# Ends the configuration with a message that names the call.
+# Stops the configuration with a message that names the call.
 function(_robcogen_refuse text)
   list(TRANSFORM library_TARGET PREPEND "TARGET ")
   message(FATAL_ERROR "${library_CALL}(${library_TARGET}): ${text}")
@@ -42,7 +42,7 @@ function(_robcogen_check_elements keyword)
   endforeach()
 endfunction()
 
-# A file that a rule of the build makes does not stand yet: DEPENDS vouches for it.
+# A file that a rule of the build generates may not exist yet: DEPENDS names the rule.
 function(_robcogen_check_file keyword file)
   if(file AND NOT EXISTS "${file}" AND NOT library_DEPENDS)
     _robcogen_refuse("${keyword} does not exist: ${file} (DEPENDS, when a rule of the build makes it)")
@@ -55,7 +55,7 @@ function(_robcogen_check_documents keyword)
   _robcogen_check_file(DESIRED "${library_DESIRED}")
 endfunction()
 
-# Generated namespaces are named in C++ next to those that generated code uses.
+# A generated namespace must differ from those that generated code uses.
 function(_robcogen_check_identifier keyword identifier)
   set(reserved
       alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl
@@ -71,7 +71,7 @@ function(_robcogen_check_identifier keyword identifier)
   if(identifier IN_LIST reserved)
     _robcogen_refuse("${keyword} '${identifier}' is a reserved word of the generated code")
   endif()
-  # The generator's own lists of these names: beside this file where the package is installed.
+  # The lists of these names of the generator; in an installed package they are in the folder of this file.
   foreach(list macros.inc globals.inc)
     set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${list})
     if(NOT EXISTS ${file})
@@ -105,7 +105,7 @@ function(_robcogen_check_names)
   set_property(GLOBAL PROPERTY ROBCOGEN_OWNER_OF_${qualified} ${library_TARGET})
 endfunction()
 
-# Fills in what the call leaves out, and makes paths absolute.
+# Sets the defaults of omitted keywords, and makes paths absolute.
 function(_robcogen_complete_arguments)
   if(NOT library_NAME)
     string(MAKE_C_IDENTIFIER "${library_TARGET}" library_NAME)

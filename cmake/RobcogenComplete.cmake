@@ -1,5 +1,4 @@
-# The second half of generating: makes the generated files again of which one has been removed since, and touches
-# COMPLETE.
+# The second rule of generation: runs the generator again when a generated file was removed, and touches COMPLETE.
 #
 # cmake -D EXPECTED=file -D COMPLETE=file -P RobcogenComplete.cmake generator argument…
 #
@@ -9,7 +8,7 @@ cmake_minimum_required(VERSION 3.25)
 file(READ ${EXPECTED} files)
 foreach(file IN LISTS files)
   if(NOT EXISTS "${file}")
-    # What follows this script's name on the command line: cmake -D… -D… -P script generator argument…
+    # The arguments after the name of this script: cmake -D… -D… -P script generator argument…
     set(command "")
     math(EXPR last "${CMAKE_ARGC} - 1")
     foreach(i RANGE 5 ${last})

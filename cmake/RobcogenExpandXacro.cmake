@@ -1,4 +1,4 @@
-# Expands a file with xacro, and writes which files it includes as a dependency file.
+# Expands a file with xacro, and writes the files that it includes to a dependency file.
 #
 # cmake -D XACRO=program -D MODEL=arm.urdf.xacro -D OUTPUT=arm.urdf -P RobcogenExpandXacro.cmake -- name:=value…
 cmake_minimum_required(VERSION 3.25)
@@ -16,7 +16,7 @@ endforeach()
 
 cmake_path(GET OUTPUT PARENT_PATH directory)
 file(MAKE_DIRECTORY "${directory}")
-# Relative paths of xacro's are those of this folder.
+# Relative paths that xacro prints refer to this folder.
 execute_process(
   COMMAND ${XACRO} --deps ${MODEL} ${arguments}
   WORKING_DIRECTORY "${directory}"
@@ -31,10 +31,10 @@ if(status STREQUAL "0")
 endif()
 if(NOT status STREQUAL "0")
   file(REMOVE "${OUTPUT}")
-  message(FATAL_ERROR "${XACRO} does not expand ${MODEL}: exit status ${status}")
+  message(FATAL_ERROR "${XACRO} cannot expand ${MODEL}: exit status ${status}")
 endif()
 
-# Names are separated by blanks, so that those with blanks are files only together.
+# Names are separated by blanks: parts of a name with blanks are joined until they name a file.
 separate_arguments(words UNIX_COMMAND "${included}")
 set(rule "")
 set(name "")

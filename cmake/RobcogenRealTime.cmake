@@ -1,21 +1,21 @@
-# What a generated library must be so that a hard real-time loop can call it: a ctest of each.
+# Checks that a hard real-time loop can call a generated library: a ctest of each library.
 #
 # cmake -D LIBRARY=file -D KERNELS=dir -D OBJECTS=file,file… -D NM=program -D STACK_LIMIT=bytes -P RobcogenRealTime.cmake
 #
-# - It calls nothing but the functions of the list below.
-# - Its kernels are straight-line code, with no branch and no loop: every call does the same operations. But for large
-#   angles: a kernel in lanes leaves these, before all else, to the way one by one.
-# - Its functions' stack frames, which the compiler reports beside the object files (-fstack-usage), are of constant or
-#   bounded size. A kernel calls no other but its core, of the same unit, and either calls, where it is long, its parts,
-#   one after the other, which call none; a body over many states calls a kernel. So the largest frame of a body, the two
-#   largest of kernels and cores, and the largest of a part are the stack that one uses at most, besides that of sines,
-#   cosines and roots. They are no larger than STACK_LIMIT.
+# - It calls only the functions of the list below.
+# - Its kernels are straight-line code, without branches and loops: every call does the same operations. Large angles are
+#   the exception: a kernel in lanes first tests for them, and calls the code without lanes.
+# - The stack frames of its functions, which the compiler reports beside the object files (-fstack-usage), have constant or
+#   bounded size. A kernel calls only its core, in the same unit; a long kernel or core calls its parts, one after the
+#   other, which call no others; a body over many states calls a kernel. Therefore the largest frame of a body, the two
+#   largest of kernels and cores, and the largest of a part bound the stack, except that of sines, cosines and roots. Their
+#   sum is at most STACK_LIMIT.
 #
-# What the program cannot see, as the compiler reports no stack use or there is no nm, it says and leaves out.
+# A check that is impossible, without reports of the stack or without nm, is skipped with a message.
 cmake_minimum_required(VERSION 3.25)
 
-# Mathematics, blocks of memory that compilers copy and clear, what the processor can do (found out before main), stack
-# protection, position-independent code.
+# Mathematics, copying and clearing of memory, detection of the processor (before main), stack protection,
+# position-independent code.
 set(allowed
     "sin|cos|tan|sincos|sqrt"
     "sinf|cosf|tanf|sincosf|sqrtf"
@@ -23,7 +23,7 @@ set(allowed
     "__cpu_model|__cpu_indicator_init"
     "__stack_chk_fail|__stack_chk_guard|__stack_chk_fail_local"
     "_GLOBAL_OFFSET_TABLE_")
-# What the user's own instrumentation adds. Its frames say nothing about those of the plain library.
+# Symbols of the user's instrumentation. Its frames are not those of the plain library.
 set(instrumentation "__(asan|ubsan|msan|tsan|sanitizer|gcov|llvm_profile|llvm_gcov)_.*")
 
 # Sets `result` to the symbols of the library that `nm` lists with `options`.
@@ -45,11 +45,11 @@ function(read_symbols result)
   set(${result} "${symbols}" PARENT_SCOPE)
 endfunction()
 
-# Sets `is_instrumented` beside.
+# Also sets `is_instrumented`.
 function(check_symbols)
   set(is_instrumented OFF PARENT_SCOPE)
   if(NOT NM)
-    message("symbols: not checked, there is no nm")
+    message("symbols: not checked, nm is missing")
     return()
   endif()
   read_symbols(symbols --undefined-only)
@@ -67,27 +67,27 @@ function(check_symbols)
   list(FILTER symbols EXCLUDE REGEX "^(${pattern})$")
   if(symbols)
     list(JOIN symbols ", " names)
-    message(FATAL_ERROR "${LIBRARY} calls what a real-time loop must not: ${names}")
+    message(FATAL_ERROR "${LIBRARY} calls functions that a real-time loop must not call: ${names}")
   endif()
 endfunction()
 
 function(check_straight_lines)
   file(GLOB files ${KERNELS}/*.h)
   if(NOT files)
-    message(FATAL_ERROR "there are no kernels in ${KERNELS}")
+    message(FATAL_ERROR "${KERNELS} has no kernels")
   endif()
   foreach(file IN LISTS files)
     file(READ ${file} text)
     string(REGEX REPLACE "//[^\n]*|\"[^\"\n]*\"" "" text "${text}")
     # Limbs in lanes or one by one: the compiler decides, by the scalar type.
     string(REGEX REPLACE "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)]([^}]*)} else" "\\1}" text "${text}")
-    # And before what it does in lanes: are angles small?
+    # A kernel in lanes first tests whether angles are small.
     string(REGEX REPLACE
       "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)] {[ \n]*if [(]robcogen::are_small<[0-9]+>[(][A-Za-z0-9_]+[)][)] {([^}]*)}"
       "{\\1" text "${text}")
     set(between "[^A-Za-z0-9_]")
     if(text MATCHES "${between}(if|else|for|while|do|switch|goto|throw|try|new|delete)${between}|[?]|&&|[|][|]")
-      message(FATAL_ERROR "${file} is no straight-line code: ${CMAKE_MATCH_0}")
+      message(FATAL_ERROR "${file} is not straight-line code: ${CMAKE_MATCH_0}")
     endif()
   endforeach()
   list(LENGTH files count)
@@ -106,7 +106,7 @@ function(check_stack)
     endif()
     # `file:line:column:function<tab>bytes<tab>kind`
     file(READ ${report} text)
-    # Of functions as gcc and as clang writes them, only whether they are parts or bodies is kept.
+    # From names of functions, as gcc and clang write them, only part or body is kept.
     string(REGEX REPLACE "[^\n]*(kernel::[^\n\t]*parts::|6kernel[^\n\t]*5parts)[^\n\t]*\t" "part\t" text "${text}")
     string(REGEX REPLACE "[^\n]*(batch::body::|5batch4body)[^\n\t]*\t" "body\t" text "${text}")
     string(REGEX MATCHALL "(part|body)?\t[0-9]+\t[a-z,]+" lines "${text}")
@@ -117,7 +117,7 @@ function(check_stack)
     foreach(line IN LISTS lines)
       math(EXPR frames "${frames} + 1")
       string(REGEX MATCH "[0-9]+" bytes "${line}")
-      # dynamic,bounded: it moves while arguments are pushed, and never beyond these bytes.
+      # dynamic,bounded: the size varies while arguments are pushed, up to these bytes.
       if(NOT is_instrumented AND NOT line MATCHES "\t(static|dynamic,bounded)$")
         message(FATAL_ERROR "${report}: a frame is not of constant size")
       endif()
@@ -139,15 +139,15 @@ function(check_stack)
     endif()
   endforeach()
   if(frames EQUAL 0)
-    message(FATAL_ERROR "the compiler reports no frame of ${LIBRARY}")
+    message(FATAL_ERROR "the compiler reports no frames of ${LIBRARY}")
   endif()
   if(is_instrumented)
-    message("stack: ${largest} bytes at most, of instrumented code, which has no limit")
+    message("stack: at most ${largest} bytes, in instrumented code, which has no limit")
     return()
   endif()
   message("stack: ${largest} bytes at most, in ${unit}, of ${frames} functions; the limit is ${STACK_LIMIT}")
   if(largest GREATER STACK_LIMIT)
-    message(FATAL_ERROR "a kernel of ${LIBRARY} with what calls it and what it calls may need stack frames of ${largest} bytes")
+    message(FATAL_ERROR "a kernel of ${LIBRARY} with its caller and its parts may need stack frames of ${largest} bytes")
   endif()
 endfunction()
 

@@ -1,7 +1,7 @@
-# Where the generator comes from: one look-up, in the source tree and in an installed package.
+# Finds the generator, in the source tree and in an installed package.
 #
-# In this order: a target robcogen::robcogen that stands already; the executable that ROBCOGEN_HOST_TOOL names; in a
-# native build the package's own executable; in a cross build a robcogen of this version on the PATH.
+# In this order: an existing target robcogen::robcogen; the executable that ROBCOGEN_HOST_TOOL names; in a native build the
+# executable of the package; in a cross build a robcogen of this version on the PATH.
 
 # Sets `result` to the version that `candidate --version` reports, or to "none" when it does not run.
 function(_robcogen_tool_version candidate result)
@@ -17,7 +17,7 @@ function(_robcogen_tool_version candidate result)
   endif()
 endfunction()
 
-# A validator for find_program: generated code and the runtime that it includes must be of one version.
+# A validator for find_program: generated code and the runtime that it includes must have the same version.
 function(_robcogen_refuse_other_version result candidate)
   get_property(wanted GLOBAL PROPERTY ROBCOGEN_VERSION)
   _robcogen_tool_version("${candidate}" version)
@@ -39,7 +39,7 @@ function(_robcogen_import_tool path)
   set_target_properties(robcogen::robcogen PROPERTIES IMPORTED_LOCATION "${path}")
 endfunction()
 
-# Makes robcogen::robcogen, when there is something to make it of.
+# Defines robcogen::robcogen when an executable is found.
 function(_robcogen_find_tool)
   if(TARGET robcogen::robcogen)
     return()
@@ -55,7 +55,7 @@ function(_robcogen_find_tool)
   if(ROBCOGEN_HOST_TOOL)
     _robcogen_import_tool("${ROBCOGEN_HOST_TOOL}")
   elseif(NOT CMAKE_CROSSCOMPILING)
-    # Stands beside this file in an installed package only.
+    # This file exists only in an installed package.
     include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/robcogenToolTargets.cmake OPTIONAL)
   endif()
 endfunction()
@@ -66,7 +66,7 @@ function(_robcogen_require_tool)
     get_property(wanted GLOBAL PROPERTY ROBCOGEN_VERSION)
     message(
       FATAL_ERROR
-        "There is no robcogen ${wanted} that runs on this machine. Set ROBCOGEN_HOST_TOOL to the path of one; "
+        "No robcogen ${wanted} was found that runs on this machine. Set ROBCOGEN_HOST_TOOL to the path of one; "
         "from the source tree, ROBCOGEN_BUILD_HOST_TOOL=ON builds it.")
   endif()
 endfunction()

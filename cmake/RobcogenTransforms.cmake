@@ -1,5 +1,5 @@
-# robcogen_add_transforms: a document of rigid motions or of coordinate transforms, with no robot, becomes a static
-# library.
+# robcogen_add_transforms: makes a static library from a document of rigid motions or of coordinate transforms, without a
+# robot.
 #
 #     robcogen_add_transforms(
 #       TARGET euler                # the library; alias ${PROJECT_NAME}::euler
@@ -10,11 +10,11 @@
 #       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable] [OPTIONS flag…])
 #
-# The keywords mean what they mean in robcogen_add_robot. Makes, for TARGET euler in C++:
+# The other keywords are those of robcogen_add_robot. Defines, for TARGET euler in C++:
 #     euler            the static library; #include <euler/euler.h>
 #     euler_codegen    the generated files only
-#     euler_selfcheck  compares every transform with its product of primitives, multiplied out in long double; ctest
-#                      euler.selfcheck, label `transforms` (where BUILD_TESTING is on), and with it euler.real_time
+#     euler_selfcheck  compares every transform with its product of primitives, computed in long double; ctest
+#                      euler.selfcheck, label `transforms` (when BUILD_TESTING is on), and with it euler.real_time
 include_guard(GLOBAL)
 
 function(robcogen_add_transforms)

@@ -1,9 +1,9 @@
-# A robot that xacro makes: robcogen_add_robot(… MODEL arm.urdf.xacro XACRO_ARGS length:=0.7).
+# A robot from xacro: robcogen_add_robot(… MODEL arm.urdf.xacro XACRO_ARGS length:=0.7).
 #
-# The program is the one that ROBCOGEN_XACRO names, else the xacro on the PATH. Whatever the file includes is a dependency
-# of the build, found anew each time it is expanded, so that no configuration runs xacro.
+# The program is the one that ROBCOGEN_XACRO names, else the xacro on the PATH. Included files are dependencies
+# of the build, which are found at each expansion: the configuration does not run xacro.
 
-# Sets `result` to whether xacro makes this file.
+# Sets `result` to whether this file needs xacro.
 function(_robcogen_is_xacro file result)
   cmake_path(GET file EXTENSION LAST_ONLY extension)
   if(extension STREQUAL ".xacro")
@@ -17,7 +17,7 @@ function(_robcogen_require_xacro)
   find_program(ROBCOGEN_XACRO xacro DOC "The program that expands MODEL arm.urdf.xacro")
   if(NOT ROBCOGEN_XACRO)
     _robcogen_refuse(
-      "MODEL is for xacro, and there is no such program on the PATH: ${library_MODEL}. Install it (ROS: ros-<distribution>-xacro, \
+      "MODEL needs xacro, which is not on the PATH: ${library_MODEL}. Install it (ROS: ros-<distribution>-xacro, \
 and source its setup.bash) or set ROBCOGEN_XACRO to its path")
   endif()
 endfunction()

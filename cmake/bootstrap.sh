@@ -6,7 +6,7 @@
 #     cmake/bootstrap.sh test              builds everything and runs the whole test suite
 #
 # On Debian and its relatives the missing packages are installed by name, with sudo unless this is root. Elsewhere they
-# are listed, and the build goes on with what is there.
+# are listed, and the build continues without them.
 set -euo pipefail
 prefix=${2:+$(realpath --canonicalize-missing "$2")}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -43,13 +43,13 @@ install_missing() {
   run "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
-# Runs a command and says so.
+# Prints a command and runs it.
 run() {
   echo "+ $*"
   "$@"
 }
 
-# Every CMake below, those of the tests too, takes the compiler cache from the environment.
+# Every CMake below, also in the tests, takes the compiler cache from the environment.
 use_compiler_cache() {
   if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}

@@ -1,4 +1,4 @@
-# The tool with files of other formats and names, and what it says of what it converts.
+# The tool with files of other formats and names, and its messages about conversions.
 #
 # cmake -D TOOL=robcogen -D WORK_DIR=dir -P formats.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -29,7 +29,7 @@ execute_process(
   COMMAND ${TOOL} convert - ${work_dir}/converted.kindsl
   INPUT_FILE ${work_dir}/arm.xml
   ERROR_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
-expect_words("order of q" "${output}" "so that the order of q changes: it is shoulder, wrist [joint-order]")
+expect_words("order of q" "${output}" "which changes the order of q to shoulder, wrist [joint-order]")
 run(output ${TOOL} check ${work_dir}/converted.kindsl)
 expect_equal("what was converted: messages" "${output}" "")
 file(READ ${work_dir}/converted.kindsl document)
@@ -44,7 +44,7 @@ foreach(earlier_and_later "link upper;link hand" "id = 1;id = 2" "r_joint should
   endif()
 endforeach()
 
-# One message for what is not read, from a file of whatever name.
+# One message for an unknown format, whatever the name of the file.
 file(WRITE ${work_dir}/arm.sdf "<sdf version='1.6'><model name='arm'/></sdf>")
 file(WRITE ${work_dir}/arm.motdsl "${urdf}")
 file(WRITE ${work_dir}/arm.json "{ \"robot\": \"arm\" }")
@@ -55,7 +55,7 @@ foreach(name arm.sdf arm.motdsl arm.json)
   expect_words("${name}" "${output}" "[other-format]")
 endforeach()
 
-# What no body has is written as it is, and that nothing will read it is said.
+# Impossible mass properties are written as they are, with a warning that readers will refuse them.
 string(REPLACE "Ix = 1.0" "Ix = -1.0" document "${document}")
 file(WRITE ${work_dir}/implausible.kindsl "${document}")
 run(output ${TOOL} convert ${work_dir}/implausible.kindsl ${work_dir}/implausible.urdf)

@@ -1,4 +1,4 @@
-# robcogen_add_robot(TARGET hyl): MODEL is for xacro, and there is no such program on the PATH: @DIR@/hyl.urdf.xacro.
+# robcogen_add_robot(TARGET hyl): MODEL needs xacro, which is not on the PATH: @DIR@/hyl.urdf.xacro.
 # Install it (ROS: ros-<distribution>-xacro, and source its setup.bash) or set ROBCOGEN_XACRO to its path
 file(WRITE ${CMAKE_CURRENT_SOURCE_DIR}/hyl.urdf.xacro "")
 set(CMAKE_FIND_USE_SYSTEM_ENVIRONMENT_PATH OFF)
