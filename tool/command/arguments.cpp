@@ -67,7 +67,7 @@ std::string shape_text(const Argument& a) {
   return "object of name: array of " + counted(a.length, "number");
 }
 
-// `HFE, KFE`, all of them or the ends of a long list.
+// `HFE, KFE`: all names, or the first and last ones of a long list.
 std::string elements_text(const std::vector<std::string>& elements) {
   constexpr std::size_t kMaxShown = 12;
   if (elements.size() <= kMaxShown) return fmt::format("{}", fmt::join(elements, ", "));
@@ -144,7 +144,7 @@ std::vector<double> square_from(const JsonValue& value, const Argument& a) {
   return columns;
 }
 
-// `values`: nullptr where the state leaves the argument out.
+// `values`: nullptr when the state does not have the argument.
 std::vector<double> by_name(const JsonValue* values, const Argument& a, const JsonValue& state) {
   std::vector<std::optional<double>> numbers = a.defaults;
   if (values && !values->is_object()) refuse_shape(*values, a.name, shape_text(a));
@@ -155,7 +155,7 @@ std::vector<double> by_name(const JsonValue* values, const Argument& a, const Js
     if (place == a.elements.end())
       refuse_input(
           value.line, fmt::format(
-                          "'{}' has no element '{}'; those are {} [unknown-element]{}", a.name, name,
+                          "'{}' has no element '{}'; its elements are {} [unknown-element]{}", a.name, name,
                           elements_text(a.elements), hint_line(name, a.elements)));
     std::vector<double> found;
     const std::string path = a.name + "." + name;
@@ -217,7 +217,7 @@ bool takes(const symbolic::Program& program, const std::string& name) {
       program.inputs.begin(), program.inputs.end(), [&](const InputArray& array) { return array.name == name; });
 }
 
-// What stands for an argument that some overload does without.
+// The default of an argument that only some overloads take.
 std::vector<std::optional<double>> default_of(const InputArray& array) {
   if (array.role == Role::gravity) return {0.0, 0.0, -algorithm::kStandardGravity};
   return zeros(array.elements.size());
@@ -248,7 +248,7 @@ Signature signature_of(
     const std::vector<const symbolic::Program*>& overloads,
     const model::KinematicTree& tree) {
   Signature signature = {function, {}};
-  // The last overload takes all.
+  // The last overload takes all arguments.
   for (const InputArray& array : overloads.back()->inputs) {
     if (array.role == Role::parameters) {
       signature.arguments.push_back(parameters_argument(tree.parameters));

@@ -1,4 +1,4 @@
-// The arguments of a function as JSON: what it takes, and what a state gives it.
+// The arguments of a function as JSON: its signature, and the values of a state.
 #pragma once
 
 #include <optional>
@@ -22,22 +22,22 @@ struct Argument {
   std::string name;
   Shape shape = Shape::vector;
   std::string meaning;                // with units and coordinates
-  std::vector<std::string> elements;  // vectors: what each number is about, such as joints; by name: the names
+  std::vector<std::string> elements;  // vectors: the names of the numbers, such as joints; by name: the names
   std::size_t length = 0;             // of a vector, of a row, of the vector of a name
-  // Of each number: what it is where the state does not give it; nullopt where it must. Vectors and squares are given
-  // whole or not at all.
+  // The default of each number; nullopt when the state must give it. A state gives vectors and squares as a whole or
+  // not at all.
   std::vector<std::optional<double>> defaults;
 
   bool is_required() const;
 };
 
-// What a function is evaluated with.
+// The signature of a function for evaluation.
 struct Signature {
   std::string function;
   std::vector<Argument> arguments;
 };
 
-// Of a robot's function, given all its overloads: what only some of them take has a default.
+// For a function of a robot, from all its overloads: arguments that only some of them take have a default.
 Signature signature_of(
     const std::string& function,
     const std::vector<const symbolic::Program*>& overloads,
@@ -47,8 +47,8 @@ Signature signature_of(
     const symbolic::Program& program,
     const model::CoordinateTransforms& document);
 
-// The inputs of the function from an object of arguments. Throws the Failure of refuse_input for a name that is no
-// argument, for a missing argument and for a wrong shape.
+// The inputs of the function from an object of arguments. Throws the Failure of refuse_input for an unknown
+// or missing argument and for a wrong shape.
 symbolic::Arrays<double> arguments_from(const JsonValue& object, const Signature& signature);
 
 }  // namespace robcogen::command

@@ -9,7 +9,7 @@
 namespace robcogen::command {
 namespace {
 
-// Checks a list against the model; what the model itself gives is reported already.
+// Checks a list against the model, whose own errors were reported before.
 void check_list(
     const CheckOptions& options,
     const std::string& list,

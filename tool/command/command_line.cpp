@@ -55,7 +55,7 @@ std::string unknown_option(const CLI::App& application, const std::string& argum
       did_you_mean(name, option_names(chosen.empty() ? application : *chosen.front())));
 }
 
-// Of what the parser left over, the first word that explains the fault; empty when there is none.
+// The first of the unparsed words that explains the fault; empty when there is none.
 std::string explain_leftover(const CLI::App& application) {
   const std::vector<CLI::App*> chosen = application.get_subcommands();
   const std::vector<std::string> left = (chosen.empty() ? application : *chosen.front()).remaining();
@@ -88,7 +88,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
 }
 
 constexpr const char* kStrictHelp =
-    "Warnings of the desired-transforms document, and of names and angles that may be accidents, are errors";
+    "Warnings about the desired-transforms document, and about suspicious names and angles, are errors";
 constexpr const char* kForDevelopers = "For developers of the generator";
 
 void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
@@ -105,9 +105,9 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
   subcommand.add_flag(
       "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
-      "--free-mimic-joints", options.free_mimic_joints, "URDF: a joint that mimics another is a joint of its own");
+      "--free-mimic-joints", options.free_mimic_joints, "URDF: a joint that mimics another is an independent joint");
   subcommand.add_flag(
-      "--allow-implausible", options.allow_implausible, "URDF: masses and inertias that no body has are warnings");
+      "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
 }
 
 void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
@@ -139,7 +139,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
   subcommand
       .add_option_function<std::vector<std::string>>(
           "--passes", [&model](const std::vector<std::string>& names) { model.steps.names = chosen_steps(names); },
-          "Which steps of optimisation run: a comma-separated list, or none")
+          "Steps of optimisation: a comma-separated list, or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of(words_for_steps()))
@@ -147,8 +147,8 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
   subcommand
       .add_option(
           "--effort", model.steps.effort,
-          "How long to look for link frames in which the dynamics cost less: 0 not at all, 1 two seconds for forty "
-          "joints, n that many times as long")
+          "Time to search for link frames that make the dynamics cheaper: 0 no search, 1 two seconds for forty joints, "
+          "n times as long for n")
       ->check(CLI::Range(0, 1000));
   declare_urdf_options(subcommand, model.urdf);
   declare_error_format(subcommand, model.error_format);
@@ -185,11 +185,13 @@ Action declare_generate(CLI::App& application) {
   subcommand
       ->add_option(
           "--primitives", options->primitives,
-          "matlab, maxima: transforms also as products of your own Rx, Tx, …; left or right: where the moved frame is")
+          "matlab, maxima: transforms also as products of Rx, Tx, … that you provide; left or right: the position of "
+          "the moved frame")
       ->check(one_of({"left", "right"}));
-  subcommand->add_option("--depfile", options->depfile, "Write what was read as a dependency file");
-  subcommand->add_option("--depfile-target", options->depfile_target, "Its target; default the stamp");
-  subcommand->add_option("--stamp", options->stamp, "File to touch when all is written");
+  subcommand->add_option("--depfile", options->depfile, "Write the files that were read as a dependency file");
+  subcommand->add_option(
+      "--depfile-target", options->depfile_target, "Target of the dependency file; default the stamp");
+  subcommand->add_option("--stamp", options->stamp, "File to touch when all files are written");
   subcommand->add_flag("--list-outputs", options->list_outputs, "Print the names of the generated files, and stop");
   return [options] { return generate(*options); };
 }
@@ -219,7 +221,7 @@ Action declare_ops(CLI::App& application) {
   declare_model(*subcommand, options->model);
   declare_groups(*subcommand, options->groups, "What to count; default all");
   subcommand->add_flag(
-      "--lanes", options->model.lanes, "With equal limbs in the lanes of vectors, where that is faster");
+      "--lanes", options->model.lanes, "With congruent limbs in the lanes of vectors, where that is faster");
   subcommand->add_flag("--json", options->json, "Machine-readable");
   return [options] { return ops(*options); };
 }
@@ -227,9 +229,12 @@ Action declare_ops(CLI::App& application) {
 Action declare_eval(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("eval", "Evaluates a function of a model: JSON in, JSON out");
   auto options = std::make_shared<EvalOptions>();
-  options->model.steps = {{}, 0};  // as the model says it: tracing is quicker than any choice
+  options->model.steps = {{}, 0};  // the plain program: tracing is faster than choosing a formulation
   declare_model(*subcommand, options->model);
-  subcommand->add_option("function", options->function, "A name that `robcogen ops` lists; between any two frames")
+  subcommand
+      ->add_option(
+          "function", options->function,
+          "A name that `robcogen ops` lists, or a transform or Jacobian between any two frames")
       ->required();
   subcommand->add_flag("--quiet", options->model.quiet, "No warnings and notes of the model, only errors");
   subcommand->footer(
@@ -237,7 +242,7 @@ Action declare_eval(CLI::App& application) {
       "after the other, such as one a line, or one array of objects. Writes a line of results, a JSON object, for "
       "each.\n"
       "Stops at the first state with an error, which names its line; results of earlier states are written by then.\n"
-      "Without --passes and --effort the plain program is evaluated, with no step of optimisation.");
+      "Without --passes and --effort the plain program is evaluated, without optimisation.");
   return [options] { return eval(*options); };
 }
 
@@ -248,9 +253,10 @@ Action declare_convert(CLI::App& application) {
   subcommand
       ->add_option(
           "to", options->to,
-          "File to write; its ending says the language: .kindsl, .urdf, .motdsl, or .ctdsl for coordinate transforms")
+          "File to write; its extension selects the language: .kindsl, .urdf, .motdsl, or .ctdsl for coordinate "
+          "transforms")
       ->required();
-  subcommand->add_option("--desired", options->desired, "Which transforms a .ctdsl gets (.dtdsl)");
+  subcommand->add_option("--desired", options->desired, "The transforms to write to a .ctdsl (.dtdsl)");
   subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
       ->check(one_of({"left", "right"}));
   subcommand->add_flag("--strict", options->strict, kStrictHelp);

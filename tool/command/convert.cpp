@@ -36,16 +36,17 @@ void require_conversion(const ConvertOptions& options) {
   if (from == to && from != Language::urdf)
     throw Failure{
         wrong_usage,
-        "robcogen: error: both files are of one language\nhint: 'robcogen print' writes a document in canonical form"};
+        "robcogen: error: both files are in the same language\nhint: 'robcogen print' writes a document in canonical "
+        "form"};
   if (from == Language::transforms || (from == Language::motions && to != Language::transforms))
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: '{}' does not say enough to make '{}'\nhint: robots become motions, and "
+                         "robcogen: error: '{}' cannot become '{}'\nhint: robots become motions, and "
                          "robots and motions "
                          "become transforms",
                          options.from, options.to)};
   if (!options.desired.empty() && to != Language::transforms)
-    throw Failure{wrong_usage, "robcogen: error: --desired chooses transforms: the file to write must be a .ctdsl"};
+    throw Failure{wrong_usage, "robcogen: error: --desired selects transforms: the output must be a .ctdsl file"};
   require_urdf(options.from, options.urdf);
 }
 
@@ -56,27 +57,27 @@ void require_values(const driver::Model& model, const Robot& robot) {
   throw Failure{
       wrong_input,
       fmt::format(
-          "{}: error: URDF knows no parameters, and robot '{}' has {} [parametric-urdf]\nhint: give them values in the "
+          "{}: error: URDF has no parameters, but robot '{}' has {} [parametric-urdf]\nhint: give them values in the "
           "document",
           model.file.string(), robot.tree.name, fmt::join(names, ", "))};
 }
 
-// Where a document comes from, for its reader.
+// A comment that names the source of the document.
 std::vector<std::string> origin(const ConvertOptions& options) {
   return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
 }
 
-// The robot language knows no joint limits: said once.
+// The robot language has no joint limits: one warning.
 void mention_lost_limits(const Robot& robot, Diagnostics& diagnostics) {
   for (const model::Joint& joint : robot.tree.joints) {
     if (joint.limits == model::JointLimits()) continue;
     diagnostics.note(
-        "limits-lost", joint.place, "a robot document cannot say joint limits: those of the model are left out");
+        "limits-lost", joint.place, "a robot document cannot hold joint limits: those of the model are left out");
     return;
   }
 }
 
-// Joints that the document declares in another order than the model are in another order in q: said once.
+// The document declares joints in another order than the model, which changes the order of q: one note.
 void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<int> order = exporting::joints_parents_first(robot.tree);
   if (std::is_sorted(order.begin(), order.end())) return;
@@ -88,13 +89,13 @@ void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagno
       .note(
           "joint-order", first.place,
           fmt::format(
-              "the robot document declares parents before their children, so that the order of q changes: it is {}",
+              "the robot document declares parents before their children, which changes the order of q to {}",
               fmt::join(written, ", ")))
       .hint =
       fmt::format("code generated from {} has the order {}", file.filename().string(), fmt::join(declared, ", "));
 }
 
-// What the model says may be what no body has: a warning there, and an error for who reads the URDF.
+// Impossible mass properties are warnings in a robot document, but errors in a URDF.
 void mention_implausible(const std::string& text, const fs::path& file, Diagnostics& diagnostics) {
   Diagnostics again;
   import::urdf(std::make_shared<Source>("", text), {}, again);
@@ -103,8 +104,8 @@ void mention_implausible(const std::string& text, const fs::path& file, Diagnost
     diagnostics
         .warning(
             "implausible-urdf", {std::make_shared<Source>(file.string(), ""), {}},
-            "the URDF will be refused, as no body has the mass properties that it repeats")
-        .hint = "correct them here, or read the URDF with --allow-implausible";
+            "readers will refuse the URDF: it has the same impossible mass properties")
+        .hint = "correct them in this document, or read the URDF with --allow-implausible";
     return;
   }
 }

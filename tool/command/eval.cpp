@@ -1,4 +1,4 @@
-// Any function of a model without a compiler: a JSON object for each state in, one out.
+// Evaluates any function of a model without a compiler: one JSON object per state in, one out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void require_finite(
     if (std::isfinite(values[i])) continue;
     refuse_input(
         line, fmt::format(
-                  "result {} of {} is {}, which JSON cannot express [result-not-finite]", element_name(array, i),
+                  "result {} of {} is {}, which JSON cannot represent [result-not-finite]", element_name(array, i),
                   signature.function, values[i]));
   }
 }
@@ -48,7 +48,7 @@ std::string array_text(const symbolic::OutputArray& array, const std::vector<dou
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-// The line of results; `line` is the state's.
+// The line of results; `line` is the line of the state.
 std::string result_text(const EvaluableFunction& function, const symbolic::Arrays<double>& inputs, std::size_t line) {
   const symbolic::Arrays<double> results = symbolic::interpret<double>(function.program, inputs);
   std::vector<std::string> members;
@@ -59,7 +59,7 @@ std::string result_text(const EvaluableFunction& function, const symbolic::Array
   return fmt::format("{{{}}}\n", fmt::join(members, ", "));
 }
 
-// A program that waits for the results of a state before it sends the next one gets them.
+// The results of each state are written before the next state is read.
 Status evaluate_states(const EvaluableFunction& function) {
   JsonReader reader(stdin);
   while (const std::optional<JsonValue> state = reader.next()) {
@@ -75,7 +75,7 @@ Status eval(const EvalOptions& options) {
   const ModelOptions& model = options.model;
   if (model.file == "-" || model.desired == "-")
     throw Failure{wrong_usage, "robcogen: error: eval reads states from standard input: the model must be a file"};
-  // A function that has its group's name is asked for by name: where the robot cannot have it, loading says why.
+  // A function with the name of its group counts as named: loading reports why the robot cannot have it.
   const std::vector<std::string>& groups = algorithm::groups();
   const bool is_group = std::find(groups.begin(), groups.end(), options.function) != groups.end();
   const std::optional<driver::Model> loaded =

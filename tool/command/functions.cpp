@@ -14,7 +14,7 @@ namespace {
 
 using algorithm::RobotFunction;
 
-// How the functions of a group that are about two frames are called: `jacobians.` A `_J_` B.
+// The names of functions of two frames: `jacobians.` A `_J_` B.
 struct NamePattern {
   std::string group;
   std::string prefix;
@@ -23,7 +23,7 @@ struct NamePattern {
   std::string name(const model::FramePair& pair) const { return prefix + pair.left.name + separator + pair.right.name; }
 };
 
-// Read off the functions between two frames of the robot.
+// From the functions between two frames of the robot.
 std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::FormulationChoices& formulations) {
   const std::vector<model::Frame> frames = tree.frames();
   const model::FramePair pair = {frames.front(), frames.back()};
@@ -38,7 +38,7 @@ std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::F
   return found;
 }
 
-// A name that fits a pattern, in any way that names two frames of the robot.
+// A name that matches a pattern with two frames of the robot.
 std::optional<model::FramePair> frames_in(
     const model::KinematicTree& tree,
     const NamePattern& pattern,
@@ -54,7 +54,7 @@ std::optional<model::FramePair> frames_in(
   return std::nullopt;
 }
 
-// Groups of the whole robot; first the one that is called like the function.
+// Groups of the whole robot, first the one with the name of the function.
 std::vector<std::string> groups_of_robot(const std::string& name) {
   const std::vector<std::string>& others = algorithm::groups_between_frames();
   std::vector<std::string> groups;
@@ -76,7 +76,7 @@ std::vector<std::string> groups_of_robot(const std::string& name) {
                        guess.empty() ? fmt::format("'robcogen ops {}' lists them", model.string()) : guess)};
 }
 
-// The functions of this name, each with other loads.
+// The overloads of this name, which differ in their loads.
 EvaluableFunction evaluable(
     const std::string& name,
     std::vector<RobotFunction> overloads,
@@ -121,7 +121,7 @@ EvaluableFunction find_function_of_robot(
     return chosen(algorithm::functions(robot.tree, desired, group, formulations));
   };
 
-  // Nothing of the whole robot has a name with two frames in it, so these are quickest to rule out.
+  // Functions of the whole robot have no name with two frames: this test is the fastest.
   const std::vector<NamePattern> known = patterns(robot.tree, formulations);
   for (const NamePattern& pattern : known) {
     const std::optional<model::FramePair> pair = frames_in(robot.tree, pattern, name);

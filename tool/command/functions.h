@@ -11,8 +11,8 @@ struct EvaluableFunction {
   symbolic::Program program;  // takes all arguments of the signature
 };
 
-// Throws a Failure, with a hint, when the model has no such function. Of a robot also between frames that its list of
-// desired transforms does not name; only what is asked for is traced.
+// Throws a Failure, with a hint, when the model has no such function. For a robot, also between frames that its
+// list of desired transforms does not have. Traces only this function.
 EvaluableFunction find_function(const driver::Model& model, const std::string& name, const driver::Steps& steps);
 
 }  // namespace robcogen::command

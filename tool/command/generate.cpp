@@ -23,12 +23,13 @@ bool is_identifier(const std::string& name) {
 
 void check_names(const driver::LibraryNames& names) {
   if (!is_identifier(names.name))
-    throw Failure{wrong_usage, fmt::format("robcogen: error: --name '{}' is no identifier", names.name)};
+    throw Failure{wrong_usage, fmt::format("robcogen: error: --name '{}' is not a valid identifier", names.name)};
   std::string rest = names.enclosing;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find("::"), rest.size());
     if (!is_identifier(rest.substr(0, end)))
-      throw Failure{wrong_usage, fmt::format("robcogen: error: --namespace '{}' is no namespace", names.enclosing)};
+      throw Failure{
+          wrong_usage, fmt::format("robcogen: error: --namespace '{}' is not a valid namespace", names.enclosing)};
     rest.erase(0, std::min(end + 2, rest.size()));
   }
 }
@@ -37,8 +38,7 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// What was asked for of what the language offers, in canonical order. A Failure when it was asked for what it does not
-// offer.
+// The groups that were named, in canonical order. A Failure when the language does not offer one of them.
 std::vector<std::string> groups_of(const backend::Language& language, const std::vector<std::string>& asked) {
   std::vector<std::string> ordered;
   for (const std::string& group : algorithm::groups()) {
@@ -68,11 +68,11 @@ driver::Primitives primitives_of(const GenerateOptions& options) {
   return options.primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
 }
 
-// Files of languages whose names follow from the model: those of an earlier run that are made no more must not stay.
-// They are known from a list that every run leaves beside them.
+// In some languages, names of files follow from the model: files of an earlier run that are no longer generated must be
+// removed. Every run writes a list of its files beside them.
 struct Listed {
   fs::path list;                   // relative to the output folder
-  std::vector<std::string> files;  // made now
+  std::vector<std::string> files;  // of this run
   std::vector<std::string> made_before;
 };
 
@@ -93,7 +93,7 @@ void remove_stale(const GenerateOptions& options, const Listed& listed) {
   }
 }
 
-// Unlike generated sources, a stamp and a dependency file must get a new time even when their text stays.
+// Unlike generated sources, a stamp and a dependency file get a new time even when their text does not change.
 void write(const fs::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file << text;
@@ -151,7 +151,7 @@ void require_options_of_transforms(const GenerateOptions& options) {
               "robcogen: error: --language {} applies to robots only, not to motions and transforms", language->name)};
 }
 
-// The files whose names follow from the options alone: those of C++.
+// The files whose names follow from the options only: those of C++.
 Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {
@@ -171,7 +171,7 @@ Status generate(const GenerateOptions& options) {
   check_names(options.names);
   if (options.list_outputs) return list_outputs(options);
   if (options.model.file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
-  if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs -o DIR"};
+  if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};
   if (is_transforms(options)) require_options_of_transforms(options);
   const std::optional<driver::Model> model = options.model.load(options.groups);
   return model ? write_libraries(options, *model) : wrong_input;

@@ -48,7 +48,7 @@ void refuse_input(std::size_t line, const std::string& message) {
 
 namespace {
 
-// What other programs write for numbers that JSON has not, as far as the parser reads it; `token` may begin earlier.
+// NaN and infinity as other programs write them, as far as the parser reads them; `token` may begin earlier.
 bool is_special(const std::string& token) {
   std::size_t begin = token.size();
   while (begin > 0 && std::isalpha(static_cast<unsigned char>(token[begin - 1]))) --begin;
@@ -58,7 +58,7 @@ bool is_special(const std::string& token) {
 
 }  // namespace
 
-// What nlohmann's parser reads from; copies share the reader's place.
+// The input of nlohmann's parser; copies share the position of the reader.
 class JsonReader::Iterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -73,7 +73,7 @@ class JsonReader::Iterator {
     reader_->take();
     return *this;
   }
-  // Only ever compared with the end.
+  // Compared with the end only.
   bool operator==(const Iterator& /*end*/) const { return reader_->peek() == EOF || reader_->size_ >= kMaxSize; }
   bool operator!=(const Iterator& end) const { return !(*this == end); }
 
@@ -196,7 +196,7 @@ void JsonReader::begin_array() {
   if (is_over_) take();
 }
 
-// Past the comma or the bracket behind an object; false at the end.
+// Past the comma or the bracket after an object; false at the end.
 bool JsonReader::go_on_in_array() {
   const int mark = skip_space();
   if (mark != ',' && mark != ']') refuse_input(line_, "expected ',' or ']' after an object of the array [json-syntax]");
@@ -219,11 +219,10 @@ std::optional<JsonValue> JsonReader::next() {
                               : std::isprint(first) ? fmt::format("'{}'", static_cast<char>(first))
                                                     : fmt::format("byte {}", first);
     refuse_input(
-        line_,
-        fmt::format(
-            "expected an object, such as {{\"q\": [0.1]}}, instead of {} [json-syntax]\nhint: a function without "
-            "arguments takes {{}}",
-            found));
+        line_, fmt::format(
+                   "expected an object, such as {{\"q\": [0.1]}}, found {} [json-syntax]\nhint: a function without "
+                   "arguments takes {{}}",
+                   found));
   }
   return read_object();
 }

@@ -1,5 +1,5 @@
-// JSON values one after the other, from a stream that may be a pipe without end: each is handed on as soon as its last
-// byte is there.
+// Reads JSON values one after the other from a stream, which may be a pipe without an end: each value is returned as
+// soon as its last byte has arrived.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace robcogen::command {
 // A value, and the line that it is on.
 struct JsonValue {
   enum class Kind { null, boolean, number, text, array, object };
-  // What a number has not; apart, so that an array of numbers stays small.
+  // Members that a number does not have; separate, so that an array of numbers is small.
   struct Content {
     std::string text;
     std::vector<std::string> names;  // of an object's members
@@ -31,11 +31,11 @@ struct JsonValue {
   bool is_object() const { return kind == Kind::object; }
   const std::vector<JsonValue>& values() const { return content->values; }
   const std::vector<std::string>& names() const { return content->names; }
-  // The member of an object; nullptr when it has none of this name.
+  // The member of an object; nullptr when there is none of this name.
   const JsonValue* find(const std::string& name) const;
 };
 
-// `a string`, `an array of 3 numbers`: what was found instead of what was expected.
+// `a string`, `an array of 3 numbers`: for messages about an unexpected value.
 std::string describe(const JsonValue& value);
 
 // Throws the Failure `<standard input>:<line>: error: <message>`, status wrong_input.
@@ -43,7 +43,7 @@ std::string describe(const JsonValue& value);
 
 class JsonReader {
  public:
-  // One object is no longer, nor nested deeper.
+  // Limits of one object.
   static constexpr std::size_t kMaxSize = std::size_t{16} << 20;  // bytes
   static constexpr std::size_t kMaxDepth = 16;
 
@@ -51,11 +51,12 @@ class JsonReader {
   explicit JsonReader(std::FILE* file) : file_(file) {}
 
   // The next object, of a sequence of objects (one a line, or with any white space between them) or of one array of
-  // objects; nullopt at the end. A Failure that says the line: for what is not JSON, a name given twice in an object, a
-  // number beyond the range of double, and what exceeds the limits. A Failure with wrong_usage when reading fails.
+  // objects; nullopt at the end. A Failure with the line for text that is not JSON, a name that is given twice in
+  // an object, a number out of the range of double, and an object beyond the limits. A Failure with wrong_usage when
+  // reading fails.
   std::optional<JsonValue> next();
 
-  // Of what was read last, from 1.
+  // The line of the last byte, from 1.
   std::size_t line() const { return line_; }
 
  private:

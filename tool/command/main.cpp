@@ -12,7 +12,7 @@
 namespace robcogen::command {
 namespace {
 
-// What a user can bring about has a status of its own; the rest is a fault of the program.
+// Faults of the input or of the usage have their own statuses; other exceptions are internal faults.
 Status run_and_report(int argc, char** argv) {
   try {
     return parse_command_line(argc, argv)();

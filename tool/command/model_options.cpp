@@ -11,7 +11,7 @@
 namespace robcogen::command {
 namespace {
 
-// Those of all groups that were asked for, or all, in canonical order.
+// The groups that were named, or all, in canonical order.
 std::vector<std::string> ordered_groups(const std::vector<std::string>& asked) {
   std::vector<std::string> ordered;
   const std::vector<std::string> named = named_groups(asked);
@@ -58,16 +58,14 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
       wrong_usage, fmt::format(
                        "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints and --allow-implausible "
                        "are for URDF; '{}' "
-                       "says such things itself",
+                       "states these properties itself",
                        model.string())};
 }
 
 void require_groups_of_transforms(const std::vector<std::string>& asked) {
   for (const std::string& group : named_groups(asked)) {
     if (group == driver::kTransformsGroup) continue;
-    throw Failure{
-        wrong_usage,
-        fmt::format("robcogen: error: --algorithms {} is of robots: motions and transforms have none", group)};
+    throw Failure{wrong_usage, fmt::format("robcogen: error: --algorithms {} applies to robots only", group)};
   }
 }
 

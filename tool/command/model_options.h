@@ -17,8 +17,8 @@ std::string dotted(const std::string& scope, const std::string& name);
 struct NamedProgram {
   std::string name;
   symbolic::Program program;
-  std::string method = {};                            // how it is computed, where there was a choice
-  std::optional<symbolic::RoundingError> error = {};  // where it was measured
+  std::string method = {};                            // the method, when several were considered
+  std::optional<symbolic::RoundingError> error = {};  // when it was measured
 };
 
 // All functions of a robot, or of a document of motions or transforms; overloads in the order of their arguments.
@@ -50,7 +50,7 @@ struct ModelOptions {
 
 // `--algorithms all`: every group that the robot and the language allow.
 inline constexpr const char* kAllGroups = "all";
-// Those that were asked for by their own names.
+// The groups that were named one by one.
 std::vector<std::string> named_groups(const std::vector<std::string>& asked);
 
 // Documents of motions and of transforms have one group alone: a Failure when others were asked for.

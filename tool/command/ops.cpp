@@ -17,7 +17,7 @@ struct Row {
   std::optional<symbolic::RoundingError> error;
 };
 
-// Of the overloads of a function the first: default gravity, no external forces.
+// The first overload of each function: default gravity, no external forces.
 std::vector<Row> rows(const Programs& programs) {
   std::vector<Row> result;
   std::set<std::string> seen;

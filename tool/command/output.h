@@ -1,5 +1,5 @@
-// Standard output and standard error. Every subcommand writes through here, so that a full disk, a closed stream or a
-// reader that went away ends in exit status 2 and one message.
+// Standard output and standard error. Every subcommand writes through these functions, so that a full disk, a closed
+// stream or a reader that has exited leads to exit status 2 and one message.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace robcogen::command {
 // without a reader must be an error of writing, not a signal.
 void prepare_streams();
 
-// To standard output. A Failure when it takes no more.
+// To standard output. A Failure when writing fails.
 void write_output(std::string_view text);
 void flush_output();
 
@@ -27,8 +27,8 @@ void print_output(fmt::format_string<Arguments...> format, Arguments&&... argume
 // To standard error; never throws.
 void report(std::string_view text);
 
-// The last step of main: `status`, or wrong_usage when standard output or a message was lost. Says so, where main did
-// not report a Failure about it already.
+// The last step of main: `status`, or wrong_usage when standard output or a message was lost. Reports it, unless
+// main has reported a Failure about it.
 Status close_streams(Status status);
 
 }  // namespace robcogen::command

@@ -31,7 +31,7 @@ Status print_document(const PrintOptions& options) {
   if (driver::language_of(file) == driver::Language::urdf)
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: '{}' is no document of the project's languages\nhint: 'robcogen convert' "
+                         "robcogen: error: '{}' is not a document in a language of robcogen\nhint: 'robcogen convert' "
                          "makes it one",
                          file.string())};
   Diagnostics diagnostics;

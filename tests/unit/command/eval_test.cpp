@@ -130,7 +130,7 @@ note: arguments of inverse_dynamics:
       {"{\"q\": [1], \"external\": [1]" + others,
        "1: error: 'external' must be an object of name: array of 6 numbers, not an array of 1 number [wrong-shape]"},
       {"{\"q\": [1], \"external\": {\"rood\": [0,0,0,0,0,0]}" + others,
-       "1: error: 'external' has no element 'rood'; those are base, rod [unknown-element]\nhint: did you mean 'rod'?"},
+       "1: error: 'external' has no element 'rood'; its elements are base, rod [unknown-element]\nhint: did you mean 'rod'?"},
       {"{\"q\": [1], \"external\": {\"rod\": [0]}" + others,
        "1: error: 'external.rod' must be an array of 6 numbers, not an array of 1 number [wrong-shape]"},
       {"{\"q\": [1],\n\"q\": [2]" + others, "2: error: 'q' is given twice [duplicate-key]"},
@@ -141,10 +141,10 @@ note: arguments of inverse_dynamics:
        "1: error: syntax error while parsing value - invalid literal; last read: '\"q\": [N' "
        "[json-syntax]\nhint: JSON has neither NaN nor infinity"},
       {"",
-       "1: error: expected an object, such as {\"q\": [0.1]}, instead of the end of the input [json-syntax]\nhint: a "
+       "1: error: expected an object, such as {\"q\": [0.1]}, found the end of the input [json-syntax]\nhint: a "
        "function without arguments takes {}"},
       {"[1]",
-       "1: error: expected an object, such as {\"q\": [0.1]}, instead of '1' [json-syntax]\nhint: a function without "
+       "1: error: expected an object, such as {\"q\": [0.1]}, found '1' [json-syntax]\nhint: a function without "
        "arguments takes {}"},
       {"{\"q\": " + std::string(20, '['), "1: error: values are nested deeper than 16 levels [too-deep]"}};
   for (const auto& [input, expected] : cases) {
@@ -189,7 +189,7 @@ TEST_F(Eval, ResultsThatAreNotFinite) {
   EXPECT_EQ(overflow.output, "{\"T\": [0.25]}\n");
   EXPECT_EQ(
       overflow.errors,
-      "<standard input>:2: error: result T[0] of kinetic_energy is inf, which JSON cannot express "
+      "<standard input>:2: error: result T[0] of kinetic_energy is inf, which JSON cannot represent "
       "[result-not-finite]\n");
 }
 

@@ -104,7 +104,7 @@ TEST_F(Streams, UnreadableInput) {
     }
   const Outcome folder = run_script("\"$tool\" check /");
   EXPECT_EQ(folder.status, 2);
-  EXPECT_NE(folder.errors.find("this is a folder"), std::string::npos) << folder.errors;
+  EXPECT_NE(folder.errors.find("a folder, not a file"), std::string::npos) << folder.errors;
 }
 
 TEST_F(Streams, InputWithoutEnd) {

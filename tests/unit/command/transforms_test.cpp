@@ -87,7 +87,7 @@ TEST_F(Transforms, HaveNoAlgorithmsOfRobots) {
   const Outcome run =
       run_tool("generate " + motions() + " --algorithms jacobians --name arm -o " + quoted(scratch_.path));
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(contains(run.errors, "--algorithms jacobians is of robots")) << run.errors;
+  EXPECT_TRUE(contains(run.errors, "--algorithms jacobians applies to robots")) << run.errors;
   EXPECT_EQ(run_tool("ops --algorithms jacobians -- " + motions()).status, 2);
   EXPECT_EQ(run_tool("ops --floating-base " + motions()).status, 2);
 }
