@@ -184,15 +184,15 @@ TEST(AnyRobot, SaysWhichArgumentHasTheWrongSize) {
       "joint_space_inertia of HyL: H, in columns, has 2 elements and must have 3");
   EXPECT_EQ(
       message_of([&] { leg.homogeneous_transform(100, three); }),
-      "homogeneous_transform of HyL: there is no index 100");
-  EXPECT_EQ(message_of([&] { leg.jacobian(-1, three, H); }), "jacobian of HyL: there is no index -1");
+      "homogeneous_transform of HyL: index 100 is out of range");
+  EXPECT_EQ(message_of([&] { leg.jacobian(-1, three, H); }), "jacobian of HyL: index -1 is out of range");
   MatrixXd wide(7, 3);
   EXPECT_EQ(
       message_of([&] { leg.jacobian(0, three, wide.topRows(6)); }),
-      "jacobian: the columns of J must stand without gaps");
+      "jacobian: the columns of J must be contiguous");
   EXPECT_EQ(
       message_of([&] { make_any<hyl::Robot>(puma560::reflection::robot); }),
-      "AnyRobot: the tables are of another robot");
+      "AnyRobot: the tables belong to another robot");
 }
 
 // Standard gravity is what a fixed base stands in. A default in base coordinates would be wrong for a tilted base.

@@ -7,15 +7,15 @@
 //
 // Vectors of positions q and joint forces tau have dof() elements. Velocities v, accelerations a and generalised forces
 // f have size() elements: with a floating base, its twist, spatial acceleration or wrench (angular first, base
-// coordinates), then the joints; otherwise the joints alone. All is SI.
+// coordinates), then the joints; otherwise only the joints. All units are SI.
 //
-// Gravity (m/s^2) is in base coordinates. With a fixed base it may be left out: then it is standard gravity. With a
-// floating base it says how the base is oriented, and std::invalid_argument says so when it is missing.
+// Gravity (m/s^2) is in base coordinates. With a fixed base it may be omitted: the default is standard gravity. With a
+// floating base it encodes the orientation of the base, and without it std::invalid_argument is thrown.
 //
-// The size of every argument is compared with what it must be, and std::invalid_argument says which one is wrong.
+// The size of every argument is checked, and std::invalid_argument names the one that is wrong.
 // Nothing else throws, and nothing allocates after construction, as long as arguments are vectors or contiguous parts
-// of them: Eigen evaluates expressions such as q + dq, and rows of matrices, into memory of its own. Calls cost a
-// virtual call and copies of the arguments. Copies of an AnyRobot share what they hold, which never changes; any number
+// of them: Eigen evaluates expressions such as q + dq, and rows of matrices, into memory of its own. A call costs a
+// virtual call and copies of the arguments. Copies of an AnyRobot share their content, which never changes; any number
 // of threads may use one.
 #pragma once
 
@@ -35,7 +35,7 @@ namespace robcogen {
 
 namespace any {
 
-// What each robot brings, on plain arrays whose sizes are right. `external` may be null.
+// The functions of each robot, on plain arrays of the right sizes. `external` may be null.
 class Functions {
  public:
   virtual ~Functions() = default;
@@ -61,7 +61,7 @@ class Functions {
   virtual void gravity_forces(const double* q, double* f, const Gravity& gravity) const noexcept = 0;
   virtual void coriolis_forces(const double* q, const double* v, double* f) const noexcept = 0;
   virtual void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept = 0;
-  // What kernels of a robot with parameters read first; else null.
+  // The first input of kernels of a robot with parameters; otherwise null.
   virtual const double* cache() const noexcept = 0;
 };
 
@@ -178,17 +178,17 @@ class AnyRobot {
   using In = const Eigen::Ref<const Eigen::VectorXd>&;
   using Out = Eigen::Ref<Eigen::VectorXd>;
   using OutMatrix = Eigen::Ref<Eigen::MatrixXd>;
-  // One wrench for each link, in link coordinates about the link's origin; or none at all.
+  // One wrench for each link, in link coordinates about the origin of the link; or none at all.
   using External = std::span<const Wrench>;
 
-  // The tables are those of the robot's library, and live as long as the program.
+  // The tables are those of the robot's library, and exist as long as the program.
   template <class R>
   requires(FixedBaseRobot<R> || FloatingBaseRobot<R>) &&
       std::same_as<typename R::Scalar, double> AnyRobot(const R& robot, const reflection::Robot& tables)
       : tables_(&tables),
   functions_(std::make_shared<const any::FunctionsOf<R> >(robot)) {
     if (tables.joints.size != R::kDof || tables.links.size != R::kLinkCount || tables.floating_base != R::kFloatingBase)
-      throw std::invalid_argument("AnyRobot: the tables are of another robot");
+      throw std::invalid_argument("AnyRobot: the tables belong to another robot");
   }
 
   const char* name() const noexcept { return tables_->name; }
@@ -199,8 +199,8 @@ class AnyRobot {
   // defaults.
   const reflection::Robot& tables() const noexcept { return *tables_; }
 
-  // Joint forces for joint accelerations qdd (dof() elements). Returns the acceleration of a floating base, which
-  // nothing holds; of a fixed base, zero.
+  // Joint forces for joint accelerations qdd (dof() elements). Returns the acceleration of a floating base
+  // without a wrench on it; zero for a fixed base.
   SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau) const {
     return inverse_dynamics(q, v, qdd, tau, default_gravity("inverse_dynamics"));
   }
@@ -242,7 +242,7 @@ class AnyRobot {
     functions_->forward_dynamics(q.data(), v.data(), tau.data(), a.data(), loads(kFunction, gravity, external));
   }
 
-  // f = coriolis_forces(q, v) + gravity_forces(q), less what external wrenches do.
+  // f = coriolis_forces(q, v) + gravity_forces(q), minus the effect of external wrenches.
   void bias_forces(In q, In v, Out f) const { bias_forces(q, v, f, default_gravity("bias_forces")); }
   void bias_forces(In q, In v, Out f, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "bias_forces";
@@ -275,7 +275,7 @@ class AnyRobot {
     functions_->joint_space_inertia(q.data(), H);
   }
 
-  // Index of a transform or Jacobian by its name in the library, as in `fr_base_X_fr_foot`; -1 where there is none.
+  // Index of a transform or Jacobian by its name in the library, as in `fr_base_X_fr_foot`; -1 when there is none.
   int find_transform(std::string_view transform) const noexcept { return find(tables_->transforms, transform); }
   int find_jacobian(std::string_view jacobian) const noexcept { return find(tables_->jacobians, jacobian); }
 
@@ -298,7 +298,7 @@ class AnyRobot {
     expect(kFunction, "q", q.size(), dof());
     expect(kFunction, "J, in rows,", J.rows(), 6);
     expect(kFunction, "J, in columns,", J.cols(), table.column_count);
-    if (J.outerStride() != 6) throw std::invalid_argument("jacobian: the columns of J must stand without gaps");
+    if (J.outerStride() != 6) throw std::invalid_argument("jacobian: the columns of J must be contiguous");
     table.kernel(functions_->cache(), q.data(), J.data());
   }
 
@@ -315,7 +315,7 @@ class AnyRobot {
   void expect_index(const char* function, int index, int count) const {
     if (index >= 0 && index < count) return;
     char message[200];
-    std::snprintf(message, sizeof message, "%s of %s: there is no index %d", function, name(), index);
+    std::snprintf(message, sizeof message, "%s of %s: index %d is out of range", function, name(), index);
     throw std::invalid_argument(message);
   }
   const Gravity& default_gravity(const char* function) const {

@@ -1,4 +1,4 @@
-// Values that a compiler must take as they were rounded, also under -ffast-math.
+// Values that a compiler must treat as rounded, also under -ffast-math.
 #pragma once
 
 #include <cstring>
@@ -11,8 +11,7 @@
 #define ROBCOGEN_INLINE static inline
 #endif
 
-// Whether sums may be taken apart and put together in another order, as far as the compiler says so: gcc does since
-// version 12, clang does not.
+// Whether the compiler may reassociate sums, as far as it defines a macro: gcc does since version 12, clang does not.
 #if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
 #if !defined(__ASSOCIATIVE_MATH__)
 #define ROBCOGEN_KEEPS_ORDER 1
@@ -58,11 +57,11 @@
 #endif
 
 namespace robcogen {
-namespace {  // each file's own, as lanes are
+namespace {  // separate in each file, like lanes
 namespace lanes {
 
-// x, of which the compiler does not see how it was computed: with -ffast-math, -Ofast or -funsafe-math-optimizations it
-// would take (a + b) - b for a, and lose what rounding did on purpose. Takes no instruction.
+// x, with its computation hidden from the compiler: with -ffast-math, -Ofast or -funsafe-math-optimizations it would
+// replace (a + b) - b by a, and lose intended rounding. Costs no instruction.
 #if defined(ROBCOGEN_KEEPS_ORDER)
 template <class Numbers>
 ROBCOGEN_INLINE Numbers as_rounded(const Numbers& x) noexcept {

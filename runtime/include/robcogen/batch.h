@@ -1,11 +1,11 @@
-// What functions over many states take: arrays of a layout that is always said.
+// Arguments of functions over many states: arrays with an explicit layout.
 #pragma once
 
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 
-// Whether batches are compiled for several processors, to be chosen from when the program runs.
+// Whether batches are compiled for several processors, with a choice when the program runs.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define ROBCOGEN_BATCH_LEVELS 1
 #else
@@ -19,11 +19,11 @@ struct EigenBase;
 
 namespace robcogen::batch {
 
-// The processors that a batch is compiled for: what the library's own options say; AVX2 and FMA (x86-64-v3), four
-// doubles or eight floats at once; AVX-512 F, DQ and VL, eight or sixteen.
+// The levels that a batch is compiled for: the options of the library; AVX2 and FMA (x86-64-v3), four doubles or eight
+// floats at once; AVX-512 F, DQ and VL, eight or sixteen.
 enum class Level { baseline, avx2, avx512 };
 
-// The highest one that this machine has. Reads what the program found out before `main`.
+// The highest one that this machine has. Reads a variable that is set before `main`.
 inline Level best_level() noexcept {
 #if ROBCOGEN_BATCH_LEVELS
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return Level::baseline;
@@ -34,7 +34,7 @@ inline Level best_level() noexcept {
 #endif
 }
 
-// The level that is asked for, or the highest one that there is.
+// The given level, or the highest one that is available.
 inline Level available(Level most) noexcept {
   const Level best = best_level();
   return most < best ? most : best;
@@ -42,7 +42,7 @@ inline Level available(Level most) noexcept {
 
 inline constexpr bool kHasLevels = ROBCOGEN_BATCH_LEVELS != 0;
 
-// Element k of state i stands at data[k * element + i * state].
+// Element k of state i is at data[k * element + i * state].
 template <class Number>
 struct Strided {
   Number* data;
@@ -56,18 +56,18 @@ struct Strided {
 // Stands for the type of one state's value where a plain array of numbers is given.
 struct AnyVector {};
 
-// Structure of arrays: element k of state i stands at data[k * stride + i]. Fastest: states are loaded as they stand.
+// Structure of arrays: element k of state i is at data[k * stride + i]. Fastest: states are loaded without shuffles.
 template <class Value, class Number>
 struct ByElement {
   Number* data;
   std::ptrdiff_t stride;
 };
 
-// Array of structures: element k of state i stands at data[i * stride + k].
+// Array of structures: element k of state i is at data[i * stride + k].
 template <class Value, class Number>
 struct ByState {
   Number* data;
-  std::ptrdiff_t stride;  // 0: states stand without gaps
+  std::ptrdiff_t stride;  // 0: states are contiguous
 };
 
 // `stride` is at least the number of states. Best are data that are aligned to 64 bytes and a stride that is a multiple
@@ -89,8 +89,8 @@ struct NumberOf<T, false> {
   using type = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const T&>().data())>>;
 };
 
-// Numbers without a meaning of their own, that may be given as such: Eigen's vectors and matrices, and single numbers.
-// Twists, gravity and their like are named where they are given: by_state<Twist>(…).
+// Types that plain numbers may stand for: Eigen's vectors and matrices, and single numbers. Twists, gravity and similar
+// types are named in the call: by_state<Twist>(…).
 template <class T>
 constexpr bool kIsPlain = std::is_floating_point_v<T> || std::is_base_of_v<Eigen::EigenBase<T>, T>;
 
@@ -106,7 +106,7 @@ constexpr std::ptrdiff_t kElements = sizeof(T) / sizeof(typename NumberOf<T>::ty
 
 }  // namespace detail
 
-// `stride` is at least the number of elements of a state; without it, states stand without gaps.
+// `stride` is at least the number of elements of a state; without it, states are contiguous.
 template <class Value = AnyVector, class Number, class = std::enable_if_t<std::is_floating_point_v<Number>>>
 ByState<Value, Number> by_state(Number* data, std::ptrdiff_t stride = 0) noexcept {
   return {data, stride};

@@ -1,4 +1,4 @@
-// What generated functions over many states are made of: a block of states at a time, one in each lane.
+// Parts of generated functions over many states: one block of states at a time, one state in each lane.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 #include "robcogen/lanes.h"
 
 namespace robcogen::batch {
-namespace {  // each file's own, as lanes are
+namespace {  // separate in each file, like lanes
 
-// The states of one block, of `count` that there are. In the last block, lanes without a state repeat the last one, so
+// The states of one block of `count` states. In the last block, lanes without a state repeat the last one, so
 // that nothing is read or written beyond.
 template <class Scalar>
 class Block {
@@ -71,7 +71,7 @@ class Block {
     for (; k < kElements; ++k) from[k].scatter(data + k, state);
   }
 
-  // move(k, where element k stands) for each. Four at a time are two thirds of the instructions of one at a time.
+  // move(k, pointer to element k) for each k. Four at a time are two thirds of the instructions of one at a time.
   template <int kElements, class Move, class Number>
   static void in_fours(Move move, Number* data, std::ptrdiff_t stride) noexcept {
     int k = 0;

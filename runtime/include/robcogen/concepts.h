@@ -1,4 +1,4 @@
-// Code that is generic over robots: what it may ask of the type `Robot` of a generated library. Needs C++20.
+// Concepts for code that is generic over robots: requirements on the type `Robot` of a generated library. Needs C++20.
 //
 //     template <robcogen::FixedBaseRobot R>
 //     void control(const R& robot, …);
@@ -6,7 +6,7 @@
 //
 // The requirements are on a value: the functions of a robot with parameters read those that it carries, and a robot
 // without is empty. A library that was generated with fewer algorithms satisfies the finer concepts of those it has.
-// Transforms and Jacobians have names of their own in each library, and no place here; see
+// Transforms and Jacobians have different names in each library and are not part of the concepts; see
 // robcogen/generic/inverse_kinematics.h for how generic code receives them.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace robcogen {
 
-// What all have: sizes and types.
+// Common to all: sizes and types.
 template <class R>
 concept RobotTraits = requires {
   { R::kDof } -> std::convertible_to<int>;
@@ -40,10 +40,10 @@ concept FixedBase = RobotTraits<R> && !R::kFloatingBase;
 template <class R>
 concept FloatingBase = RobotTraits<R> && R::kFloatingBase;
 
-// inverse_dynamics(q, qd, qdd) returns the joint forces. With a floating base that nothing holds, it takes the velocity
-// of the base too and returns its acceleration beside them; inverse_dynamics_fully_actuated takes that acceleration and
-// returns the wrench that the base needs. All take gravity and external wrenches as further arguments; a fixed base may
-// do without gravity.
+// inverse_dynamics(q, qd, qdd) returns the joint forces. With a floating base, without a wrench on it, the function
+// also takes the velocity of the base and returns its acceleration; inverse_dynamics_fully_actuated takes that
+// acceleration and returns the wrench that the base needs. All take gravity and external wrenches as further arguments;
+// gravity is optional with a fixed base.
 template <class R>
 concept HasInverseDynamics = (FixedBase<R> &&
                               requires(
@@ -108,7 +108,7 @@ concept HasJointSpaceInertia = RobotTraits<R> && requires(const R& robot, const 
   noexcept->std::same_as<typename R::InertiaMatrix>;
 };
 
-// joint_space_inertia_factor(q): L of H = L^T L, and what goes on from it; x has the coordinates of H.
+// joint_space_inertia_factor(q): L of H = L^T L, and solutions with it; x has the coordinates of H.
 template <class R>
 concept HasJointSpaceInertiaFactor = RobotTraits<R> && requires(
     const R& robot,
@@ -180,7 +180,7 @@ concept HasCentroidal = RobotTraits<R> && requires(const R& robot, const typenam
   robot.centroidal_momentum_matrix(q);
 };
 
-// The dynamics that controllers and simulators are made of.
+// The dynamics for controllers and simulators.
 template <class R>
 concept HasDynamics = HasInverseDynamics<R> && HasForwardDynamics<R> && HasJointSpaceInertia<R> && HasBiasForces<R>;
 

@@ -1,7 +1,7 @@
-// Several values of lanes from and to memory at once: numbers that stand side by side move as vectors, and are put into
-// their lanes, or taken out of them, by shuffles.
+// Loads and stores of several values of lanes at once: adjacent numbers move as vectors, and shuffles put them into
+// their lanes or take them out.
 //
-// A block has an element for each value and each lane: that of value k and lane i stands at [i * stride + k]. Forces of
+// A block has an element for each value and each lane: that of value k and lane i is at [i * stride + k]. Forces of
 // the joints of limbs, or columns of a matrix, limb by limb, are blocks.
 #pragma once
 
@@ -19,7 +19,7 @@
 #endif
 
 namespace robcogen {
-namespace {  // each file's own, as lanes are
+namespace {  // separate in each file, like lanes
 namespace lanes {
 
 template <class Scalar, int kSize>
@@ -169,7 +169,7 @@ ROBCOGEN_INLINE void join(
   if constexpr (kCount > 1) join<kCount - 1>(low + 1, high + 1, columns + 1);
 }
 
-// The other way round, to columns[0], …, columns[kCount - 1].
+// The reverse, to columns[0], …, columns[kCount - 1].
 template <std::size_t kCount, bool kIsDense, class Scalar, int kSize>
 ROBCOGEN_INLINE void load_block(const Scalar* from, std::ptrdiff_t stride, Lanes<Scalar, kSize>* columns) noexcept {
   using Column = Lanes<Scalar, kSize>;
@@ -215,7 +215,7 @@ ROBCOGEN_INLINE void store_each(
 
 }  // namespace lanes
 
-// Writes the block of these values. A stride of their number leaves nothing between the lanes.
+// Writes the block of these values. With a stride equal to their number, the lanes are contiguous.
 template <std::ptrdiff_t kStride, class Scalar, int kSize, class... More>
 ROBCOGEN_INLINE void store_lanes(Scalar* to, const Lanes<Scalar, kSize>& first, const More&... more) noexcept {
   lanes::store_block<kStride == 1 + sizeof...(More)>(to, kStride, first, more...);
@@ -229,7 +229,7 @@ ROBCOGEN_INLINE std::array<Lanes<Scalar, kSize>, kCount> load_lanes(const Scalar
   return columns;
 }
 
-// Writes the same number to kCount elements that stand side by side; in vectors, of which the last one may repeat some.
+// Writes the same number to kCount adjacent elements, as vectors; the last one may overlap the one before.
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE void fill(Scalar* to, const Scalar& x) noexcept {
   constexpr int kSize = lanes::kInRegister<Scalar>;

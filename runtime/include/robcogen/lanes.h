@@ -1,4 +1,4 @@
-// Several numbers as one value: what is done to it is done in every lane.
+// Several numbers as one value: each operation applies to every lane.
 #pragma once
 
 #include <cmath>
@@ -33,8 +33,8 @@
 
 namespace robcogen {
 
-// Files of one program may be compiled for different processors. What is in an unnamed namespace is each file's own, so
-// that a body for one processor is never taken for that of another.
+// Files of one program may be compiled for different processors. An unnamed namespace is separate in each file,
+// so that the linker never replaces a function for one processor by that for another.
 namespace {
 namespace lanes {
 
@@ -56,7 +56,8 @@ template <>
 constexpr int kInRegister<float> = kRegisterBytes / static_cast<int>(sizeof(float));
 #endif
 
-// That many elements as a type of the compiler's, which has the operators of an element. One is the element itself.
+// That many elements as a vector type of the compiler, which has the operators of an element. One is the element
+// itself.
 template <class Element, int kSize>
 struct VectorOf {
   typedef Element type ROBCOGEN_VECTOR_SIZE(kSize * sizeof(Element));
@@ -109,7 +110,7 @@ class Lanes<Scalar, kSize, true> {
   using Vector = lanes::Vector<Scalar, kSize>;
 
   Lanes() = default;
-  // The same in all lanes.
+  // The same number in all lanes.
   explicit ROBCOGEN_INLINE Lanes(const Scalar& x) noexcept {
     if constexpr (kSize == 1) {
       vector_ = x;
@@ -138,7 +139,7 @@ class Lanes<Scalar, kSize, true> {
     }
   }
 
-  // From and to kSize numbers, of this or another precision, that stand one after another.
+  // From and to kSize contiguous numbers, of this or another precision.
   template <class Number>
   static ROBCOGEN_INLINE Lanes load(const Number* from) noexcept {
     if constexpr (kSize == 1) {
@@ -343,7 +344,7 @@ struct TwoSums {
   Scalar first, second;
 };
 
-// At once: half as many instructions as one after the other, where the processor adds neighbours.
+// All at once: half as many instructions as one after the other, on processors that add neighbours.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE TwoSums<Scalar> sum_lanes(const Lanes<Scalar, kSize>& a, const Lanes<Scalar, kSize>& b) noexcept {
 #if ROBCOGEN_HAS_VECTORS && defined(__SSE3__)
@@ -370,7 +371,7 @@ ROBCOGEN_INLINE TwoSums<Scalar> sum_lanes(const Lanes<Scalar, kSize>& a, const L
 template <class Scalar>
 constexpr bool kPrefersLanes = lanes::kInRegister<Scalar> > 1;
 
-// As many as fill a register: what computes fastest.
+// As many as fill a register: the fastest number.
 template <class Scalar>
 using NativeLanes = Lanes<Scalar, lanes::kInRegister<Scalar>>;
 

@@ -22,7 +22,7 @@ class LinkWrenches {
 
   // 6 kLinkCount scalars, link by link.
   const Scalar* data() const noexcept {
-    static_assert(sizeof(LinkWrenches) == 6 * kLinkCount * sizeof(Scalar), "wrenches stand without gaps");
+    static_assert(sizeof(LinkWrenches) == 6 * kLinkCount * sizeof(Scalar), "wrenches are contiguous");
     return reinterpret_cast<const Scalar*>(this);
   }
 

@@ -1,4 +1,4 @@
-// What a generated library says of itself: constants of the model, and tables of its transforms and Jacobians.
+// Tables in a generated library: constants of the model, transforms, Jacobians and functions.
 //
 // The self-check and the benchmark of a robot are written once over these tables. No Eigen, no allocation.
 #pragma once
@@ -35,17 +35,17 @@ struct Frame {
   double rotation[3];
 };
 
-// A kernel that reads q, and before it the cache of a robot that has parameters, and writes a matrix column by column.
+// A kernel that reads q (for a robot with parameters, first the cache), and writes a matrix column by column.
 class MatrixKernel {
  public:
   using Constant = void (*)(const double* q, double* X) noexcept;
   using Parametric = void (*)(const double* parameters, const double* q, double* X) noexcept;
 
-  constexpr MatrixKernel(std::nullptr_t) {}  // none: not to be called
+  constexpr MatrixKernel(std::nullptr_t) {}  // none: must not be called
   constexpr MatrixKernel(Constant kernel) : constant_(kernel) {}
   constexpr MatrixKernel(Parametric kernel) : parametric_(kernel) {}
 
-  // `parameters` may be null where the robot has none.
+  // `parameters` may be null when the robot has none.
   void operator()(const double* parameters, const double* q, double* X) const noexcept {
     if (parametric_ != nullptr)
       parametric_(parameters, q, X);
@@ -78,7 +78,7 @@ struct Jacobian {
   MatrixKernel kernel;  // 6 x column_count
 };
 
-// What functions tell of a pair of frames beside these. Twists and columns of Jacobians are angular first.
+// Other quantities of a pair of frames. Twists and columns of Jacobians are angular first.
 enum class FrameQuantity {
   jacobian_in_target,       // left_J_right in axes of `right`
   spatial_jacobian,         // of the twist about the origin and in axes of `left`
@@ -176,7 +176,8 @@ struct OperationCount {
 struct Function {
   const char* name;  // the kernel's name
   OperationCount count;
-  // Scalars that it reads and writes; `call` takes the kernel's arrays one after another, in the kernel's order.
+  // Scalars that it reads and writes; `call` takes the arrays of the kernel one after another, in the order of the
+  // kernel.
   int inputs;
   int outputs;
   void (*call)(const double* inputs, double* outputs) noexcept;

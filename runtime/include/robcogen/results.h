@@ -1,4 +1,4 @@
-// What functions of floating-base robots return; kDof joints.
+// Results of functions of floating-base robots; kDof joints.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace robcogen {
 
-// Joint forces (N m, N), and the spatial acceleration of a base that nothing holds (base coordinates, gravity not
+// Joint forces (N m, N), and the spatial acceleration of a base without a wrench on it (base coordinates, gravity not
 // included).
 template <class Scalar, int kDof>
 struct InverseDynamics {

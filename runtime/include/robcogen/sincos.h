@@ -19,7 +19,7 @@ inline SinCos<Scalar> sincos(const Scalar& x) {
   return {sin(x), cos(x)};
 }
 
-// The same into two places.
+// The same, written to two places.
 template <class Scalar>
 inline void sincos(const Scalar& x, Scalar& sine, Scalar& cosine) {
   const SinCos<Scalar> both = sincos(x);
@@ -27,7 +27,7 @@ inline void sincos(const Scalar& x, Scalar& sine, Scalar& cosine) {
   cosine = both.cos;
 }
 
-// glibc computes both for little more than one. GCC finds that out by itself, clang does not.
+// glibc computes both at little more than the cost of one. GCC combines the two calls by itself, clang does not.
 inline void sincos(const double& x, double& sine, double& cosine) noexcept {
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
   ::sincos(x, &sine, &cosine);

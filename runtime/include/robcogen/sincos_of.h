@@ -19,7 +19,7 @@
 #endif
 
 namespace robcogen {
-namespace {  // each file's own, as lanes are
+namespace {  // separate in each file, like lanes
 namespace lanes {
 
 // Angles out of the range of the polynomials, and NaN.
@@ -32,7 +32,7 @@ ROBCOGEN_RARE void replace_large(const Scalar* x, int count, Scalar* sine, Scala
   }
 }
 
-// By value: what no function has the address of stays in registers.
+// By value: an object whose address is not taken stays in registers.
 template <class Scalar, int kSize>
 ROBCOGEN_RARE SinCos<Lanes<Scalar, kSize>> replaced_large(
     Lanes<Scalar, kSize> x,

@@ -8,7 +8,7 @@
 
 namespace robcogen {
 
-// What the 6D types have in common: access, and the arithmetic of a vector space.
+// Common to the 6D types: access, and the arithmetic of a vector space.
 template <class Derived, class Scalar>
 class SpatialVector {
  public:

@@ -1,4 +1,4 @@
-// What a generated library of coordinate transforms says of itself: each transform as a product of primitive ones.
+// Tables in a generated library of coordinate transforms: each transform as a product of primitive ones.
 //
 // The self-check of such libraries is written once over these tables.
 #pragma once

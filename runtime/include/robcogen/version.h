@@ -3,8 +3,8 @@
 
 namespace robcogen {
 
-// Raised when generated code of an older generator would no longer compile or mean the same. Generated headers assert
-// that they were made for this number.
+// Raised when code from an older generator would no longer compile or behave the same. Generated headers assert that
+// they were generated for this number.
 inline constexpr int kAbi = 1;
 
 }  // namespace robcogen

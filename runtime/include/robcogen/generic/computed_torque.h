@@ -1,4 +1,4 @@
-// Computed torque: joints that follow a trajectory as masses on springs would, whatever the robot. Needs C++20.
+// Computed torque: the joints of any robot follow a trajectory like masses on springs. Needs C++20.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
@@ -28,8 +28,8 @@ Gains<R> critically_damped(typename R::Scalar pole) noexcept {
   return {R::JointState::Constant(pole * pole), R::JointState::Constant(2 * pole)};
 }
 
-// Joint forces (N m, N) by inverse dynamics (Siciliano et al., Robotics, 2009, 8.5.2). With a floating base, which
-// nothing holds, the joints follow all the same, and the base moves as it must.
+// Joint forces (N m, N) by inverse dynamics (Siciliano et al., Robotics, 2009, 8.5.2). With a floating base without
+// a wrench on it, the joints follow the trajectory, and the base moves accordingly.
 template <HasInverseDynamics R>
 typename R::JointState computed_torque(
     const R& robot,

@@ -1,6 +1,6 @@
-// One step of inverse kinematics of any chain of joints, by damped least squares. Needs C++20.
+// One step of inverse kinematics for any chain of joints, by damped least squares. Needs C++20.
 //
-// Transforms and Jacobians have names of their own in each library, so the caller says which are meant:
+// Transforms and Jacobians have different names in each library, so the caller provides them:
 //
 //     struct Foot {
 //       using JointState = hyl::JointState;
@@ -46,8 +46,8 @@ Eigen::Matrix<Scalar, 6, 1> pose_error(
 
 // The joints after one step towards `target`, a pose like chain.pose(q): q + J^T (J J^T + mu)^-1 e of the pose error e,
 // mu = damping + |e|^2 / 2. The damping (positive) keeps steps short at singularities; the rest keeps far targets from
-// causing long ones, and vanishes at the target (Sugihara, IEEE T-RO 27(5), 2011). Turns and displacements weigh alike,
-// in rad and m; joints outside of the chain stay.
+// causing long ones, and vanishes at the target (Sugihara, IEEE T-RO 27(5), 2011). Turns and displacements have equal
+// weight, in rad and m; joints outside the chain do not move.
 template <KinematicChain C>
 typename C::JointState inverse_kinematics_step(
     const C& chain,

@@ -1,7 +1,7 @@
-// One step in time of any robot. Needs C++20.
+// Time integration of any robot, one step at a time. Needs C++20.
 //
-// Both take a function that gives the accelerations in a state, so that joint forces, contacts and other gravity are
-// the caller's:
+// Both take a function that returns the accelerations in a state: the caller decides on joint forces, contacts and
+// gravity:
 //
 //     state = runge_kutta_step(state, h, [&](const auto& s) { return acceleration(robot, s, tau); });
 //
@@ -18,7 +18,7 @@ namespace robcogen {
 
 namespace simulation {
 
-// Time derivative of a state, its parts one after another: position, then velocity; of a floating base the
+// Time derivative of a state, its parts one after another: position, then velocity; for a floating base the
 // coefficients of the orientation (x, y, z, w), position, velocity.
 template <RobotTraits R>
 using Rate = Eigen::Matrix<typename R::Scalar, 2 * R::kDof + (R::kFloatingBase ? 13 : 0), 1>;
@@ -49,7 +49,7 @@ State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar
   result.qd += h * rate.template segment<R::kDof>(R::kDof);
   if constexpr (R::kFloatingBase) {
     result.orientation.coeffs() += h * rate.template segment<4>(2 * R::kDof);
-    // Back to the unit sphere. The exact motion stays on it, so this takes nothing from the order of the method.
+    // Projects to the unit sphere. The exact motion stays on it, so the order of the method does not change.
     result.orientation.normalize();
     result.position += h * rate.template segment<3>(2 * R::kDof + 4);
     result.base_velocity = typename R::Twist(result.base_velocity.vector() + h * rate.template tail<6>());
@@ -61,7 +61,7 @@ State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar
 template <class Scalar>
 Eigen::Quaternion<Scalar> turn(const Eigen::Matrix<Scalar, 3, 1>& vector) noexcept {
   const Scalar angle = vector.norm();
-  // sin(angle / 2) / angle; its limit where the quotient has no digits.
+  // sin(angle / 2) / angle; its limit where the quotient would lose all digits.
   const Scalar factor = angle > Scalar(0) ? std::sin(angle / 2) / angle : Scalar(0.5);
   Eigen::Quaternion<Scalar> result;
   result.w() = std::cos(angle / 2);
@@ -72,7 +72,7 @@ Eigen::Quaternion<Scalar> turn(const Eigen::Matrix<Scalar, 3, 1>& vector) noexce
 }  // namespace simulation
 
 // Velocities by the accelerations at the start, then positions by the velocities at the end: first order; energy
-// oscillates and does not drift for small steps. One evaluation of the dynamics.
+// oscillates without drift for small steps. One evaluation of the dynamics.
 template <FixedBase R, class Acceleration>
 State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
   State<R> result = state;
@@ -81,7 +81,7 @@ State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, c
   return result;
 }
 
-// The orientation turns by the angular velocity, and stays a rotation.
+// The orientation turns by the angular velocity, and remains a rotation.
 template <FloatingBase R, class Acceleration>
 State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
   const typename R::GeneralizedAcceleration a = acceleration(state);

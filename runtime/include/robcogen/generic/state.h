@@ -1,5 +1,5 @@
-// Position and velocity of any robot, and its dynamics in a state: what is different with a floating base is so here
-// and nowhere else. Needs C++20.
+// Position and velocity of any robot, and its dynamics in a state. Only this file treats a floating base differently.
+// Needs C++20.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
@@ -18,7 +18,7 @@ struct State {
 };
 
 // The pose maps base coordinates to those of the world, where z points up. The velocity of the base is in base
-// coordinates, as all that concerns it.
+// coordinates, like all quantities of the base.
 template <FloatingBase R>
 struct State<R> {
   typename R::JointState q = R::JointState::Zero();
@@ -34,8 +34,8 @@ typename R::Gravity gravity_in_base(const State<R>& state) noexcept {
   return typename R::Gravity(state.orientation.conjugate() * R::Gravity::standard().vector());
 }
 
-// Accelerations under joint forces (N m, N) and standard gravity: of the joints (rad/s^2, m/s^2) with a fixed base, and
-// of the base beside them with a floating one.
+// Accelerations under joint forces (N m, N) and standard gravity: of the joints (rad/s^2, m/s^2), and also of a
+// floating base.
 template <HasForwardDynamics R>
 auto acceleration(const R& robot, const State<R>& state, const typename R::JointState& tau) noexcept {
   if constexpr (R::kFloatingBase) {
@@ -45,7 +45,8 @@ auto acceleration(const R& robot, const State<R>& state, const typename R::Joint
   }
 }
 
-// Joint forces (N m, N) that give the joints these accelerations under standard gravity. Nothing holds a floating base.
+// Joint forces (N m, N) that give the joints these accelerations under standard gravity. No wrench acts on a floating
+// base.
 template <HasInverseDynamics R>
 typename R::JointState joint_forces(const R& robot, const State<R>& state, const typename R::JointState& qdd) noexcept {
   if constexpr (R::kFloatingBase) {
