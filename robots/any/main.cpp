@@ -1,9 +1,9 @@
-// One program for all robots: which one it simulates is said on the command line.
+// One program for all robots: the command line names the robot to simulate.
 //
 //   any_robot ROBOT [SECONDS]
 //
-// The joints go to half a radian (or metre) by computed torque. A fixed base stands; a floating one falls, and turns as
-// the motion of the joints makes it.
+// The joints go to half a radian (or metre) by computed torque. A fixed base does not move; a floating one falls, and
+// turns as the motion of the joints makes it.
 #include <centaur/centaur.h>
 #include <centaur/reflection.h>
 #include <hyl/hyl.h>

@@ -6,7 +6,7 @@
 
 namespace demo {
 
-// What happened at one instant. Positions are in the base frame, in its x-z plane (the plane of motion), in metres.
+// The state at one instant. Positions are in the base frame, in its x-z plane (the plane of motion), in metres.
 struct Instant {
   double time;  // s
   Eigen::Vector2d hip;

@@ -25,7 +25,7 @@ void print_times(const char* name, std::vector<double> nanoseconds) {
       "%-26s %9.0f %9.0f %9.0f\n", name, quantile(nanoseconds, 0.5), quantile(nanoseconds, 0.999), nanoseconds.back());
 }
 
-// What every time above contains of the clock itself.
+// The share of the clock itself in the times above.
 std::vector<double> clock_times(std::size_t count) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times(count);

@@ -36,7 +36,7 @@ Setpoint wanted_at(double time) {
   return wanted;
 }
 
-// Force on each joint; that on SLIDE goes into what holds it. Without a model, `inertia` is what each joint feels.
+// Force on each joint; that on SLIDE acts on its support. Without a model, `inertia` is the inertia at each joint.
 JointState control(Law law, const JointState& inertia, const State& state, const Setpoint& wanted) {
   const robcogen::Gains<Robot> gains = robcogen::critically_damped<Robot>(kPole);
   if (law == Law::inverse_dynamics) return robcogen::computed_torque(Robot(), state, wanted, gains);

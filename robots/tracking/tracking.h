@@ -8,11 +8,11 @@
 namespace tracking {
 
 enum class Law {
-  proportional_derivative,  // springs and dampers that know the inertia of each joint, and no more of the robot
+  proportional_derivative,  // springs and dampers scaled by the inertia of each joint, without a model of the robot
   inverse_dynamics,         // computed torque
 };
 
-// Both laws place their poles here, 1/s: they feel the same about errors, and differ in what they know beforehand.
+// Both laws place their poles here, 1/s: they react equally to errors, and differ in the feedforward.
 inline constexpr double kPole = 40;
 inline constexpr double kFrequency = 5;  // Hz, of the motion
 
@@ -32,8 +32,8 @@ struct Result {
   std::vector<double> loop_times;  // of the controller's computation, ns, one each cycle
 };
 
-// `rate` divides 4000 Hz. All but the loop times is the same in every run. Neither law knows of the friction in the
-// joints and the lag of the actuators.
+// `rate` divides 4000 Hz. All results except the loop times are the same in every run. Neither law models the friction
+// in the joints and the lag of the actuators.
 Result run(Law law, double rate, double duration);
 
 }  // namespace tracking
