@@ -17,7 +17,7 @@ std::string printed(const Eigen::MatrixXd& m, Eigen::Index column) {
   return text.str();
 }
 
-// The relative difference, infinite where the two cannot be compared, and what to say of it.
+// The relative difference, infinite when the two cannot be compared, and a message about it.
 struct Difference {
   double relative = 0;
   std::string text;

@@ -1,4 +1,4 @@
-// Whether other libraries compute what the generated code computes.
+// Whether other libraries agree with the generated code.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace robcogen::bench {
 
-// Norm of the difference relative to that of the generated code's result (largest elements): what rounding leaves, with
-// room for forward dynamics of light links on heavy ones. An error of the model is millions of times larger.
+// Norm of the difference relative to that of the generated code's result (largest elements): the effect of rounding,
+// with room for forward dynamics of light links on heavy ones. An error of the model is millions of times larger.
 constexpr double kAgreement = 1e-9;
 
 // One quantity as the generated code computes it.
@@ -23,7 +23,7 @@ struct Computed {
 // "inverse_dynamics", …
 const char* name(peers::Quantity quantity);
 
-// A message for each quantity of the peer that is not what the generated code computes, with the worst of the first
+// A message for each quantity in which the peer disagrees with the generated code, with the worst of the first
 // `states` states; the peer was prepared with them. A result that is not finite, or of another shape, disagrees.
 std::vector<std::string> disagreements(peers::Peer& peer, const std::vector<Computed>& computed, std::size_t states);
 

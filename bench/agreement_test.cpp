@@ -7,7 +7,7 @@
 namespace robcogen::bench {
 namespace {
 
-// Gives what it is told to: value(state), of the inertia matrix alone.
+// Returns value(state) for the inertia matrix, and has no other quantity.
 class Scripted : public peers::Peer {
  public:
   explicit Scripted(std::function<Eigen::MatrixXd(std::size_t)> value) : value_(std::move(value)) {}

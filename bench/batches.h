@@ -13,7 +13,7 @@
 #include "functions.h"
 
 // The functions of the library by unqualified names, which are looked up where a call is instantiated: not every robot
-// has every function. The namespace stands apart because robcogen::bench has functions of the same names.
+// has every function. The namespace is separate because robcogen::bench has functions of the same names.
 namespace robcogen_batch_calls {
 
 using namespace ROBCOGEN_ROBOT_NAMESPACE::batch;

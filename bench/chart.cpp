@@ -44,7 +44,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// What all panels have in common.
+// Common to all panels.
 struct Axes {
   double most_freedom = 1;
   double low = 1, high = 10;           // ns, powers of ten
@@ -148,7 +148,7 @@ std::string duration(double nanoseconds) {
 
 // Libraries in as many lines as they need; sets `bottom` to where the legend ends.
 std::string legend(const Axes& a, double& bottom) {
-  // Generous, as nobody knows the font.
+  // Generous, because the font is unknown.
   const auto width = [](const std::string& name) { return 40 + 8.0 * static_cast<double>(name.size()); };
   std::string drawing;
   double x = kLeft, y = kLegendTop;
@@ -185,7 +185,7 @@ std::string grid(const Axes& a, double top) {
   return drawing + line(kLeft, top, kLeft, bottom, 0.8) + line(kLeft, bottom, right, bottom, 0.8);
 }
 
-// What stands below the lowest panel: degrees of freedom and the robots that have them.
+// The text below the lowest panel: degrees of freedom and the robots that have them.
 std::string names(const Axes& a, double top) {
   std::vector<double> places;
   for (const auto& [freedom, robots] : a.robots) places.push_back(x_of(a, freedom));

@@ -26,11 +26,11 @@ struct ChartPanel {
 };
 
 // An SVG of the panels one below the other, on common axes: degrees of freedom, and time on a logarithmic scale. A
-// series has the same colour and marker in all panels, hollow for floating bases; a point's title says what it is. The
-// ground is transparent, and all colours stand out from white as well as from black.
+// series has the same colour and marker in all panels, hollow for floating bases; a point's title names it. The
+// ground is transparent, and all colours are visible on white and on black.
 std::string svg(const std::vector<ChartPanel>& panels);
 
-// Where a value stands on a logarithmic scale: 0 at `low`, 1 at `high`. All are positive.
+// The position of a value on a logarithmic scale: 0 at `low`, 1 at `high`. All are positive.
 double log_position(double value, double low, double high);
 
 // Moves ascending places apart, to the right only, so that neighbours are at least `distance` from each other.

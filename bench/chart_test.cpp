@@ -25,7 +25,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return number;
 }
 
-// What stands between < and > of all tags, in order.
+// The text between < and > of all tags, in order.
 std::vector<std::string> tags(const std::string& xml) {
   std::vector<std::string> result;
   for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
@@ -61,7 +61,7 @@ bool has_good_attributes(const std::string& tag) {
   return true;
 }
 
-// What is wrong with tags, attributes or text; empty for well-formed XML of the simple kind that is written here:
+// Faults of tags, attributes or text; empty for well-formed XML of the simple kind that is written here:
 // elements, attributes in double quotes, entities, no > but that of tags.
 std::string fault(const std::string& xml) {
   if (count(xml, "<") != count(xml, ">")) return "a < or > of its own";

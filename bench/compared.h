@@ -1,4 +1,5 @@
-// What the generated code of one robot computes and other libraries compute too, in their conventions (peers/peer.h).
+// The quantities of one robot that other libraries compute too, by the generated code in their conventions
+// (peers/peer.h).
 #pragma once
 
 #include <string>
@@ -32,7 +33,7 @@ inline peers::Subject subject(const Robot& robot, const std::string& urdf) {
   return result;
 }
 
-// A column or a matrix of what a function returns, the base first.
+// The result of a function as a column or a matrix, the base first.
 template <class Derived>
 Eigen::MatrixXd flat(const Eigen::MatrixBase<Derived>& value) {
   return value;

@@ -38,7 +38,7 @@ struct Mean {
 // Of all robots; each robot's order is kept.
 std::vector<std::string> all_peers(const std::vector<Results>& robots);
 
-// For each peer and quantity that there are; peers in the order of all_peers, then in that of kQuantities.
+// For each existing peer and quantity; peers in the order of all_peers, then in that of kQuantities.
 std::vector<Mean> geometric_means(const std::vector<Results>& robots);
 
 // Inverse dynamics, forward dynamics and inertia matrix of the generated code and of all peers.

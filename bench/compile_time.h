@@ -15,7 +15,8 @@ struct Compilation {
 };
 
 // Those of a target, of the compile_commands.json that CMake writes, but for functions over many states, in folders
-// `batch`, which no robot has unless it asks for them. Throws nlohmann::json::exception when it is no such thing.
+// `batch`, which no robot has unless it asks for them. Throws nlohmann::json::exception when the text is something
+// else.
 std::vector<Compilation> compilations(const std::string& json, const std::string& target);
 
 // Seconds of processor time of all of them, one after the other, past any cache of compilers; the objects go to

@@ -9,7 +9,7 @@
 
 namespace robcogen::bench {
 
-// What is counted, in the order of the numbers of a function.
+// The kinds of operations, in the order of the numbers of a function.
 extern const std::vector<std::string> kCounted;
 
 // A function and its numbers.
@@ -18,7 +18,7 @@ using Counted = std::pair<std::string, std::vector<long>>;
 // By robot, functions in the order in which the generator lists them.
 using Counts = std::map<std::string, std::vector<Counted>>;
 
-// Of the output of `robcogen ops --json`. Throws nlohmann::json::exception when it is no such thing.
+// From the output of `robcogen ops --json`. Throws nlohmann::json::exception when the text is something else.
 std::vector<Counted> read_operations(const std::string& json);
 
 // The text of a file of counts, a line for each function, and back. Reading throws nlohmann::json::exception, or

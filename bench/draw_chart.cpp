@@ -1,4 +1,4 @@
-// Draws the measurements that stand on a page of documentation.
+// Draws the measurements on a page of documentation.
 //
 //     draw_chart PAGE.md CHART.svg
 //

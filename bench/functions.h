@@ -20,7 +20,7 @@ inline void add_counts(benchmark::State& state, const Robot& robot, const std::s
   state.SetLabel(kernel);
   for (const reflection::Function& f : robot.functions) {
     if (kernel != f.name) continue;
-    // Zeros are left out: the library reports their coefficient of variation, 0 / 0, which is no JSON.
+    // Zeros are left out: the library reports their coefficient of variation, 0 / 0, which is not valid JSON.
     const auto add = [&](const char* name, int count) {
       if (count != 0) state.counters[name] = count;
     };
@@ -83,8 +83,8 @@ void add_with_trigonometry(
       });
 }
 
-// What is compared with other libraries: for a floating base, the acceleration of the base is given. `q` may be joint
-// positions with sines and cosines.
+// The computation that is compared with other libraries: for a floating base, the acceleration of the base is given.
+// `q` may be joint positions with sines and cosines.
 template <class R, class Positions>
 auto inverse_dynamics(const State<R>& s, const Positions& q) {
   if constexpr (R::kFloatingBase) {
@@ -137,7 +137,7 @@ void add_inertia_matrix(const Robot& robot, const std::vector<State<R>>& states)
       [](const State<R>& s, const auto& q) { return s.robot->joint_space_inertia(q); });
 }
 
-// The factor and a solution, and what a dense factor of the same matrix takes.
+// The factor and a solution, and the cost of a dense factor of the same matrix.
 template <class R>
 void add_inertia_factor(const Robot& robot, const std::vector<State<R>>& states) {
   using InertiaMatrix = typename R::InertiaMatrix;
@@ -312,7 +312,7 @@ void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, co
   add_core<R, Eigen::Matrix4d>(robot, states, benchmark_name(transform), kernel);
 }
 
-// Those that there are, each once.
+// All that exist, each once.
 template <class T>
 std::vector<const T*> distinct(const T* first, const T* second) {
   std::vector<const T*> all;
@@ -321,7 +321,7 @@ std::vector<const T*> distinct(const T* first, const T* second) {
   return all;
 }
 
-// What is measured of the tables, which are empty where a group is missing.
+// Measurements of the tables, which are empty when a group is missing.
 inline std::vector<const reflection::Transform*> measured_transforms(const Robot& robot) {
   return distinct(longest_transform(robot), compared_transform(robot));
 }

@@ -6,7 +6,7 @@
 #
 # generates the code of each model (.kindsl, or .urdf with its angles snapped), compiles it for AVX2, and counts. Where
 # RobCoGen 5.0.1 (on its own HyQ, with a floating base, and iiwa 14) has figures under that NAME, hyq or iiwa14, it prints
-# how many times ours these are. Environment: CXX (g++), CXXFLAGS (-O2 -mavx2 -mfma and what the CMake function adds).
+# how many times ours these are. Environment: CXX (g++), CXXFLAGS (-O2 -mavx2 -mfma and the flags of the CMake function).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -17,7 +17,7 @@ published_of() {
   esac
 }
 
-# What the CMake function compiles generated code with, beside the level of optimisation.
+# The flags of the CMake function for generated code, except the level of optimisation.
 flags_of_gcc() {
   local flags
   flags=$(sed -n 's/^ *set(of_gcc \(.*\))$/\1/p' "$here/../cmake/Robcogen.cmake")
@@ -28,12 +28,12 @@ flags_of_gcc() {
   echo "$flags"
 }
 
-# What a run of so many calls takes in all.
+# The instructions of a run with this number of calls.
 instructions_of_run() { # program function calls
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
 }
 
-# A call takes what more calls take more.
+# The instructions of a call are the difference between runs with more and with fewer calls.
 instructions_of_call() { # program function
   local few=200 many=1200 start end
   start=$(instructions_of_run "$1" "$2" $few)
@@ -48,7 +48,7 @@ count_model() { # name model folder
   if [[ $2 == *.urdf ]]; then
     options=(--snap-angles)
   fi
-  # What it remarks on the model is no matter here.
+  # Its messages about the model do not matter here.
   if ! "$generator" generate "$2" -o "$3" --name subject "${options[@]}" \
     --algorithms inverse_dynamics forward_dynamics joint_space_inertia 2>"$3/remarks"; then
     cat "$3/remarks" >&2

@@ -1,4 +1,4 @@
-// What the report asks of the operating system.
+// Queries of the report to the operating system.
 #pragma once
 
 #include <optional>

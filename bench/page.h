@@ -1,4 +1,4 @@
-// Measurements that stand on a page of documentation, read back from it.
+// Measurements on a page of documentation, read back from it.
 #pragma once
 
 #include <string>

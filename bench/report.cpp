@@ -41,7 +41,7 @@ struct Arguments {
   std::vector<Robot> robots;
 };
 
-// nullopt when they are no good.
+// nullopt when they are invalid.
 std::optional<Arguments> read_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   const std::map<std::string, std::string*> options = {
@@ -71,9 +71,9 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// nullopt, said on standard error, when the program or its results are no good.
+// nullopt, with a message on standard error, when the program or its results are invalid.
 std::optional<Results> measure(const std::string& program) {
-  // A file, because libraries print what they like on standard output. With JSON there, too, standard error is left for
+  // A file, because libraries print to standard output. With JSON there, too, standard error is left for
   // what went wrong. On one processor threads say nothing.
   const std::string file = program + ".json";
   std::error_code ignored;
@@ -96,7 +96,7 @@ std::optional<Results> measure(const std::string& program) {
   return results;
 }
 
-// What is known of the library without running it. Without it, the table is still worth printing.
+// Data about the library that need no run. The table is useful without them too.
 void look_at_library(const Arguments& arguments, const Robot& robot, Results& results) {
   results.bytes = kernel_sizes(output_of(quoted(arguments.nm) + " -S -C " + quoted(robot.library)).value_or(""));
   if (arguments.compile_commands.empty()) return;

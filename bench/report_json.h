@@ -9,7 +9,7 @@
 
 namespace robcogen::bench {
 
-// How it was measured. Empty where nobody said.
+// The conditions of the measurement. Empty where unknown.
 struct Setup {
   std::string compiler;
   std::string flags;

@@ -1,4 +1,4 @@
-# The report, of benchmarks and an nm that print what is known beforehand.
+# The report of benchmarks and an nm that print known results.
 #     cmake -DREPORT=<program> -DDIRECTORY=<scratch> -P report_test.cmake
 file(REMOVE_RECURSE ${DIRECTORY})
 file(MAKE_DIRECTORY ${DIRECTORY})
@@ -45,7 +45,7 @@ write_benchmark(arm_bench [=[
  {"run_name": "inverse_dynamics_fully_actuated", "family_index": 0, "run_type": "iteration", "cpu_time": 43.68},
  {"run_name": "Judge/inverse_dynamics", "family_index": 1, "run_type": "iteration", "cpu_time": 873.6}]}]=])
 # A copy of its core is part of 0x24c = 588 bytes, the strange one calls its core, which chooses and is in two parts:
-# 0x10 + 0x20 + 0x100 + 0x40 + 0x40 = 432; the kernel for float, and those whose names only begin alike, are others.
+# 0x10 + 0x20 + 0x100 + 0x40 + 0x40 = 432; the kernel for float, and those whose names only begin in the same way, are others.
 write_script(nm "cat <<'END'
 
 leg.cpp.o:

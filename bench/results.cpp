@@ -51,7 +51,7 @@ void read_context(const nlohmann::json& context, Results& results) {
   results.frequency_scaling = context.value("cpu_scaling_enabled", false);
 }
 
-// Of one call; where a call is said to work on several states (items), of one of them.
+// For one call; when a call works on several states (items), for one of them.
 double nanoseconds_of(const nlohmann::json& entry) {
   const double states_per_second = entry.value("items_per_second", 0.0);
   return states_per_second > 0 ? 1e9 / states_per_second : entry.at("cpu_time").get<double>();
@@ -61,7 +61,7 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// What another benchmark measured, which may be the same function otherwise called: `<function>/given_trig` or
+// The measurement of another benchmark, which may be the same function under another name: `<function>/given_trig` or
 // `<function>/batch`, the robot's name before it or not. Whether it was.
 bool is_variant(const std::string& name, const Time& time, Results& results) {
   for (const auto& [end, member] :
@@ -144,7 +144,7 @@ std::optional<double> cycles(const Results& results, const Function& function) {
 
 namespace {
 
-// By what stands behind `kernel::`, such as `core::in_lanes::forward_dynamics`.
+// By the text after `kernel::`, such as `core::in_lanes::forward_dynamics`.
 std::map<std::string, long> kernel_symbols(const std::string& listing) {
   std::map<std::string, long> sizes;
   std::istringstream stream(listing);
@@ -166,7 +166,7 @@ std::map<std::string, long> kernel_symbols(const std::string& listing) {
   return sizes;
 }
 
-// Of the function and of what it chooses from or is made of: `in_lanes::`, `one_by_one::`, and their `parts::`.
+// The function and those that it chooses from or consists of: `in_lanes::`, `one_by_one::`, and their `parts::`.
 long whole_size(const std::map<std::string, long>& symbols, const std::string& scope, const std::string& name) {
   long size = 0;
   for (const std::string way : {"", "in_lanes::", "one_by_one::"}) {
@@ -187,7 +187,7 @@ std::map<std::string, long> kernel_sizes(const std::string& listing) {
   for (const auto& [name, size] : symbols) {
     if (name.find(':') != std::string::npos) continue;
     sizes[name] = whole_size(symbols, "", name);
-    // What a kernel does once sines and cosines are known is a function of its own. One that is smaller calls it; one
+    // The part of a kernel after sines and cosines is a separate function. One that is smaller calls it; one
     // that is larger, or computes its limbs in lanes itself, has a copy.
     const long core = whole_size(symbols, "core::", name);
     if (sizes[name] < core) sizes[name] += core;

@@ -1,4 +1,4 @@
-// What one benchmark program measured.
+// The measurements of one benchmark program.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace robcogen::bench {
 
-// Of one call, ns, over the repetitions.
+// For one call, ns, over the repetitions.
 struct Time {
   double median = 0;
   double least = 0;
@@ -66,7 +66,8 @@ std::optional<double> cycles(const Results& results, const Function& function);
 extern const std::vector<std::string> kCounts;
 extern const std::vector<std::string> kQuantities;
 
-// Of Google Benchmark's JSON, each repetition on its own. Throws nlohmann::json::exception when it is no such thing.
+// From Google Benchmark's JSON, each repetition separately. Throws nlohmann::json::exception when the text is something
+// else.
 Results read_results(const std::string& json);
 
 // Bytes of each kernel compiled for double, by its name, what it calls once sines and cosines are known and the parts

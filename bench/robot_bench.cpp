@@ -2,7 +2,7 @@
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_BATCH_HEADER                               functions over many states, where the library has them
-//     ROBCOGEN_BENCH_FLAGS                                what its kernels were compiled with, as text
+//     ROBCOGEN_BENCH_FLAGS                                the flags of its kernels, as text
 //     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, where other libraries are measured too
 //
 // Exit status 1: another library disagrees with the generated code; nothing was timed.
@@ -41,8 +41,8 @@ void add_functions(const Robot& robot, const std::vector<State<R>>& states) {
 #ifdef ROBCOGEN_BENCH_URDF
 constexpr std::size_t kCheckedStates = 64;
 
-// Loads the other libraries' models of the robot and adds their benchmarks; false, and says why, when one of them does
-// not compute what the generated code computes. The peers outlive the benchmarks.
+// Loads the other libraries' models of the robot and adds their benchmarks; false, with a message, when one of them
+// disagrees with the generated code. The peers outlive the benchmarks.
 template <class R>
 bool add_peers(const Robot& robot, const std::vector<State<R>>& states, std::vector<peers::Candidate>& candidates) {
   candidates = peers::load(subject(robot, ROBCOGEN_BENCH_URDF));

@@ -10,7 +10,7 @@ namespace robcogen::bench {
 
 namespace {
 
-// What the columns of kCounts are called, and how wide they are.
+// The names and widths of the columns of kCounts.
 struct Column {
   const char* title;
   int width;

@@ -21,7 +21,8 @@ using dart::dynamics::Joint;
 using dart::dynamics::SkeletonPtr;
 using dart::utils::DartLoader;
 
-// DART takes a link without <inertial> for one of 1 kg, or as said here; its setter asks for a positive mass.
+// DART takes a link without <inertial> for one of 1 kg, or with the mass given here; its setter requires a positive
+// mass.
 SkeletonPtr skeleton_of(const Subject& subject) {
   DartLoader::Options options;
   options.mDefaultRootJointType =
@@ -32,7 +33,7 @@ SkeletonPtr skeleton_of(const Subject& subject) {
   return skeleton;
 }
 
-// A frame that hangs on a fixed joint, carries nothing and is not asked for: DART would compute its motion all the
+// A frame that hangs on a fixed joint, carries nothing and is not needed: DART would compute its motion all the
 // same.
 bool is_idle(BodyNode& body, const Subject& subject) {
   return body.getNumChildBodyNodes() == 0 && body.getMass() == 0 && body.getName() != subject.link &&

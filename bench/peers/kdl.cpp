@@ -60,7 +60,7 @@ KDL::RigidBodyInertia inertia(const urdf::Link& link) {
       KDL::RotationalInertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
 }
 
-// A frame that hangs on a fixed joint, carries nothing and is not asked for: KDL would compute its motion all the same.
+// A frame that hangs on a fixed joint, carries nothing and is not needed: KDL would compute its motion all the same.
 bool is_idle(const urdf::Link& link, const Subject& subject) {
   const bool is_massless = !link.inertial || link.inertial->mass == 0;
   return link.child_links.empty() && is_massless && link.name != subject.link &&
@@ -87,7 +87,7 @@ KDL::Tree tree_of(const Subject& subject) {
   return tree;
 }
 
-// Of the joints that move.
+// For the joints that move.
 Order order_of(const Subject& subject, const std::vector<std::string>& theirs) {
   if (theirs.size() != subject.joints.size()) throw std::runtime_error("finds other joints in the URDF");
   Order order;
@@ -109,7 +109,7 @@ KDL::JntArray to_kdl(const Order& order, const Eigen::VectorXd& ours) {
   return theirs;
 }
 
-// What both kinds of solvers take, and give.
+// Inputs and outputs of both kinds of solvers.
 struct Arguments {
   KDL::JntArray q, qd, qdd, tau;
 };

@@ -5,7 +5,7 @@
 
 namespace robcogen::peers {
 
-// Throws a std::exception that says why the library cannot represent the robot.
+// Throws a std::exception with the reason when the library cannot represent the robot.
 using Load = std::unique_ptr<Peer>(const Subject& subject);
 
 // Null where the library was not found.

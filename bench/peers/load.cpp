@@ -8,7 +8,7 @@ namespace robcogen::peers {
 
 namespace {
 
-// Keeps what is printed to the C++ streams while it lives: libraries print what they think of a URDF.
+// Captures the output to the C++ streams during its lifetime: libraries print messages about a URDF.
 class Quiet {
  public:
   Quiet() : out_(std::cout.rdbuf(heard_.rdbuf())), err_(std::cerr.rdbuf(heard_.rdbuf())) {}

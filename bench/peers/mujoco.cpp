@@ -26,12 +26,12 @@ using ModelPtr = std::unique_ptr<mjModel, Deleter>;
 using DataPtr = std::unique_ptr<mjData, Deleter>;
 using FilesPtr = std::unique_ptr<mjVFS, Deleter>;
 
-// MuJoCo writes warnings into a file of the working directory unless somebody takes them. What matters of them shows
+// MuJoCo writes warnings into a file of the working directory unless a handler takes them. Important ones are visible
 // in the results.
 void ignore(const char*) {}
 
 // Links on fixed joints are fused, as MuJoCo would by default. The only shape left in the URDF is a point at the origin
-// of the link that is asked for: it outlives the fusion. A floating joint is added where the URDF has none.
+// of the link in question: it survives the fusion. A floating joint is added where the URDF has none.
 std::string text_for_mujoco(const Subject& subject) {
   std::string urdf = dynamics_text(subject.urdf);
   if (!subject.link.empty()) {
@@ -85,8 +85,8 @@ Order order_of(const mjModel& model, const Subject& subject) {
   return order;
 }
 
-// What the acceleration of a free joint, that of a point at the base's origin, has more than the spatial acceleration
-// (Featherstone 2008, sec. 2.11).
+// The difference of the acceleration of a free joint, that of a point at the base's origin, and the spatial
+// acceleration (Featherstone 2008, sec. 2.11).
 Eigen::Matrix<double, 6, 1> excess_acceleration(const State& s) {
   const Eigen::Vector3d w = s.base_velocity.head<3>(), v = s.base_velocity.tail<3>();
   Eigen::Matrix<double, 6, 1> excess;
@@ -183,7 +183,7 @@ class Mujoco : public Peer {
  private:
   static void copy(const Eigen::VectorXd& from, mjtNum* to) { std::copy(from.data(), from.data() + from.size(), to); }
 
-  // The base stands at the origin: 0 0 0 and the quaternion 1 0 0 0.
+  // The base is at the origin: 0 0 0 and the quaternion 1 0 0 0.
   Eigen::VectorXd positions(const Eigen::VectorXd& q) const {
     Eigen::VectorXd qpos = Eigen::VectorXd::Zero(model_->nq);
     if (floating_) qpos(model_->jnt_qposadr[free_joint(*model_)] + 3) = 1;

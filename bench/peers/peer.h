@@ -29,7 +29,7 @@ constexpr bool is_of_link(Quantity quantity) {
   return quantity == Quantity::jacobian || quantity == Quantity::transform;
 }
 
-// Which robot, and what of it.
+// The robot, and the link in question.
 struct Subject {
   std::string urdf;                 // path
   std::vector<std::string> joints;  // names, in the order of joint vectors
@@ -45,13 +45,13 @@ class Peer {
   virtual bool has(Quantity quantity) const = 0;
   // Takes the states over into the peer's own representation.
   virtual void prepare(const std::vector<State>& states) = 0;
-  // The peer's own computation for one of the prepared states, and nothing else: this is what is timed.
+  // The peer's own computation for one of the prepared states, and nothing else: this is the timed part.
   virtual void run(Quantity quantity, std::size_t state) = 0;
   // Of the last run, in the conventions above: a column, or a matrix.
   virtual Eigen::MatrixXd result(Quantity quantity) const = 0;
 };
 
-// What became of one library for one robot.
+// The result of loading one library for one robot.
 struct Candidate {
   std::string library;         // "KDL"
   std::unique_ptr<Peer> peer;  // null: `reason` says why

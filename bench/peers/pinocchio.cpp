@@ -129,7 +129,7 @@ class Pinocchio : public Peer {
   }
 
  private:
-  // The base stands at the origin; joints without limits have cosine and sine for a position.
+  // The base is at the origin; joints without limits have cosine and sine for a position.
   Eigen::VectorXd positions(const Eigen::VectorXd& q) const {
     Eigen::VectorXd result = pinocchio::neutral(model_);
     for (std::size_t j = 0; j < subject_.joints.size(); ++j) {

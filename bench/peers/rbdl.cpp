@@ -1,5 +1,5 @@
 // RBDL: recursive Newton-Euler, articulated bodies, composite rigid bodies. Its URDF reader makes Euler angles of a
-// floating base, which are no match for a spatial acceleration; fixed bases only.
+// floating base, which are not a spatial acceleration; fixed bases only.
 #include <rbdl/addons/urdfreader/urdfreader.h>
 #include <rbdl/rbdl.h>
 

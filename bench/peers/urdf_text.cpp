@@ -24,7 +24,7 @@ void erase_elements(std::string& urdf, const std::string& name) {
   for (const char* after : {">", " ", "\n"}) erase_all(urdf, "<" + name + after, "</" + name + ">");
 }
 
-// Where a start tag stands in the text, without its `>`.
+// The position of a start tag in the text, without its `>`.
 struct Tag {
   std::size_t begin, end;
   std::string value;  // of the attribute that was asked for
