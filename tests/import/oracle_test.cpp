@@ -38,8 +38,8 @@ Isometry3d pose(const urdf::Pose& p) {
 struct Dense {
   std::map<std::string, Isometry3d> poses;  // of all links, in the frame of the base
   MatrixXd H;                               // (6 + n) or n rows; base first, angular part first
-  VectorXd G;                               // that hold the robot against gravity
-  double weight_times_reach = 0.0;          // what G may be as large as
+  VectorXd G;                               // the forces that hold the robot against gravity
+  double weight_times_reach = 0.0;          // an upper bound of G
 };
 
 class Oracle {

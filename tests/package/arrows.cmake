@@ -1,5 +1,5 @@
-# A folder of tool/ includes headers of its own and of the folders that its library links, and no others. The linker
-# alone would not notice: every object ends in one executable.
+# A folder of tool/ includes only its own headers and those of the folders that its library links. The linker does not
+# check this: all objects are in one executable.
 #
 # cmake -D ARROWS=list -D ROOMS=list -D SOURCE_DIR=dir -P arrows.cmake
 # ARROWS: a word for each library: its name and those of the libraries that it links, with commas between.
@@ -9,7 +9,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(prefix robcogen_)
 set(violations "")
-# A library stands after those that it links, so that what they may include is known.
+# A library comes after those that it links: their headers are known.
 separate_arguments(ARROWS)
 foreach(arrow IN LISTS ARROWS)
   string(REPLACE "," ";" libraries "${arrow}")

@@ -1,11 +1,11 @@
-# Wrong calls and what is said of them. Each file of calls/ opens with the expected message in comment lines, in which
-# @DIR@ is the folder that the call stands in; the configuration must fail with that message and no other.
+# Wrong calls and their messages. Each file of calls/ opens with the expected message in comment lines, in which
+# @DIR@ is the folder of the call; the configuration must fail with that message and no other.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P calls.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
-# Sets `result` to the text of the comment lines that the file opens with.
+# Sets `result` to the text of the comment lines at the beginning of the file.
 function(expected_message file result)
   file(STRINGS ${file} lines)
   set(message "")
@@ -23,7 +23,7 @@ foreach(call IN LISTS calls)
   cmake_path(GET call STEM name)
   set(directory ${WORK_DIR}/${name})
   file(REMOVE_RECURSE ${directory})
-  # No language, because no call comes as far as a compiler.
+  # No language: no call reaches a compiler.
   file(WRITE ${directory}/CMakeLists.txt "
     cmake_minimum_required(VERSION 3.25)
     project(calls VERSION 1.0.0 LANGUAGES NONE)

@@ -1,9 +1,9 @@
 # A cross build of a robot with the installed package: the generator comes from ROBCOGEN_HOST_TOOL or from the PATH,
-# never from the package, whose executable is the other machine's.
+# never from the package, whose executable is for the other machine.
 #
 # cmake -D CROSS_COMPILER=path -D PROCESSOR=name [-D MACHINE=name] -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir
 #       -P cross.cmake
-# MACHINE is what the header of the library must say.
+# MACHINE is the machine in the header of the library.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 

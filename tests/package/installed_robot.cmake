@@ -1,4 +1,4 @@
-# What only a user of the installed package shows: the robot's self-check passes, its headers compile one by one, and
+# Checks of a user of the installed package: the robot's self-check passes, its headers compile one by one, and
 # the robot can be installed in turn.
 #
 # cmake -D BUILD_DIR=dir -D WORK_DIR=dir -P installed_robot.cmake

@@ -1,4 +1,4 @@
-# The project consumers/keywords, and what its keywords must have done.
+# The project consumers/keywords, and the effects of its keywords.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P keywords.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -12,7 +12,7 @@ run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/keywords -B $
 expect_words("properties" "${output}" "ROBCOGEN_MODEL ${build_dir}/leg.kindsl")
 expect_words("properties" "${output}" "ROBCOGEN_NAME right_leg")
 
-# Code generation alone makes every file that was announced, and nothing else.
+# Code generation alone writes every announced file, and no others.
 run(output ${CMAKE_COMMAND} --build ${build_dir} --target left-leg_codegen)
 file(STRINGS ${build_dir}/left_files announced)
 file(GLOB_RECURSE made ${build_dir}/left/walker/legs/left_leg/*)
@@ -40,7 +40,7 @@ if(EXISTS ${build_dir}/script/script)
   message(FATAL_ERROR "LANGUAGES matlab maxima made C++")
 endif()
 
-# Flags of generated sources, ours and those of COMPILE_OPTIONS, are of these alone.
+# Flags of generated sources, those of the function and of COMPILE_OPTIONS, apply to these only.
 file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\":")
 set(flags "-fno-tree-slp-vectorize|-fno-(tree-)?dse|-fno-schedule-insns2|-fno-exceptions|-fstack-usage|-DNDEBUG|-mavx")
 foreach(source "left_leg/transforms.cpp" "user/main.cpp")

@@ -32,7 +32,7 @@ expect_optimisation("no build type" namespaces/main.cpp "")
 run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
 run(output ${build_dir}/legs)
 
-# What is optimised is shorter by far.
+# Optimised code is much shorter.
 foreach(side left slow)
   file(GLOB_RECURSE object ${build_dir}/CMakeFiles/${side}_leg.dir/*inverse_dynamics.cpp.o)
   file(SIZE ${object} ${side}_size)

@@ -39,7 +39,7 @@ expect_same_outputs(hyl joint_space_inertia inverse_dynamics)
 get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 expect_same_outputs(all_named ${groups})
 expect_same_outputs(all all)
-# Called like one of its own headers.
+# A robot with the name of one of its headers.
 expect_same_outputs(robot)
 expect_same_outputs(Jacobians)
 expect_same_outputs(batch)
@@ -48,7 +48,7 @@ expect_same_outputs(left jacobians)
 expect_same_outputs(Types)
 unset(library_NAMESPACE)
 
-# The files of transforms with no robot, under this name.
+# The files of transforms without a robot, under this name.
 function(expect_same_transforms name)
   _robcogen_generated_transforms(${name} headers sources)
   set(expected ${headers} ${sources})

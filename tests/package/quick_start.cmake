@@ -1,4 +1,4 @@
-# The quick start of README.md, line by line but for the first: what that installs stands already.
+# The quick start of README.md, line by line except the first: its packages are installed already.
 #
 # cmake -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P quick_start.cmake
 cmake_minimum_required(VERSION 3.25)

@@ -1,9 +1,9 @@
-# What a build does again, and what it leaves alone, after each kind of change.
+# The steps that a build repeats after each kind of change.
 #
 # cmake -D GENERATOR=name -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P rebuild.cmake
 #
-# The generator and the compiler are called through scripts that log each call, so that the log of a build says what
-# it did. The names of the folders have blanks in them, which dependency files must escape.
+# The generator and the compiler are called through scripts that log each call, so that the log of a build shows its
+# steps. The names of the folders have blanks in them, which dependency files must escape.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -31,7 +31,7 @@ function(set_up)
       "-DROBCOGEN_HOST_TOOL=${tool}" -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} "-DROBOT_DIR=${robot_dir}")
 endfunction()
 
-# Builds and compares what that did with the words that follow: `generate`, and the names of the compiled units.
+# Builds, and compares the steps with the words that follow: `generate`, and the names of the compiled units.
 function(expect_build event)
   file(WRITE "${log}" "")
   run(output ${CMAKE_COMMAND} --build "${build_dir}" --parallel 2)
@@ -99,7 +99,7 @@ edit(hyl.kindsl "upperleg via HFE" "upperleg via HFF")
 file(WRITE "${log}" "")
 run_failing(output ${CMAKE_COMMAND} --build "${build_dir}")
 expect_done("error in the model" generate)
-# Ninja opens with all that the rule makes.
+# Ninja first prints all outputs of the rule.
 if(output MATCHES "FAILED: [^\n]*hyl/" OR (GENERATOR STREQUAL "Ninja" AND NOT output MATCHES "FAILED: [^\n]*hyl\\.stamp"))
   message(FATAL_ERROR "the message of the build system names other files than the stamp:\n${output}")
 endif()
@@ -113,7 +113,7 @@ expect_build("mended model" generate)
 snapshot(after)
 expect_equal("generated files of the mended model" "${after}" "${before}")
 
-# Make knows no rule for a by-product: there the stamp has to go too.
+# Make has no rule for a by-product: the stamp must be removed too.
 file(REMOVE "${generated_dir}/hyl/kernel/jacobians.h")
 if(GENERATOR STREQUAL "Unix Makefiles")
   file(REMOVE "${generated_dir}/hyl.stamp")

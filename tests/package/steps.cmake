@@ -1,7 +1,7 @@
-# The steps that the scripts of this folder are made of.
+# Functions for the scripts of this folder.
 cmake_minimum_required(VERSION 3.25)
 
-# Runs a command; on failure ends the script with all that it printed. `output` receives what it printed.
+# Runs a command; on failure stops the script with its output. `output` receives the output.
 function(run output)
   execute_process(
     COMMAND ${ARGN}

@@ -1,4 +1,4 @@
-# A project that adds this one and names no tool builds the generator before it generates. Ninja's list of commands
+# A project that adds this one without naming a tool builds the generator before it generates. Ninja's list of commands
 # shows it without building the generator once more.
 #
 # cmake -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P tool_is_built.cmake

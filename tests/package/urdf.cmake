@@ -1,4 +1,4 @@
-# The project consumers/urdf, and what its configuration and its build say.
+# The project consumers/urdf, and the messages of its configuration and its build.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P urdf.cmake
 cmake_minimum_required(VERSION 3.25)

@@ -1,8 +1,8 @@
-# A robot of two xacro files: what it is expanded to, and what a build does again after each kind of change.
+# A robot of two xacro files: its expansion, and the steps that a build repeats after each kind of change.
 #
 # cmake -D GENERATOR=name -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P xacro.cmake
 #
-# The names of the folders have blanks in them. A script stands for xacro that knows what these files need.
+# The names of the folders have blanks in them. A script replaces xacro, with the features that these files need.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -19,7 +19,7 @@ function(configure length)
       "-DMODEL_DIR=${model_dir}" -DLENGTH=${length})
 endfunction()
 
-# Builds, and compares how often that expanded the files.
+# Builds, and compares the number of expansions.
 function(expect_build event times)
   file(WRITE "${log}" "")
   run(output ${CMAKE_COMMAND} --build "${build_dir}")
