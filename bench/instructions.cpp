@@ -43,7 +43,7 @@ void repeat(int calls, const Call& call) {
   const std::array<State, 64> states = random_states();
   for (int i = 0; i < calls; ++i) {
     auto result = call(states[static_cast<unsigned>(i) % states.size()]);
-    asm volatile("" : : "g"(&result) : "memory");  // somebody may look at it
+    asm volatile("" : : "g"(&result) : "memory");  // the compiler must assume a reader
   }
 }
 
