@@ -178,7 +178,7 @@ bool same_bits(double a, double b) {
   return std::memcmp(&a, &b, sizeof(a)) == 0;
 }
 
-// What is no number, or too large for the polynomials of sines, is its own state's affair.
+// A NaN, or an angle too large for the polynomials of sines, affects only its own state.
 TYPED_TEST(Batch, StatesDoNotTouchEachOther) {
   constexpr std::size_t kCount = 19, kOdd = 4, kLarge = 11;
   constexpr double kScale = 3e5, kCancelled = 1000;  // lengths are scaled, too, and cancel

@@ -1,6 +1,6 @@
 # The symbols that the object files of batches share with others: OBJECTS (file,file…), NM.
 string(REPLACE "," ";" objects "${OBJECTS}")
-# What compilers themselves add: without vectors, and alike everywhere.
+# Symbols that compilers add: without vectors, and the same on all processors.
 set(shared "__clang_call_terminate|DW[.]ref[.]|__asan_|__odr_asan|__llvm_|__gcov_")
 set(count 0)
 foreach(level avx2,1 avx512,2)

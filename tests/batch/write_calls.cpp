@@ -1,6 +1,6 @@
 // write_calls MODEL DESIRED NAME FILE group…: the text of a header with a row for each function of the robot's batches.
 //
-// The functions are those that the generator knows; a new algorithm is among them by itself.
+// The functions are those that the generator knows; a new algorithm is included automatically.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-# Every name that SCRIPT finds on this machine stands in the list beside it. WORK_DIR: for the lists that it writes.
+# Every name that SCRIPT finds on this machine is in the list beside it. WORK_DIR: for the lists that it writes.
 cmake_path(GET SCRIPT PARENT_PATH folder)
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR})

@@ -122,7 +122,7 @@ TEST(Compiled, FixedBaseDynamics) {
   }
 }
 
-// The closed form is physics: what the functions say of one another must hold whatever made them.
+// Physical identities between the functions hold for any implementation.
 TEST(Compiled, FunctionsOfOneRobotAgree) {
   using namespace cart_pole;
   Inputs in;

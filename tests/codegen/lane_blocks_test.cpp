@@ -11,14 +11,14 @@
 namespace robcogen {
 namespace {
 
-constexpr int kUntouched = -1;  // what is in memory that no element of a block is in
+constexpr int kUntouched = -1;  // the value of memory outside the block
 
 template <class Shape>
 class LaneBlocksOf : public testing::Test {};
 
 TYPED_TEST_SUITE(LaneBlocksOf, LaneShapes);
 
-// Lane i of value k, no two alike.
+// Lane i of value k, all different.
 template <class Scalar>
 Scalar number(int k, int i) {
   return static_cast<Scalar>(100 * k + i);

@@ -1,4 +1,4 @@
-// Lanes against what the same operation does to each scalar.
+// Lanes compared with the same operation on each scalar.
 #include "robcogen/lanes.h"
 
 #include <gtest/gtest.h>

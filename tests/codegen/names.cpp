@@ -1,4 +1,4 @@
-// What system headers keep to themselves, and then a robot and transforms of such names.
+// Names that system headers reserve, and then a robot and transforms with such names.
 #include <assert.h>
 #include <complex.h>
 #include <errno.h>

@@ -23,7 +23,7 @@ int occurrences(const std::string& line, const std::string& what) {
   return count;
 }
 
-// Binary operators stand between blanks; a unary minus does not, and is no operation.
+// Binary operators stand between blanks; a unary minus does not, and is not an operation.
 void add_operators(const std::string& line, Counts& counts) {
   counts[0] += occurrences(line, " * ");
   counts[1] += occurrences(line, " + ") + occurrences(line, " - ");
@@ -52,7 +52,7 @@ void add_angle(const std::string& line, std::set<int>& angles) {
   if (std::regex_match(line, match, pattern)) angles.insert(std::stoi(match[1]));
 }
 
-// What stands behind `word` up to the parenthesis; empty where the line has no such word.
+// The text after `word` up to the parenthesis; empty when the line does not have the word.
 std::string name_behind(const std::string& word, const std::string& line) {
   const std::size_t at = line.find(word);
   if (at == std::string::npos) return "";
@@ -60,8 +60,8 @@ std::string name_behind(const std::string& word, const std::string& line) {
   return line.substr(begin, line.find('(', begin) - begin);
 }
 
-// Returns the number of kernels in the file. A kernel that calls its core does what that does, with a sine and cosine
-// of each angle that it reads; one in parts does what stands in these, before it.
+// Returns the number of kernels in the file. A kernel that calls its core has the operations of the core, with a sine
+// and cosine of each angle that it reads; one in parts has the operations of its parts, before it.
 int check_file(const fs::path& path) {
   std::ifstream file(path);
   int kernels = 0;

@@ -1,4 +1,4 @@
-// The project's quadruped through a dual number: what its functions say of one another's derivatives.
+// The project's quadruped with dual numbers: its functions agree with the derivatives of one another.
 #include <gtest/gtest.h>
 
 #include <array>

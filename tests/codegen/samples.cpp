@@ -281,7 +281,7 @@ const Array kInertia{"H", Role::inertia_matrix};
 const Array kFactor{"L", Role::inertia_factor}, kDiagonal{"inverse_diagonal", Role::inverse_diagonal};
 const std::string kFactorGroup = "joint_space_inertia_factor";
 
-// H = L^T L of the cart and the pole, and what goes on from it, given (L00, L10, L01, L11).
+// H = L^T L of the cart and the pole, and solutions with it, given (L00, L10, L01, L11).
 std::vector<Function> cart_pole_factor() {
   CartPole p;
   p.take_position();

@@ -20,7 +20,7 @@ backend::Library plinth();
 backend::Library literals();
 const std::vector<double>& literal_values();
 
-// A robot called `robot` whose joints, links, frames and values are called what C++, its headers or the generated code
+// A robot called `robot` whose joints, links, frames and values have names that C++, its headers or the generated code
 // call something else.
 backend::Library nasty();
 

@@ -18,7 +18,7 @@ namespace robcogen {
 namespace {
 
 constexpr long double kHalfPi = 1.57079632679489661923132169163975144L;
-// What the polynomials are for (rad), and multiples of pi / 2 below.
+// The range of the polynomials (rad), and multiples of pi / 2 below.
 template <class Scalar>
 constexpr Scalar kLimit = std::is_same_v<Scalar, float> ? Scalar(400) : Scalar(1e5);
 template <class Scalar>
@@ -96,7 +96,7 @@ class SinCosOfManyAngles : public testing::Test {
   }
 };
 
-// Says what was measured, for the exhaustive run.
+// Prints the measurements, for the exhaustive run.
 double said(const char* what, double worst) {
   std::printf("%s: %.4f ulp at most\n", what, worst);
   return worst;
@@ -198,7 +198,7 @@ TEST(SinCosOf, FewAnglesAndAnglesThatStandApart) {
   expect_few<float>();
 }
 
-// Together with others or among few of them, an angle has the same sine.
+// An angle has the same sine in groups of any size.
 TEST(SinCosOf, LanesDoNotMix) {
   const double angles[9] = {0.3, -1.2, 2.5, 0.1, 4, -3, 1e-9, 77, -1234.5};
   double sine[9], cosine[9], again[9], cosine_again[9];

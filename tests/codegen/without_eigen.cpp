@@ -1,4 +1,4 @@
-// What generated code compiles without Eigen: constants, tables, kernels and the units that instantiate them. Before
+// Generated code that compiles without Eigen: constants, tables, kernels and the units that instantiate them. Before
 // them, macros of headers that users may include as well.
 #include <complex.h>
 #include <math.h>

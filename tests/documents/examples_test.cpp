@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A function for each section. What the first one declares stands around the others, too; templates and includes stand
-// before all.
+// A function for each section. Declarations of the first one are visible in the others, too; templates and includes
+// stand before all.
 std::string program(const std::vector<CodeBlock>& blocks) {
   std::string includes, templates, functions, first, section, body;
   int count = 0;

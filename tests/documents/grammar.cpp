@@ -186,7 +186,7 @@ class Deriver {
   }
 };
 
-// Ends of what a node can match from a place on.
+// The ends of the matches of a node from a position.
 class Matcher {
  public:
   Matcher(

@@ -38,7 +38,7 @@ class Grammar {
   // A random document, its tokens separated by blanks. Where rules nest deeper than so many levels, it takes the first
   // of all choices and the least of all repetitions.
   std::string derive(std::mt19937& random, int deepest) const;
-  // Whether the tokens, the last one the end, are a document. Words of `keywords` are no names.
+  // Whether the tokens, the last one the end, are a document. Words of `keywords` are not names.
   bool matches(const std::vector<language::Token>& tokens, const std::set<std::string>& keywords) const;
 
  private:

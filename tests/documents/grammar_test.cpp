@@ -53,7 +53,7 @@ Grammar grammar_of(const Language& language) {
   return Grammar(rules);
 }
 
-// What is wrong with the document, warnings left out.
+// The errors of the document, without warnings.
 std::string errors(const Language& language, const std::string& text) {
   Diagnostics diagnostics;
   language.parse(std::make_shared<Source>("document", text), diagnostics);

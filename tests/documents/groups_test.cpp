@@ -21,7 +21,7 @@ Words split(const std::string& text, char separator) {
   return words;
 }
 
-// What the help of `robcogen generate` says of --algorithms.
+// The help of `robcogen generate` about --algorithms.
 struct Groups {
   Words all, by_default;
 };

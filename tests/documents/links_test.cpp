@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is wrong with a link that stands in this guide; empty where nothing is.
+// The fault of a link in this guide; empty when there is none.
 std::string fault(const fs::path& guide, const std::string& link) {
   const std::string file = link.substr(0, link.find('#'));
   const fs::path target =

@@ -1,4 +1,4 @@
-// The first listing of README.md is what the generator prints.
+// The first listing of README.md is the output of the generator.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

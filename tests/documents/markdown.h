@@ -1,4 +1,4 @@
-// Guides, and what stands in them.
+// Guides, and their contents.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +34,7 @@ std::vector<std::vector<std::string>> table_rows(const std::string& guide);
 // A path for temporary files of one test: no other process has it.
 std::filesystem::path scratch(const std::string& name);
 
-// Runs a command of the shell and returns what it prints, errors included; sets its exit status.
+// Runs a command of the shell and returns its output, errors included; sets its exit status.
 std::string output_of(const std::string& command, int& status);
 
 }  // namespace robcogen::test

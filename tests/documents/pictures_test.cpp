@@ -28,7 +28,7 @@ std::string draw(const std::string& command) {
   return drawing;
 }
 
-// The numbers of a text, and what stands between them.
+// The numbers of a text, and the text between them.
 std::pair<std::vector<double>, std::string> numbers(const std::string& text) {
   std::pair<std::vector<double>, std::string> result;
   for (std::size_t at = 0; at < text.size();) {

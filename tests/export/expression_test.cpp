@@ -59,7 +59,7 @@ TEST(ExportedExpression, SpellsNumbersAsAuthorsDo) {
   EXPECT_EQ(text_of(Number(0.1 + 0.2)), "0.30000000000000004");
 }
 
-// What the first release of the language reads as a number: `FLOAT`, `FLOAT PI`, `PI`, `PI/FLOAT`.
+// Numbers in the first release of the language: `FLOAT`, `FLOAT PI`, `PI`, `PI/FLOAT`.
 bool is_original(const std::string& text) {
   static const std::regex grammar(R"(-?\d+\.\d+( PI)?|-?PI(/\d+\.\d+)?)");
   return std::regex_match(text, grammar);

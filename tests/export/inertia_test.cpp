@@ -1,5 +1,5 @@
-// Mass properties on the limit of what a body can have, in as many digits as documents have: from URDF to a robot
-// document and back to URDF, nothing refuses them, and they stay what they are. Those of no body are refused.
+// Mass properties on the limit of possible bodies, in as many digits as documents have: from URDF to a robot
+// document and back to URDF, readers accept them, and they do not change. Impossible ones are refused.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ class RandomBodies {
   Vector3d direction() { return Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized(); }
 
  private:
-  // What is left of subtracting moments of its size in doubles.
+  // The rounding of a difference of moments of its size in doubles.
   void add_noise(Body& body, double size) {
     const double reach = std::max(size, body.com.norm());
     for (Eigen::Index i = 0; i < 3; ++i)

@@ -54,7 +54,7 @@ TEST(RollPitchYaw, OfOneTurnIsThatTurn) {
   }
 }
 
-// Rx(PI/2) turns the axes y and z of what follows into z and -y.
+// Rx(PI/2) turns the axes y and z of the following turns into z and -y.
 TEST(RollPitchYaw, OfATurnAfterAQuarterTurnIsExact) {
   for (const double a : {0.3, -0.7, 1.1, 0.001, -1e-12}) {
     EXPECT_EQ(angles(quarters(1), Number(a), {}), (Angles{kQuarter, 0, a})) << a;

@@ -25,7 +25,7 @@ using test::Differences;
 
 constexpr std::uint64_t kSeed = 5;
 constexpr int kStates = 5;
-// What a round trip may cost. Numbers are rounded a few times, some 1e-15; where the inertia matrix is badly
+// Tolerances of a round trip. Numbers are rounded a few times, some 1e-15; where the inertia matrix is badly
 // conditioned, accelerations show a hundred times that.
 constexpr double kTolerance = 1e-12;
 
@@ -66,7 +66,7 @@ KinematicTree with_base(KinematicTree tree, bool floating) {
   return tree;
 }
 
-// ---- What a round trip keeps.
+// ---- Properties that a round trip preserves.
 
 void expect_same_robot(const KinematicTree& found, const KinematicTree& expected) {
   EXPECT_EQ(found.name, expected.name);
@@ -101,7 +101,7 @@ void expect_survives_urdf(const KinematicTree& tree, bool allow_implausible = fa
   expect_same_robot(*document.tree, tree);
 }
 
-// A robot whose inertia matrix has no inverse survives as every other, and its readers say what it cannot have.
+// A robot whose inertia matrix has no inverse survives like every other, and its readers report the missing functions.
 void expect_singular(const KinematicTree& tree, bool allow_implausible = false) {
   EXPECT_TRUE(reports(through_document(tree), "singular-inertia"));
   EXPECT_TRUE(reports(through_urdf(tree, allow_implausible), "singular-inertia"));
@@ -179,8 +179,7 @@ TEST_F(Models, SurviveAsDocuments) {
       SCOPED_TRACE(file.filename().string() + (floating ? ", floating" : ", fixed"));
       const Read original = read_urdf(test::source_of(file), floating);
       EXPECT_EQ(
-          reports(original, "singular-inertia"),
-          floating && kUrdfsThatCannotFloat.contains(file.filename().string()));
+          reports(original, "singular-inertia"), floating && kUrdfsThatCannotFloat.contains(file.filename().string()));
       ASSERT_TRUE(original.tree.has_value()) << original.diagnostics.render();
       const Read document = through_document(*original.tree);
       ASSERT_TRUE(document.tree.has_value()) << document.diagnostics.render();
@@ -234,7 +233,7 @@ std::string as_identifier(std::string name) {
 // urdfdom refuses revolute joints without limits.
 const std::set<std::string> kNotForUrdfdom = {"iiwa14.urdf"};
 
-// The original and what became of it, side by side, with no reader of ours.
+// The original and the result, compared by an independent reader.
 TEST_F(Models, AreTheSameForAnIndependentReader) {
   for (const path& file : files_) {
     SCOPED_TRACE(file.filename().string());

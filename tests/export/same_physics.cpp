@@ -20,7 +20,7 @@ Eigen::MatrixXd eigen(const reference::Matrix<double>& m) {
   return Eigen::Map<const Eigen::MatrixXd>(m.data(), m.rows(), m.cols());
 }
 
-// What is the joint number k of one robot is number order[k] of the other.
+// Joint k of one robot is joint order[k] of the other.
 std::vector<int> joint_order(const KinematicTree& found, const KinematicTree& expected) {
   if (found.dof() != expected.dof() || found.floating_base != expected.floating_base)
     throw std::runtime_error("the robots differ in their joints");
@@ -59,7 +59,7 @@ double relative(const Eigen::VectorXd& difference, const Eigen::VectorXd& size) 
   return difference.norm() / size.norm();
 }
 
-// Also to what is no number.
+// Also for NaN.
 void raise(double& worst, double value) {
   if (!(value <= worst)) worst = value;
 }

@@ -1,4 +1,4 @@
-// Two descriptions of one robot, compared by what they compute.
+// Two descriptions of one robot, compared by their results.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace robcogen::test {
 
-// The largest differences between two robots at random states, relative to what is compared. Joints are taken by name;
-// forces and accelerations are weighed by the inertia that each joint meets, so that a finger counts as much as a hip.
+// The largest differences between two robots at random states, relative to the compared values. Joints are taken by
+// name; forces and accelerations are weighed by the inertia that each joint meets, so that a finger counts as much as a
+// hip.
 struct Differences {
   double inertia_matrix = 0;    // of H(i, j), relative to sqrt(H(i, i) H(j, j))
   double inverse_dynamics = 0;  // with the base's wrench, if it floats
@@ -18,7 +19,7 @@ struct Differences {
   double poses = 0;             // of links in the base, by name: see `named_frame`
 };
 
-// Both have the same joints by name, and are fixed or floating alike; otherwise throws.
+// Both have the same joints by name, and bases of the same kind, fixed or floating; otherwise throws.
 Differences differences(
     const model::KinematicTree& found,
     const model::KinematicTree& expected,
@@ -29,7 +30,7 @@ Differences differences(
 // not hidden.
 std::vector<std::string> named_frames(const model::KinematicTree& tree);
 
-// What this name calls: the user frame, or else the link frame.
+// The frame of this name: the user frame, or else the link frame.
 model::Frame named_frame(const model::KinematicTree& tree, const std::string& name);
 
 }  // namespace robcogen::test

@@ -9,7 +9,7 @@
 namespace robcogen::test {
 namespace {
 
-// Keeps what urdfdom logs for as long as it lives.
+// Collects the log of urdfdom during its lifetime.
 class Listener : public console_bridge::OutputHandler {
  public:
   Listener() {

@@ -1,4 +1,4 @@
-// What an independent program makes of a URDF: urdfdom reads it, the formulas are those of any textbook.
+// A URDF as an independent program reads it: urdfdom reads it, the formulas are those of any textbook.
 #pragma once
 
 #include <urdf_model/model.h>
@@ -16,10 +16,10 @@ class UrdfReader {
   // Throws when urdfdom refuses the text.
   explicit UrdfReader(const std::string& text);
 
-  // What urdfdom warned of and complained about.
+  // The warnings and errors of urdfdom.
   const std::string& complaints() const { return complaints_; }
   const urdf::ModelInterface& model() const { return *model_; }
-  // The root, or what floats on it.
+  // The root, or the floating link on it.
   const urdf::Link& base() const { return *base_; }
 
   using Positions = std::map<std::string, double>;  // by joint

@@ -35,7 +35,7 @@ KinematicTree read(const std::string& text) {
   return *tree;
 }
 
-// What urdfdom makes of it, without complaint.
+// The result of urdfdom, without messages.
 UrdfReader exported(const KinematicTree& tree) {
   UrdfReader reader(exporting::urdf(tree));
   EXPECT_EQ(reader.complaints(), "") << exporting::urdf(tree);
@@ -222,7 +222,7 @@ TEST(Urdf, KeepsTheInertiaOfAFixedBase) {
   EXPECT_EQ(urdf.model().getRoot()->inertial->ixy, -0.25) << "a product of inertia enters the tensor with minus";
 }
 
-// I = 0.1, m |c|^2 = 1e6: the difference of doubles would have lost ten digits of what URDF asks for.
+// I = 0.1, m |c|^2 = 1e6: the difference of doubles would have lost ten digits of the values in the URDF.
 TEST(Urdf, InertiaFarFromTheOriginIsAsGoodAsTheDocument) {
   KinematicTree tree = read(document("", "", ""));
   model::Inertia& inertia = *tree.links[2].inertia;

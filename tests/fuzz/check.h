@@ -1,4 +1,4 @@
-// What must hold of every program that is traced: it is sound, it runs, and so does what the passes make of it.
+// Properties of every traced program: it is valid, it runs, and so does the result of the passes.
 #pragma once
 
 #include "pass/passes.h"

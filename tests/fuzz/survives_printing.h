@@ -1,4 +1,4 @@
-// What must hold of any text: it is refused with messages, or its document survives printing.
+// A property of any text: it is refused with messages, or its document survives printing.
 #pragma once
 
 #include <cstdint>

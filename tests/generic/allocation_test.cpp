@@ -1,4 +1,4 @@
-// Generic code allocates no more than what it calls: nothing.
+// Generic code does not allocate, like the functions that it calls.
 #include "allocation_hook.h"
 #include "robcogen/generic/computed_torque.h"
 #include "robcogen/generic/inverse_kinematics.h"

@@ -1,4 +1,4 @@
-// AnyRobot gives what the library gives, says what is wrong with its arguments, and does not allocate.
+// AnyRobot returns the results of the library, reports wrong arguments, and does not allocate.
 #include "robcogen/any_robot.h"
 
 #include <hyl_parametric/hyl_parametric.h>
@@ -188,14 +188,13 @@ TEST(AnyRobot, SaysWhichArgumentHasTheWrongSize) {
   EXPECT_EQ(message_of([&] { leg.jacobian(-1, three, H); }), "jacobian of HyL: index -1 is out of range");
   MatrixXd wide(7, 3);
   EXPECT_EQ(
-      message_of([&] { leg.jacobian(0, three, wide.topRows(6)); }),
-      "jacobian: the columns of J must be contiguous");
+      message_of([&] { leg.jacobian(0, three, wide.topRows(6)); }), "jacobian: the columns of J must be contiguous");
   EXPECT_EQ(
       message_of([&] { make_any<hyl::Robot>(puma560::reflection::robot); }),
       "AnyRobot: the tables belong to another robot");
 }
 
-// Standard gravity is what a fixed base stands in. A default in base coordinates would be wrong for a tilted base.
+// Standard gravity applies to a fixed base. A default in base coordinates would be wrong for a tilted base.
 TEST(AnyRobot, AsksForGravityWhereTheBaseFloats) {
   const AnyRobot robot = make_any<quadruped::Robot>(quadruped::reflection::robot);
   const VectorXd q = VectorXd::Zero(12), v = VectorXd::Zero(18);

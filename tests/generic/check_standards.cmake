@@ -1,8 +1,8 @@
-# Each header of the runtime by itself: under C++17 it compiles, or the one error is a line that says what it needs.
+# Each header of the runtime by itself: under C++17 it compiles, or the only error is a line that names the required standard.
 # COMPILER, EIGEN (include directory), HEADERS (include directory), WORK_DIR.
 set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror)
 
-# The messages of compiling what includes these headers under this standard.
+# The messages of compiling these headers under this standard.
 function(compile standard messages)
   set(text "")
   foreach(header IN LISTS ARGN)

@@ -24,7 +24,7 @@ static_assert(!HasJointSpaceInertiaFactor<generic_lean::Robot>);
 static_assert(!HasBiasForces<generic_lean::Robot> && !HasCentroidal<generic_lean::Robot>);
 static_assert(!FixedBaseRobot<generic_lean::Robot>);
 
-// What is no robot.
+// Types that are not robots.
 static_assert(!RobotTraits<int> && !RobotTraits<hyl::JointState>);
 
 // A function that may throw is none for a control loop, and neither is one that returns something else.

@@ -1,4 +1,4 @@
-// Steps in time: orders of convergence, and what free motion keeps.
+// Time integration: orders of convergence, and conserved quantities of free motion.
 #include "robcogen/generic/simulation.h"
 
 #include "robots.h"

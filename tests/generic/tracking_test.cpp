@@ -1,4 +1,4 @@
-// The experiment of robots/tracking: a model of the robot is what makes fast motions possible.
+// The experiment of robots/tracking: fast motions need a model of the robot.
 #include "tracking.h"
 
 #include <gtest/gtest.h>

@@ -170,7 +170,7 @@ TEST(Trigonometry, TheSelfCheckFindsSwappedSines) {
   EXPECT_GE(functions, 10);
 }
 
-// What is no state of this robot, or of the other precision, or in another place, does not compile.
+// A state of another type, precision or position in the list does not compile.
 template <class... Arguments>
 constexpr bool kInverseDynamics = requires(const Arguments&... a) {
   puma560::inverse_dynamics(a...);

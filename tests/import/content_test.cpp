@@ -1,4 +1,4 @@
-// What a URDF says and what comes of it, by numbers worked out by hand.
+// The import of a URDF, compared with numbers computed by hand.
 #include <clocale>
 #include <cmath>
 #include <limits>

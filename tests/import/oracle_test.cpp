@@ -1,4 +1,4 @@
-// The imported robot against what urdfdom makes of the same text: poses of all links, inertia matrix and gravity forces
+// The imported robot compared with urdfdom on the same text: poses of all links, inertia matrix and gravity forces
 // by sums over the links, in dense matrices of doubles. Nothing of tool/import, and no algorithm of tool/algorithm, is
 // on the side of the oracle.
 #include <urdf_model/model.h>
@@ -269,7 +269,7 @@ TEST(Oracle, AgreesOnSnappedAngles) {
   }
 }
 
-// What snapping changes is as large as the changes of the angles: some dozens of them in a row.
+// The effect of snapping is as large as the changes of the angles: some dozens of them in a row.
 TEST(Oracle, SnappingChangesNoMoreThanItSays) {
   constexpr double kSumOfSnaps = 60 * 1e-6;
   for (std::uint64_t seed = 1; seed <= 50 && !HasFailure(); ++seed) {

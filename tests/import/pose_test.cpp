@@ -35,7 +35,7 @@ TEST(Pose, KeepsASingleAngleAsItWasGiven) {
   expect_exactly(of_rpy(decimal("0.3"), kZero, kZero), {decimal("0.3"), kZero, kZero});
   expect_exactly(of_rpy(kZero, decimal("2.5"), kZero), {kZero, decimal("2.5"), kZero});
   expect_exactly(of_rpy(kZero, kZero, decimal("-3.1")), {kZero, kZero, decimal("-3.1")});
-  // Beyond what atan2 and asin return.
+  // Beyond the range of atan2 and asin.
   expect_exactly(of_rpy(kZero, decimal("-7.25"), kZero), {kZero, decimal("-7.25"), kZero});
 }
 

@@ -1,4 +1,4 @@
-// Motion-DSL and Transforms-DSL documents: what the parsers make of each construct.
+// Motion-DSL and Transforms-DSL documents: how each construct is parsed.
 #include "reading.h"
 
 namespace robcogen::language {

@@ -249,7 +249,7 @@ TEST(Kinematics, ReadsEscapedKeywordsAsNames) {
   EXPECT_EQ(robot_codes("Robot link { RobotBase b { children {} } }"), Codes{"keyword-as-name"});
 }
 
-// What differs in one place is another document.
+// Documents that differ in one place are not equal.
 TEST(Kinematics, TellsDocumentsApart) {
   const Document leg = read_robot(kLeg);
   EXPECT_TRUE(equal(leg, read_robot(kLeg)));

@@ -85,7 +85,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
     EXPECT_TRUE(codes.contains(code)) << "[" << code << "] was not found in the sources";
 }
 
-// No message without a document: a stray file would be checked by nobody.
+// Every file of messages belongs to a document: a stray file would not be checked.
 TEST(Messages, BelongToADocument) {
   for (const auto& entry : std::filesystem::directory_iterator(folder())) {
     if (entry.path().extension() != ".expected") continue;

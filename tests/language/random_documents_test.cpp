@@ -242,7 +242,7 @@ rc::Gen<desired::Document> list() {
       rc::gen::set(&Document::transforms, pairs), rc::gen::set(&Document::jacobians, pairs));
 }
 
-// What only documents about frames have: parameters by group, and those that their use declares.
+// Constructs of documents about frames only: parameters by group, and those that their use declares.
 ExpressionPtr qualified(const ExpressionPtr& from, const std::vector<std::string>& keywords, int how) {
   if (!from) return from;
   Expression e = *from;

@@ -1,4 +1,4 @@
-// Documents from texts and files, and what is said of them.
+// Documents from texts and files, and their messages.
 #pragma once
 
 #include <gtest/gtest.h>

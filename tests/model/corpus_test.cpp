@@ -25,7 +25,7 @@ std::vector<path> documents(const std::string& extension) {
   return result;
 }
 
-// The documents that are malformed or of another dialect, and the code that says so.
+// The documents that are malformed or in another dialect, and the code of the message.
 const std::map<std::string, std::string> kRefused = {
     {"ESROCOS_kin-gen__tests_models_malformed_cmm-disconnected", "island"},
     {"ESROCOS_kin-gen__tests_models_malformed_cmm-typo", ""},      // a matter of syntax: the code is the parser's

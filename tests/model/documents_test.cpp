@@ -1,4 +1,4 @@
-// What documents mean: parameters, constants, arithmetic, poses, desired transforms.
+// The meaning of documents: parameters, constants, arithmetic, poses, desired transforms.
 #include <gtest/gtest.h>
 
 #include <cmath>

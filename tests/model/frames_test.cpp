@@ -1,4 +1,4 @@
-// Documents of motions and of coordinate transforms: what they mean, and that the model written as a document means the
+// Documents of motions and of coordinate transforms: their meaning, and that the model written as a document has the
 // same.
 #include "import/frames.h"
 
@@ -57,7 +57,7 @@ Eigen::Isometry3d value(
   return result;
 }
 
-// All sequences of three axes in which no two neighbours are alike: six about three axes, six about two.
+// All sequences of three axes in which neighbours differ: six about three axes, six about two.
 std::vector<std::string> sequences() {
   std::vector<std::string> result;
   for (const char a : {'x', 'y', 'z'})

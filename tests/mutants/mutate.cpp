@@ -30,7 +30,7 @@ std::size_t position(const std::string& source, const Mutant& m) {
   return first + m.offset;
 }
 
-// `rest`: the original, or what other mutants of it made of it.
+// `rest`: the original, or the result of other mutants of it.
 std::string switched(const Mutant& m, const std::string& rest) {
   const std::string condition = "robcogen::mutants::is(" + std::to_string(m.number) + ")";
   if (m.is_statement) return "if (" + condition + ") { " + m.mutated + " } else { " + rest + " }";

@@ -3,7 +3,7 @@
 //     run_mutants TABLE DIR [NUMBER...]
 //
 // DIR has the test programs with mutants in them, `mutants_<program>`. First all of them run without a mutant: they
-// must pass, or what they say of mutants means nothing. Exits with 1 when one survives.
+// must pass, or their results on mutants have no meaning. Exits with 1 when one survives.
 #include <sys/wait.h>
 
 #include <algorithm>

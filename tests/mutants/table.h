@@ -4,8 +4,8 @@
 //     file pass/eliminate.cpp              the source that the next entries change, relative to tool/
 //     killed by robcogen_pass_test Cse.*   who should notice: a test program, and which of its tests
 //     - a - b                              an expression of that source, which stands there exactly once
-//     + b - a                              what the mutant has in its place
-// Where the expression alone stands there more often, the line quotes what is around it and marks it: `- x = @a - b@;`.
+//     + b - a                              the replacement in the mutant
+// Where the expression alone stands there more often, the line quotes its surroundings and marks it: `- x = @a - b@;`.
 // `-s` and `+s` change statements in the place of expressions. `killed by` holds until the next such lines.
 #pragma once
 

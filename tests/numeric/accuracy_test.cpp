@@ -71,7 +71,7 @@ Arrays<To> cast(const Arrays<double>& arrays) {
   return result;
 }
 
-// What a program is compared with, state by state.
+// The reference of a program, state by state.
 struct State {
   Arrays<double> inputs;
   Arrays<long double> results;
@@ -95,7 +95,7 @@ struct Error {
   int not_finite = 0;        // states where this is so although the results are; they have no share in the mean
 };
 
-// The scale of each state and output array: a state where results cancel is judged by a share of what they are
+// The scale of each state and output array: a state where results cancel is judged by a fraction of what they are
 // otherwise.
 std::map<std::string, long double> least_scales(const std::vector<State>& states) {
   constexpr long double kLeastScale = 0.25;
@@ -143,7 +143,7 @@ std::map<std::string, Error> errors_of(const Program& program, const std::vector
   return errors;
 }
 
-// States, and what the plain program loses in them.
+// States, and the loss of the plain program in them.
 struct Sample {
   std::vector<State> states;
   std::map<std::string, Error> in_double, in_float;
@@ -156,7 +156,7 @@ Sample sample_of(const Program& plain, int first_place, int places) {
   return sample;
 }
 
-// Empty, or what the program loses.
+// Empty, or the loss of the program.
 template <class Real>
 std::string loss(const Program& program, const Sample& sample) {
   constexpr bool kIsFloat = std::is_same_v<Real, float>;
@@ -182,7 +182,7 @@ std::string loss(const Program& program, const Sample& sample) {
   return loss<double>(program, sample) + loss<float>(program, sample);
 }
 
-// What programs of one function are judged by.
+// The criteria for programs of one function.
 class Judge {
  public:
   explicit Judge(const Program& plain) : plain_(plain), few_(sample_of(plain, 0, kFewPlaces)) {}
@@ -207,7 +207,7 @@ std::string losses(const KinematicTree& tree) {
   for (const std::string& group : groups())
     for (Program& program : algorithm::plain_programs(tree, group)) plain.emplace(program.name, program);
   for (const backend::Function& f : library.functions) {
-    // What reads a factor has no formulation.
+    // Functions that read a factor have no formulation.
     if (f.scope == "inertia_factor") continue;
     const Judge judge(plain.at(f.kernel));
     text += judge.loss_of(f.program);
@@ -224,7 +224,7 @@ void expect_digits(const KinematicTree& tree, std::uint64_t seed) {
   ADD_FAILURE() << "seed " << seed << "\n" << text << "shrunk to\n" << describe(small) << losses(small);
 }
 
-// Small robots with what makes exporters' documents ill.
+// Small robots with the defects of exported documents.
 class IllDocuments : public testing::TestWithParam<const char*> {};
 
 TEST_P(IllDocuments, LoseNoMoreDigitsThanThePlainRecursions) {

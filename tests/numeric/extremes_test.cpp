@@ -1,4 +1,4 @@
-// The smallest and the largest robots, and mass properties at the edge of what is allowed.
+// The smallest and the largest robots, and mass properties at the limits.
 #include <gtest/gtest.h>
 
 #include "interpreted_robot.h"

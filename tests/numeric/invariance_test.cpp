@@ -78,7 +78,7 @@ Vector<double> in(const Translation& t, bool floating, const Matrix<double>& bas
   return stacked(base * v.head(6), joints_in(t, v.tail(v.rows() - 6)));
 }
 
-// Empty when the two robots agree on a random state, else what differs.
+// Empty when the two robots agree on a random state, else the difference.
 std::string difference(
     const KinematicTree& robot,
     const KinematicTree& other,
@@ -163,7 +163,7 @@ std::string in_a_mirror(const KinematicTree& robot, std::uint64_t seed) {
   Translation t = same_words(robot);
   for (std::size_t k = 0; k < t.signs.size(); ++k)
     t.signs[k] = robot.joints[k].type == model::JointType::revolute ? -1 : 1;
-  // What turns about x and z, and what moves along y, is reversed.
+  // Rotations about x and z, and translations along y, are reversed.
   Matrix<double> M(6, 6);
   for (int k = 0; k < 6; ++k) M(k, k) = k == 0 || k == 2 || k == 4 ? -1 : 1;
   t.base_motion = t.base_force = M;
@@ -172,7 +172,7 @@ std::string in_a_mirror(const KinematicTree& robot, std::uint64_t seed) {
   return difference(robot, mirrored(robot), t, seed);
 }
 
-// A joint that is held at rest exerts what it must; all others feel the welded robot.
+// A joint at rest exerts its constraint force; the others behave as in the welded robot.
 std::string with_a_weld(const KinematicTree& robot, std::uint64_t seed) {
   if (robot.dof() < 2) return "";
   const int joint = static_cast<int>(seed % static_cast<std::uint64_t>(robot.dof()));

@@ -1,4 +1,4 @@
-// Equal limbs in lanes: programs compute what they computed without them.
+// Congruent limbs in lanes: programs have the same results as without lanes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -126,7 +126,7 @@ class RobotsWithLimbs {
   }
 };
 
-// Whether blocks and fills are what the program returns, each element at most once.
+// Whether blocks and fills are results of the program, each element at most once.
 std::string fault_of_stores(const Program& p) {
   const symbolic::Stores stores = symbolic::stores(p);
   std::vector<std::vector<bool>> taken;
@@ -154,10 +154,10 @@ std::string fault_of_stores(const Program& p) {
 
 struct Tally {
   int programs = 0, with_lanes = 0;
-  int alike = 0;  // programs of limbs that fold alike, where these are others
+  int alike = 0;  // programs of limbs that fold in the same way, when there are others
 };
 
-// What is left of a program in lanes when sines and cosines are given: it computes the same, to the last bit, for it
+// The part of a program in lanes with given sines and cosines: it computes the same, to the last bit, for it
 // does the same.
 void expect_same_of_given_sines(const KinematicTree& tree, const Program& program, const Program& packed) {
   std::vector<std::string> joints;

@@ -1,4 +1,4 @@
-// What parameters cost: operations of a parametric robot against those of its constant twin.
+// The cost of parameters: operations of a parametric robot compared with its constant twin.
 #include <gtest/gtest.h>
 
 #include <filesystem>

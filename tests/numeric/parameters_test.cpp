@@ -192,7 +192,7 @@ TEST(Parameters, SplitOffChangeNoResult) {
         for (const symbolic::InputArray& array : programs[k].inputs)
           for (std::size_t e = 0; e < array.elements.size(); ++e)
             inputs[array.name].push_back(reference::uniform(engine, 2));
-        // What goes on from a factor that is given has none.
+        // Functions of a given factor have none.
         const auto parameters = inputs.find("parameters");
         if (parameters != inputs.end()) parameters->second = values;
         const symbolic::Arrays<double> expected = symbolic::interpret<double>(programs[k], inputs);
@@ -200,7 +200,7 @@ TEST(Parameters, SplitOffChangeNoResult) {
         // Masses that make no body leave the factor of the inertia matrix with roots of negative numbers.
         const bool has_roots = symbolic::count(programs[k]).sqrt > 0;
         for (const auto& [name, found] : symbolic::interpret<double>(split.programs[k], inputs)) {
-          // Inputs are of order one, so what is far smaller is what roundings leave of a zero.
+          // Inputs are of order one, so a much smaller value is a rounded zero.
           double scale = 1e-4;
           for (const double x : expected.at(name)) scale = std::max(scale, std::abs(x));
           for (std::size_t e = 0; e < found.size(); ++e) {

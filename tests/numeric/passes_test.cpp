@@ -69,7 +69,7 @@ algorithm::LinkFrames random_frames(const KinematicTree& robot, std::uint64_t se
   return frames;
 }
 
-// Whatever link frames the recursions compute in, the joints and the base feel the same; with regrouped mass properties
+// Whatever link frames the recursions compute in, the joints and the base feel the same; with base inertial parameters
 // and without.
 TEST(LinkFrames, ChangeNoResult) {
   std::vector<std::string> physical = all_steps();

@@ -102,7 +102,7 @@ TEST(RandomRobot, ShrinksToWhatFails) {
   EXPECT_TRUE(has_j7(small));
   EXPECT_EQ(unsound(small), "") << describe(small);
   EXPECT_TRUE(small.user_frames.empty());
-  // What is left is the path to j7.
+  // The rest is the path to j7.
   int leaves = 0;
   for (const model::Link& link : small.links) leaves += link.child_joints.empty() ? 1 : 0;
   EXPECT_EQ(leaves, 1);

@@ -6,13 +6,13 @@
 
 namespace robcogen::numeric {
 
-// Exact enough that what differs afterwards is the rounding of the programs.
+// Exact enough that differences are due to the rounding of the programs.
 using Pose = reference::Matrix<long double>;
 
 Pose pose_of(const model::Placement& placement);
 model::Placement placement_of(const Pose& pose);
 
-// Declares links and joints in another order: position k of the new robot holds what stood at order[k]. The base stays
+// Declares links and joints in another order: position k of the new robot holds the element at order[k]. The base stays
 // first.
 model::KinematicTree reordered(
     const model::KinematicTree& robot,

@@ -129,7 +129,7 @@ TEST(Text, BranchesAreSeen) {
   EXPECT_FALSE(branches("const Scalar iffy = for_ce * q[0];"));
 }
 
-// The C++ text, read by an evaluator of its own, computes what the interpreter computes, to the last bit, with the
+// The C++ text, read by a separate evaluator, has the results of the interpreter, to the last bit, with the
 // operations that are reported, and without a branch.
 TEST(Text, OfKernelsComputesAndCountsAsTheProgram) {
   for (int i = 0; i < robots(); ++i) {

@@ -1,4 +1,4 @@
-// The import of URDFs: the imported robot, run by the interpreter, judged by what other libraries make of the same
+// The import of URDFs: the imported robot, run by the interpreter, compared with other libraries on the same
 // file. The files are those beside this one, and URDFs from the field where there are any.
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ model::DesiredTransforms jacobians_of_leaves(const KinematicTree& tree) {
   return desired;
 }
 
-// What does not fit into an identifier becomes an underscore: all names of the file to which that happens.
+// Characters that an identifier cannot have become underscores: all names of the file with such characters.
 std::map<std::string, std::string> changed_names(const std::string& urdf) {
   const std::string attribute = "name=\"";
   std::map<std::string, std::string> names;

@@ -42,7 +42,7 @@ const char* name(Quantity quantity) {
       return "forward dynamics";
     case Quantity::inertia_matrix:
       return "inertia matrix";
-    case Quantity::transform:  // judged by what `bench` checks before it measures
+    case Quantity::transform:  // checked by `bench` before it measures
       return "transform";
     case Quantity::jacobian:
       break;
@@ -50,7 +50,7 @@ const char* name(Quantity quantity) {
   return "Jacobian";
 }
 
-// ---- States, and what is expected of them.
+// ---- States, and the expected results.
 
 struct State {
   reference::Motion<double> motion;

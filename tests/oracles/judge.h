@@ -1,4 +1,4 @@
-// Other libraries as judges of what this project computes for a robot.
+// Other libraries as judges of this project's results for a robot.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace robcogen::oracles {
 
-// What is judged.
+// The quantities to judge.
 struct Judged {
   std::string urdf;  // path
   reflection::Robot tables;
@@ -26,18 +26,18 @@ struct Judged {
       dynamics;
   // By index into the tables.
   std::function<reference::Matrix<double>(int index, const reference::Vector<double>& q)> jacobian;
-  // What joints and links are called in the URDF, where that is no identifier; by the names in the tables.
+  // The names of joints and links in the URDF, when they are not identifiers; by the names in the tables.
   std::map<std::string, std::string> urdf_names = {};
 };
 
-// What a library cannot represent, by decision: an unexpected refusal fails, an unexpected success too.
+// Robots that a library cannot represent, by decision: an unexpected refusal fails, an unexpected success too.
 struct Refusal {
   std::string library;
   std::string robot;
-  std::string reason;  // a part of what it says; why that is right stands beside the table
+  std::string reason;  // a part of the message; a comment at the table says why it is right
 };
 
-// Where a library is less exact than others; why stands beside the table.
+// Cases in which a library is less exact than others; a comment at the table says why.
 struct Tolerance {
   std::string library;
   std::string robot;

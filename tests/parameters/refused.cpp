@@ -1,4 +1,4 @@
-// What must not compile: one case a run, chosen by a macro; without one, the rest compiles.
+// Code that must not compile: one case a run, chosen by a macro; without one, the rest compiles.
 #include <everywhere_fixed/everywhere_fixed.h>
 #include <everywhere_floating/everywhere_floating.h>
 #include <everywhere_undeclared/everywhere_undeclared.h>

@@ -46,7 +46,7 @@ TEST(Threads, AnUpdatedCopyIsHandedOn) {
   const JointState tau_one = tau_of(Parameters<>(one)), tau_other = tau_of(Parameters<>(other));
   ASSERT_NE(tau_one, tau_other);
 
-  std::mutex mutex;  // guards the pointer, not what it points to
+  std::mutex mutex;  // guards the pointer, not its target
   auto current = std::make_shared<const Parameters<>>(one);
   const auto get = [&] {
     const std::lock_guard<std::mutex> lock(mutex);

@@ -1,4 +1,4 @@
-// What updates read and leave, and where values may come from.
+// The effects of updates, and the sources of values.
 #include <everywhere_fixed/everywhere_fixed.h>
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@ void refuse(const char* function) noexcept {
   std::abort();
 }
 
-// Only the program ends where there is no memory: nothing here is about running out of it.
+// Without memory the program ends: lack of memory is not tested here.
 void* allocated(void* memory) noexcept {
   if (memory == nullptr) std::abort();
   return memory;

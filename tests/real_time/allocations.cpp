@@ -1,4 +1,4 @@
-// Runs every function of one generated library where allocation aborts the program, and prints what each costs. The
+// Runs every function of one generated library where allocation aborts the program, and prints the cost of each. The
 // functions come from the library's own table, so that none is left out. Compiled once a robot, with
 //     ROBCOGEN_REFLECTION_HEADER   the generated header, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE     the namespace of the generated code
@@ -16,10 +16,10 @@
 namespace {
 
 constexpr int kCalls = 20;
-// What no function computes.
+// A value that no function computes.
 constexpr double kUnwritten = 0x1.234567p+900;
 
-// Moderate numbers. They are no state that a robot with parameters could be in, as its cache is at random too: no
+// Moderate numbers. For a robot with parameters they are not a valid state, because its cache is random too: no
 // function may allocate whatever it is given.
 std::vector<double> random_numbers(std::mt19937_64& engine, int count) {
   std::vector<double> numbers(static_cast<std::size_t>(count));

@@ -11,7 +11,7 @@
 namespace robcogen::test {
 namespace {
 
-// What an optimiser must believe to be used.
+// A value that an optimiser must treat as used.
 void* volatile escaped = nullptr;
 
 template <class Call>

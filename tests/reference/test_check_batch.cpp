@@ -1,4 +1,4 @@
-// The check of functions over many states: it passes for what is right and finds the mistakes that loops over blocks of
+// The check of functions over many states: it passes for correct code and finds the mistakes that loops over blocks of
 // states are prone to.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The checks themselves: they pass for what is right, and each mistake of a kind that tools like this one have made
+// The checks themselves: they pass for correct code, and each mistake of a kind that tools like this one have made
 // fails the checks that are there to find it.
 #include <gtest/gtest.h>
 
@@ -165,7 +165,7 @@ Tables sample(bool floating) {
   return tables;
 }
 
-// The report of what failed for a subject made of the tables.
+// The report of failures for a subject made of the tables.
 template <class Subject>
 std::string failures(bool floating) {
   const Tables tables = sample(floating);
@@ -482,7 +482,7 @@ TEST(Checks, FindACenterOfMassThatRidesOnAJoint) {
   expect_found<Wrong>({"center_of_mass_jacobian", "kinetic_energy"});
 }
 
-// A result that is no number is no pass.
+// A NaN is not a pass.
 TEST(Checks, FindWhatIsNoNumber) {
   struct Wrong : Right {
     using Right::Right;

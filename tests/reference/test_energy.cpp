@@ -1,4 +1,4 @@
-// Work and momentum balances: what energy and momentum do in time against the forces that the dynamics report.
+// Work and momentum balances: the changes of energy and momentum in time, compared with the forces of the dynamics.
 #include <gtest/gtest.h>
 
 #include "sample_robots.h"

@@ -1,4 +1,4 @@
-// The checks of transforms with no robot find what is wrong: made by hand, right and then with one slip at a time.
+// The checks of transforms without a robot find faults: tables by hand, correct and then with one fault at a time.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -70,7 +70,7 @@ plain(x) := if matrixp(x) then flatten(args(x)) else if listp(x) then flatten(ma
 show(name, x) := (print("=", name), for e in plain(x) do print("=", string(float(e))), print("= end"))$
 )";
 
-// What `show` printed of one call against the values that it should have printed; empty when they agree.
+// The difference of the output of `show` for one call from the expected values; empty when they agree.
 std::string compare(const std::vector<std::string>& printed, const std::vector<double>& expected) {
   if (printed.size() != expected.size())
     return fmt::format("{} elements instead of {}", printed.size(), expected.size());

@@ -12,7 +12,7 @@
 
 namespace robcogen::test {
 
-// Skips where there is no Maxima, or fails where there must be.
+// Skips without Maxima, or fails where it is required.
 class WithMaxima : public virtual testing::Test {
  protected:
   void SetUp() override;
@@ -33,7 +33,7 @@ backend::Library library_of(
 OutputFile maxima_text(const backend::Library& library);
 
 // Calls every function of the library, as the text defines them, on random states, and compares all elements of their
-// results with those of the interpreter: what differs, a line each; empty when nothing does.
+// results with those of the interpreter: a line for each difference; empty when there is none.
 std::string differences(const backend::Library& library, const OutputFile& text);
 
 }  // namespace robcogen::test

@@ -24,7 +24,7 @@ TEST_F(MaximaSymbols, AreWhatMaximaDerivesByItself) {
   for (const std::string& line : lines) EXPECT_TRUE(line.ends_with(" true")) << line;
 }
 
-// The check itself: what is not zero is not taken for zero.
+// The check itself: a nonzero value is not accepted as zero.
 TEST_F(MaximaSymbols, ThatDifferAreFoundOut) {
   const std::filesystem::path arm = kHere / "two_links.kindsl";
   std::string error;

@@ -1,4 +1,4 @@
-// What every language owes a library: all of its functions, in files that have a place of their own.
+// Requirements on every language: all functions of a library, in files with distinct paths.
 #include "backend/languages.h"
 
 #include <gtest/gtest.h>

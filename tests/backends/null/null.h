@@ -1,4 +1,4 @@
-// The least that is a back end: it knows no language and lists what it receives.
+// The smallest back end: it has no language and lists its input.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace robcogen::backend::null {
 
-// <name>.txt: a line for each function, with the sizes of what goes in and comes out, and how many statements there
+// <name>.txt: a line for each function, with the sizes of inputs and outputs, and how many statements there
 // are.
 std::vector<OutputFile> print(const Library& library);
 

@@ -1,4 +1,4 @@
-// What any back end receives, seen through one that only lists it.
+// The input of any back end, listed by the null back end.
 #include "null.h"
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ std::vector<double> draw(const Argument& argument, std::mt19937& engine) {
   return values;
 }
 
-// The call at one random state: what it takes and what it gives.
+// The call at one random state: arguments and results.
 std::vector<double> evaluate(const Call& call, std::mt19937& engine) {
   std::vector<std::vector<double>> arguments, results;
   for (const Argument& a : call.arguments) arguments.push_back(draw(a, engine));

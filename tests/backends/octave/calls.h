@@ -1,4 +1,4 @@
-// Calls of functions with random arguments, and the values that come back: what Octave has to agree with.
+// Calls of functions with random arguments, and their results, which Octave must reproduce.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What a function of a library looks like to Octave.
+// A function of a library as Octave sees it.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-# Runs messages.m on generated packages, and looks at what Octave says when it reads the packages.
+# Runs messages.m on generated packages, and checks the messages of Octave when it reads the packages.
 #     OCTAVE  the program; when it is not there, the test is skipped, or fails where REQUIRED is set
 #     TEXTS   the folder of all generated packages: <test>.text/matlab/+<name>
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)

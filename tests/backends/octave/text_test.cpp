@@ -1,4 +1,4 @@
-// What MATLAB asks of text that Octave does not, and what readers ask: rules over every generated file.
+// Requirements of MATLAB that Octave does not check, and of readers: rules over every generated file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What `iskeyword` lists in either program.
+// The lists of `iskeyword` in both programs.
 const std::set<std::string> kKeywords = {
     "break",
     "case",
@@ -67,7 +67,7 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-// The line without comments and what stands in strings. A quote behind a name or a bracket transposes.
+// The line without comments and the text in strings. A quote behind a name or a bracket transposes.
 std::string bare(const std::string& line) {
   std::string result;
   bool in_string = false;
@@ -157,7 +157,7 @@ TEST(Text, AFileIsOneFunctionOfItsName) {
   }
 }
 
-// The first comment line is what `lookfor` searches, and `help` ends at the first line that is no comment.
+// `lookfor` searches the first comment line, and `help` ends at the first line that is not a comment.
 TEST(Text, HelpComesFirst) {
   for (const File& file : files()) {
     if (is_script(file)) continue;

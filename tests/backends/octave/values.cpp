@@ -1,5 +1,6 @@
-// values MODEL DESIRED NAME PRIMITIVES STATES FOLDER: what the functions of a library give. Where CALLS is the header
-// of calls of a compiled library, that is asked for the functions that it has, and the interpreter for the others.
+// values MODEL DESIRED NAME PRIMITIVES STATES FOLDER: the results of the functions of a library. When CALLS is the
+// header of calls of a compiled library, that is asked for the functions that it has, and the interpreter for the
+// others.
 #ifdef CALLS
 #include CALLS
 #endif
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() != 7) return 2;
-  // Without passes: these change what the functions compute by rounding only.
+  // Without passes, which change results by rounding only.
   const auto library =
       octave::load(arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {{}, 0});
   return library ? octave::write_values(octave::calls(*library), arguments, 5) : 1;

@@ -21,7 +21,7 @@ template <class Scalar>
 constexpr Real kKernelTolerance = 1e-12L;
 template <>
 constexpr Real kKernelTolerance<float> = 1e-4L;
-// Of sines: twice what robcogen/sincos_of.h states without such flags.
+// For sines: twice the bound of robcogen/sincos_of.h without such flags.
 template <class Scalar>
 constexpr Real kSineTolerance = std::numeric_limits<Scalar>::epsilon() * (sizeof(Scalar) == 4 ? 1.5L : 1);
 

@@ -1,4 +1,4 @@
-// Kernels in float alone: what is compiled of this file has nothing in double precision.
+// Kernels in float only: the object file has no double-precision code.
 #include "hyl/kernel/forward_dynamics.h"
 #include "quadruped/kernel/inverse_dynamics.h"
 #include "robcogen/sincos_of.h"

@@ -1,4 +1,4 @@
-# What the scripts of this folder share.
+# Functions for the scripts of this folder.
 set(warnings -Wall -Wextra -Wconversion -Wshadow -Werror)
 
 function(run output)

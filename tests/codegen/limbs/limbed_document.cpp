@@ -13,10 +13,10 @@ using Vector = std::array<double, 3>;
 
 constexpr double kPi = 3.141592653589793;
 
-// What a link and the joint before it are, in every copy but for signs.
+// A link and the joint before it, the same in every copy except for signs.
 struct Part {
   bool revolute = true;
-  int parent = -1;  // part of the same limb; -1: what carries the limb
+  int parent = -1;  // part of the same limb; -1: the link that carries the limb
   Vector translation{}, rotation{}, com{}, moments{};
   std::array<bool, 3> in_decimals{};  // angles: right ones are 1.5707963267948966, not PI/2
   double mass = 1.0;

@@ -132,7 +132,7 @@ TEST_P(EveryProgram, IsSoundUniqueAndExplained) {
   }
 }
 
-// Programs are data: what is printed is what was traced.
+// Programs are data: the printed text is the traced program.
 TEST_P(EveryProgram, ReadsBackFromText) {
   for (const RobotFunction& f : all(robot(GetParam()))) {
     std::string error;

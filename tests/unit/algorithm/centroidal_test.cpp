@@ -60,7 +60,7 @@ TEST(Centroidal, WhatIsKnownCostsNothing) {
   for (std::size_t k = 18; k < 36; ++k) EXPECT_EQ(A.outputs[0].values[k].kind, symbolic::Operand::Kind::constant) << k;
 }
 
-// A robot of a fixed base and nothing else, or of massless links, has no centre of mass; zero is what it gets.
+// A robot of a fixed base only, or of massless links, has no centre of mass: the result is zero.
 TEST(Centroidal, OfNothingThatMoves) {
   model::Description d;
   d.name = "rock";

@@ -1,4 +1,4 @@
-// The factor L of H = L^T L: by hand, where it is zero, and what it costs.
+// The factor L of H = L^T L: values by hand, structural zeros, and cost.
 #include <cmath>
 
 #include "algorithm/dynamics/dynamics.h"
@@ -48,7 +48,7 @@ bool carries(const std::vector<int>& parents, bool floating, int b, int a) {
   return false;
 }
 
-// `x` where an output is no literal zero, row by row.
+// `x` for an output that is not a literal zero, row by row.
 std::vector<std::string> pattern(const Program& p) {
   const symbolic::OutputArray& output = p.outputs[0];
   std::vector<std::string> rows(static_cast<std::size_t>(output.rows));
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Bases, OfATree, testing::Values(false, true), [](const 
   return std::string(each.param ? "Floating" : "Fixed");
 });
 
-// Joints in an order in which children come first: L is no triangle, but as sparse, and still a factor.
+// Joints in an order in which children come first: L is not triangular, but as sparse, and still a factor.
 TEST(JointSpaceInertiaFactor, KeepsTheOrderOfTheDocument) {
   const std::vector<int> parents = {1, 2, -1, 1};
   const model::KinematicTree tree = tree_of(parents, false);

@@ -26,7 +26,7 @@ TEST(Solve, SymmetricPositiveDefinite) {
   }
 }
 
-// A diagonal costs a division and a product each; what is zero stays zero.
+// A diagonal costs a division and a product each; zeros stay zero.
 TEST(Solve, ZerosCostNothing) {
   test::Numbers n;
   SquareMatrix a(3);

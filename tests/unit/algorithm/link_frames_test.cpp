@@ -1,4 +1,4 @@
-// Link frames: placements split along axes, and what the search finds. That results do not depend on frames is a
+// Link frames: placements split along axes, and the results of the search. That results do not depend on frames is a
 // property of random robots (tests/numeric/passes_test.cpp).
 #include "algorithm/formulation/link_frames.h"
 
@@ -70,7 +70,7 @@ TEST(AxisPlacement, IsThePlacement) {
   }
 }
 
-// An elbow at a right angle: what lies along its axis commutes with its motion.
+// An elbow at a right angle: turns about its axis commute with its motion.
 TEST(AxisPlacement, SplitsAtRightAnglesExactly) {
   model::Placement placement;
   placement.translation = {

@@ -144,7 +144,7 @@ TEST_F(PoseOf, OppositeTurnsVanish) {
   EXPECT_EQ(p.rotation.planes[0].axis, 2);
 }
 
-// Multiples of PI far beyond a turn, up to what a Number holds exactly.
+// Multiples of PI far beyond a turn, up to the exact range of a Number.
 TEST_F(PoseOf, ManyTurns) {
   for (const std::int64_t halves : {std::int64_t{1000000000000000001}, INT64_MAX, -INT64_MAX}) {
     const Pose p = pose({turn(Axis::z, pi(halves, 2))});

@@ -82,7 +82,7 @@ TEST_P(Rotations, OfMatrices) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(turned[r][c], turned[c][r]);
 }
 
-// Zeros of what is rotated are zeros of the formulas too.
+// Zeros of the rotated matrix are zeros of the formulas too.
 TEST_P(Rotations, OfSparseMatrices) {
   Matrix3 diagonal;
   for (std::size_t i = 0; i < 2; ++i) diagonal[i][i] = n.expression(n.real());

@@ -145,7 +145,7 @@ TEST_P(RandomChains, AreWhatEigenMultipliesOut) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomChains, testing::Range(1u, 301u));
 
-// All sequences of three axes in which no two neighbours are alike.
+// All sequences of three axes in which neighbours differ.
 std::vector<std::array<Axis, 3>> euler_sequences() {
   std::vector<std::array<Axis, 3>> result;
   for (const Axis i : {kX, kY, kZ})

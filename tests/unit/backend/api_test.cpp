@@ -84,7 +84,7 @@ TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
   EXPECT_THROW(result_type(dynamics("f", "f", {"q"}, {"qdd", "base_wrench"}).program), std::logic_error);
 }
 
-// A factor is kept in an object; what reads it is a member, and no free function of its scope.
+// A factor is kept in an object; functions that read it are members, not free functions.
 TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
   Library library = test::leg_library();
   const auto add = [&](const std::string& name, const std::string& text) {

@@ -22,7 +22,7 @@ class KernelEvaluator {
   void run(const std::string& line);
 
   const Values& values() const { return values_; }
-  // mul, add, div, sqrt and sincos that stand in the lines; a unary minus is no operation.
+  // mul, add, div, sqrt and sincos in the lines; a unary minus is not an operation.
   const symbolic::OperationCount& count() const { return count_; }
 
  private:

@@ -159,7 +159,7 @@ TEST(LowerBlocks, ASingleLaneHasItsSineFromThoseOfAllLanes) {
   EXPECT_EQ(text.find("sincos(x["), std::string::npos) << text;
 }
 
-// What two limbs compute apart from each other are two angles.
+// Angles that two limbs compute separately are two angles.
 TEST(LowerBlocks, SinesOfSingleLanesAreScalars) {
   const std::string text = lowered(
       "tmp u = gather q[0] q[3]\n"

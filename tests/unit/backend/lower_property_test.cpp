@@ -1,4 +1,4 @@
-// Random programs: the text of the kernel computes what the program computes, to the last bit.
+// Random programs: the text of the kernel has the results of the program, to the last bit.
 #include <cmath>
 
 #include "backend/cpp/lower.h"
@@ -16,7 +16,7 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 
-// Statements that outputs need: what the counts of the program would be without the others.
+// Statements that outputs need: the counts of the program without the others.
 Program without_dead_statements(Program p) {
   std::vector<bool> needed(p.statements.size(), false);
   const auto need = [&](const Operand& o) {

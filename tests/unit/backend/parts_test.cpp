@@ -1,4 +1,4 @@
-// Long kernels in parts: each reads what it is given, and together they compute what the whole computes.
+// Long kernels in parts: each reads its arguments, and together they have the results of the whole.
 #include "backend/common/parts.h"
 
 #include <gtest/gtest.h>

@@ -171,7 +171,7 @@ template decltype(inverse_dynamics_gravity<float>) inverse_dynamics_gravity<floa
   EXPECT_EQ(file(library_with_kernels(), "leg/inverse_dynamics.cpp"), expected);
 }
 
-// What a user reads: each function once, without the kernel beneath it.
+// The text for the user: each function once, without its kernel.
 TEST(Print, Interface) {
   const std::string part = R"(
 namespace leg {

@@ -1,4 +1,4 @@
-// Exit statuses, what is written and what is not, and that output depends on the input alone.
+// Exit statuses, written files, and a check that output depends on the input only.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// convert: which languages become which, what is written, what is refused.
+// convert: pairs of languages, written files, refused requests.
 #include <gtest/gtest.h>
 
 #include "run_tool.h"

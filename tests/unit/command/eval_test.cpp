@@ -75,7 +75,7 @@ TEST_F(Eval, MatricesAreNestedRows) {
   for (int r = 0; r < 6; ++r) EXPECT_NEAR(j[r][0].get<double>(), column[r], kRounding);
 }
 
-// What one function returns is what the next one takes.
+// The results of one function are arguments of the next one.
 TEST_F(Eval, FactorOfTheInertiaMatrix) {
   json factor = eval("joint_space_inertia_factor", {{"q", {0.7}}});
   EXPECT_NEAR(factor["L"][0][0], std::sqrt(0.5), kRounding);
@@ -130,7 +130,8 @@ note: arguments of inverse_dynamics:
       {"{\"q\": [1], \"external\": [1]" + others,
        "1: error: 'external' must be an object of name: array of 6 numbers, not an array of 1 number [wrong-shape]"},
       {"{\"q\": [1], \"external\": {\"rood\": [0,0,0,0,0,0]}" + others,
-       "1: error: 'external' has no element 'rood'; its elements are base, rod [unknown-element]\nhint: did you mean 'rod'?"},
+       "1: error: 'external' has no element 'rood'; its elements are base, rod [unknown-element]\nhint: did you mean "
+       "'rod'?"},
       {"{\"q\": [1], \"external\": {\"rod\": [0]}" + others,
        "1: error: 'external.rod' must be an array of 6 numbers, not an array of 1 number [wrong-shape]"},
       {"{\"q\": [1],\n\"q\": [2]" + others, "2: error: 'q' is given twice [duplicate-key]"},
@@ -182,7 +183,7 @@ TEST_F(Eval, UnknownFunctions) {
       << other.errors;
 }
 
-// What JSON cannot carry is an error, not null.
+// A value that JSON cannot represent is an error, not null.
 TEST_F(Eval, ResultsThatAreNotFinite) {
   const Outcome overflow = run("kinetic_energy", "{\"q\": [0], \"qd\": [1]}\n{\"q\": [0], \"qd\": [1e200]}\n{}\n");
   EXPECT_EQ(overflow.status, 1);
@@ -193,7 +194,7 @@ TEST_F(Eval, ResultsThatAreNotFinite) {
       "[result-not-finite]\n");
 }
 
-// A line of results for each state, however the states are written; what follows an error is not evaluated.
+// A line of results for each state, in any layout; states after an error are not evaluated.
 TEST_F(Eval, ManyStates) {
   const std::string expected =
       run("gravity_forces", "{\"q\": [0.1]}").output + run("gravity_forces", "{\"q\": [0.2]}").output;

@@ -110,7 +110,7 @@ TEST(Operations, OfGroups) {
   EXPECT_EQ(run_tool("ops --algorithms walking -- " + quoted(robot("hyl"))).status, 2);
 }
 
-// A class of such legs within the same bounds: what follows from the parameters counts with their updates.
+// A class of such legs within the same bounds: operations on parameters only count with their updates.
 TEST(Operations, RobotsWithParameters) {
   expect_within(
       robot("hyl_parametric"), {{"inverse_dynamics", 33, 24, 0, 36},

@@ -1,4 +1,4 @@
-// What the tool says of a document's parameters, and how its work grows with their number.
+// Messages about a document's parameters, and the growth of run time with their number.
 #include <gtest/gtest.h>
 
 #include "run_tool.h"
@@ -140,7 +140,7 @@ TEST(Parameters, CostTimeInProportionToTheirNumber) {
   };
   const double once = bytes_of(1), twice = bytes_of(2), twelvefold = bytes_of(12);
   EXPECT_GT(twice, once);
-  // What a parameter adds stays what it is; longer numbers in names and indices make a little more of it.
+  // The cost of a parameter is constant; longer numbers in names and indices make a little more of it.
   EXPECT_LT(twelvefold - once, 11 * 1.25 * (twice - once));
 }
 

@@ -67,7 +67,7 @@ TEST(Primitives, AreNotPrintedUnlessAskedFor) {
   ASSERT_EQ(run_tool(generate + " --primitives left").status, 0);
   const fs::path folder = scratch.path / "matlab" / "+hyl" / "+transforms" / "+product";
   EXPECT_TRUE(fs::exists(folder / "fr_base_X_fr_foot.m"));
-  // Files that are made no more must not stay; what is not the generator's does.
+  // Files that are no longer generated are removed; other files stay.
   write_text(folder / "mine.m", "% mine\n");
   ASSERT_EQ(run_tool(generate).status, 0);
   EXPECT_FALSE(fs::exists(folder / "fr_base_X_fr_foot.m"));

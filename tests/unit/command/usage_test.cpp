@@ -1,4 +1,4 @@
-// Wrong command lines: what they are told, and that none is an internal fault.
+// Wrong command lines: their messages, and a check that none is an internal fault.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -39,7 +39,7 @@ Inertia inertia_of(const std::vector<Quantity>& v) {
   return i;
 }
 
-// Parameters or constants must give what the textbook route through the centre of mass gives.
+// Parameters and constants must give the result of the textbook, through the centre of mass.
 TEST(InLinkFrame, AgreesWithTheRouteThroughTheCentreOfMass) {
   constexpr double kTolerance = 1e-13;  // values of order 10, some ten roundings
   const unsigned seed = 20240;

@@ -13,7 +13,7 @@ namespace {
 using test::number;
 using test::pi;
 
-// What meets no inertia: `a` while the joints beyond it are free, `a!` while they are locked too; `base`.
+// Joints that meet no inertia: `a` while the joints beyond it are free, `a!` while they are locked too; `base`.
 using Found = std::vector<std::string>;
 
 Found found(const Description& d) {
@@ -206,7 +206,7 @@ class RandomRobots {
   }
 };
 
-// H in several positions: what is singular in all of them is so in every position.
+// H in several positions: a matrix that is singular in all of them is singular in every position.
 using Matrices = std::vector<Eigen::MatrixXd>;
 
 int nullity(const Matrices& matrices, const std::vector<int>& rows) {

@@ -62,7 +62,7 @@ TEST(Canonical, MergesEqualStatements) {
       "return out -z_neg\n");
 }
 
-// A cosine of what cancels is the constant one, in whichever statement the zero stood.
+// A cosine of an angle that cancels is the constant one, whichever statement has the zero.
 TEST(Canonical, OfWhatCancels) {
   EXPECT_EQ(
       canonical_text(test::head(2) + "in 0\nlet x = a[0] - a[0]\nlet c = cos x\nlet s = sin x\nreturn out c s\n"),

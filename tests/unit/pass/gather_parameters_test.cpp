@@ -1,4 +1,4 @@
-// Text in, text out: what follows from parameters folds as constants do.
+// Text in, text out: values that depend on parameters only fold like constants.
 #include "pass/gather_parameters.h"
 
 #include "symbolic/count.h"

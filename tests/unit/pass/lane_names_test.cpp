@@ -1,4 +1,4 @@
-// Names of lanes: what the names of their limbs have in common.
+// Names of lanes: the common part of the names of their limbs.
 #include "pass/lanes/lane_names.h"
 
 #include <gtest/gtest.h>

@@ -66,7 +66,7 @@ TEST(LaneSigns, ThatAreChosenStay) {
   EXPECT_EQ(signs.value(signs.fixed(0b0100)), 0b0100u);
 }
 
-// What was made plain stays so whatever is chosen later, and the value of a product is that of its factors.
+// A value that was made plain stays plain, and the value of a product is that of its factors.
 TEST(LaneSigns, SolveLinearEquations) {
   constexpr int kVariables = 12, kEquations = 15;
   for (unsigned seed = 0; seed < 200; ++seed) {

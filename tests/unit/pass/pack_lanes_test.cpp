@@ -130,7 +130,7 @@ TEST(PackLanes, WhatGainsNothingStays) {
   EXPECT_EQ(symbolic::print(result.program), symbolic::print(program));
 }
 
-// Many factors in each limb: lanes gain. What is in lanes is not packed again.
+// Many factors in each limb: lanes are faster. Programs in lanes are not packed again.
 TEST(PackLanes, IsIdempotent) {
   constexpr int kFactors = 32;
   std::string statements;

@@ -1,4 +1,4 @@
-// Every choice of passes computes what the program computed without them.
+// Every choice of passes has the results of the program without passes.
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
@@ -39,7 +39,7 @@ TEST(PassProperty, ResultsStayTheSame) {
   }
 }
 
-// What only moves and drops statements does not even change the rounding.
+// Passes that only move and remove statements do not even change the rounding.
 TEST(PassProperty, PassesOnStatementsChangeNoBit) {
   for (unsigned seed = 0; seed < 600; ++seed) {
     test::RandomPrograms random(seed);

@@ -110,7 +110,7 @@ TEST(Reassociate, KeepsASumWhoseChainWouldBeLate) {
   EXPECT_LE(symbolic::count(after).critical_path, symbolic::count(before).critical_path);
 }
 
-// What reassociation is for: never more instructions, and fewer where a sum of products was grouped badly.
+// The purpose of reassociation: never more instructions, and fewer where a sum of products was grouped badly.
 TEST(Reassociate, NeverAddsInstructions) {
   int fewer = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {

@@ -1,4 +1,5 @@
-// What reads sines and cosines of joint angles takes them as inputs, and those of sums follow from those of joints.
+// Programs that read sines and cosines of joint angles take them as inputs, and those of sums follow from those of
+// joints.
 #include "pass/split_angles.h"
 
 #include <cmath>
@@ -139,7 +140,7 @@ TEST(SplitAngles, ProgramsShareAngles) {
   EXPECT_EQ(split.parts[0]->core.inputs[2].elements.size(), 5u);
 }
 
-// What no theorem reaches stays: angles of other inputs, products of positions, sines of parameters alone.
+// Angles without a theorem are kept: angles of other inputs, products of positions, sines of parameters alone.
 TEST(SplitAngles, LeavesTheRest) {
   const Program others = with("tmp s = sin v[1]\ntmp c = cos p[0]\n", "s c");
   EXPECT_FALSE(split_angles({{others}}, kJoints).parts[0]);
@@ -150,7 +151,7 @@ TEST(SplitAngles, LeavesTheRest) {
   expect_same(twice, split);
 }
 
-// In lanes: what is a vector of sines in the program is gathered from given ones, and a lane of it is one of them.
+// In lanes: a vector of sines in the program is gathered from given ones, and a lane of it is one of them.
 TEST(SplitAngles, LanesAreGathered) {
   const Program program =
       with("tmp s1 = sin q[1]\ntmp s2 = sin q[2]\ntmp x = s1 * v[1]\ntmp y = s2 * v[2]\ntmp z = x + s2\n", "z y");

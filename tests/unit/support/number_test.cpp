@@ -213,7 +213,7 @@ TEST(Number, AmongOthersIsZeroOnlyWhereTheyAre) {
   EXPECT_EQ(zero.value(), 0.0);
   EXPECT_NE(zero, Number());
   EXPECT_EQ(zero.plain(), Number());
-  // values are those of plain numbers, exact forms too; what is typical is computed alike
+  // values are those of plain numbers, exact forms too; typical values are computed in the same way
   EXPECT_EQ((half + zero).plain(), half);
   EXPECT_EQ((half + zero).typical(), 0.75);
   EXPECT_EQ((half * zero).plain(), Number());
@@ -227,7 +227,7 @@ TEST(Number, AmongOthersIsZeroOnlyWhereTheyAre) {
   // a sum that is zero among others that are not, and the other way about
   EXPECT_FALSE((half.among(1.0) - half).is_zero());
   EXPECT_FALSE((half.among(0.0) + Number()).is_zero());
-  // nothing is typical that is no number
+  // NaN is not a typical value
   EXPECT_EQ(half / Number::rational(1).among(0.0), half);
 }
 

@@ -199,7 +199,7 @@ TEST(Work, AGatherOfParametersIsGiven) {
   EXPECT_EQ(work(program("parameters")), 2 * 2 - 1);
 }
 
-// A gather of which a lane is no parameter is none.
+// A gather with a lane that is not a parameter is not counted.
 TEST(Work, AGatherOfParametersAndOthersIsNotGiven) {
   const Program program = of_lanes("parameters", "tmp f = gather k[0] x[0]\ntmp r = f * f\n", "r@0 r@1");
   EXPECT_EQ(work(program), 2);

@@ -1,4 +1,4 @@
-// Programs as text: what is printed reads back, what is no program is refused where it goes wrong.
+// Programs as text: printed programs read back, and invalid text is refused at the place of the error.
 #include "symbolic/text.h"
 
 #include <gtest/gtest.h>

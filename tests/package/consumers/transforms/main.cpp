@@ -1,6 +1,6 @@
-// Uses transforms whose values are known, in both precisions; exits with 1 when one is not what it must be.
-#include <harbour/crane/crane.h>
+// Uses transforms whose values are known, in both precisions; exits with 1 when one is wrong.
 #include <gimbal_left/gimbal_left.h>
+#include <harbour/crane/crane.h>
 
 #include <cmath>
 #include <cstdio>
@@ -33,13 +33,13 @@ int main() {
   // Luffing turns the hook's frame back, so that the rope hangs down: ground_X_hook is a turn and a place.
   const double slew = 0.7, luff = 0.4;
   const Eigen::Matrix4d hook = homogeneous::ground_X_tower(parameters, slew) *
-                               homogeneous::tower_X_tip(parameters, luff) *
-                               homogeneous::hook_on_rope(parameters, luff);
+                               homogeneous::tower_X_tip(parameters, luff) * homogeneous::hook_on_rope(parameters, luff);
   const double reach = 20.0 * std::cos(luff);
   const Eigen::Vector3d place(reach * std::cos(slew), reach * std::sin(slew), 30.0 + 20.0 * std::sin(luff) - 5.0);
   expect_near("hook", hook.topRightCorner<3, 1>(), place, kTolerance);
-  expect_near("back", homogeneous::tip_X_tower(parameters, luff) * homogeneous::tower_X_tip(parameters, luff),
-              Eigen::Matrix4d::Identity(), kTolerance);
+  expect_near(
+      "back", homogeneous::tip_X_tower(parameters, luff) * homogeneous::tower_X_tip(parameters, luff),
+      Eigen::Matrix4d::Identity(), kTolerance);
 
   // Power is the same in all coordinates: force' * motion = 1.
   namespace transforms = crane::transforms;
@@ -52,7 +52,8 @@ int main() {
   const Eigen::Matrix4f tip = crane::f32::transforms::homogeneous::tower_X_tip(single, static_cast<float>(luff));
   expect_near("single", tip.cast<double>(), homogeneous::tower_X_tip(parameters, luff), kSingleTolerance);
 
-  // mount_X_inner = (inner_X_outer outer_X_mount)^-1, of a mount that is not turned: the roll of PI/2 lays the ring flat.
+  // mount_X_inner = (inner_X_outer outer_X_mount)^-1, of a mount that is not turned: the roll of PI/2 lays the ring
+  // flat.
   const Eigen::Matrix4d gimbal = gimbal_left::transforms::homogeneous::mount_X_inner(0.0, 0.0);
   Eigen::Matrix4d flat;
   flat << 1, 0, 0, 0.1, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1;

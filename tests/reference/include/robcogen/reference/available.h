@@ -1,4 +1,4 @@
-// Which functions a library has: those of the groups that were asked for, less what the robot's mass properties do not
+// Which functions a library has: those of the selected groups, except those that the robot's mass properties do not
 // allow (forward dynamics of a robot whose inertia matrix is singular). The library's own table says it.
 //
 // Include the robot's reflection header first; needs ROBCOGEN_ROBOT_NAMESPACE.

@@ -32,7 +32,7 @@ inline void check_batch(
     return array.data[static_cast<std::ptrdiff_t>(k) * array.element + state * array.state];
   };
   const batch::Strided<double> in = strided(inputs.data(), read), all = strided(expected.data(), written);
-  // What solves with a factor reads that, and no parameters.
+  // Functions that solve with a factor read the factor, and no parameters.
   const std::size_t before = static_cast<std::size_t>(single.inputs) - read;
   const std::vector<double> parameters(cache.begin(), before > 0 ? cache.end() : cache.begin());
   std::vector<double> results(written);
@@ -52,7 +52,7 @@ inline void check_batch(
   }
 }
 
-// Every function of the table. One that no function of one state stands beside is infinitely wrong.
+// Every function of the table. One without a function over one state has an infinite error.
 inline void check_batches(
     const Robot& robot,
     const reflection::BatchFunctions& functions,

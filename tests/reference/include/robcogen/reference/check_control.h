@@ -1,5 +1,5 @@
-// Checks of what controllers ask for: centre of mass, centroidal momentum, energies, the Coriolis matrix. Each function
-// records the errors of one sample.
+// Checks of functions for controllers: centre of mass, centroidal momentum, energies, the Coriolis matrix. Each
+// function records the errors of one sample.
 #pragma once
 
 #include "robcogen/reference/check_identities.h"
@@ -90,7 +90,7 @@ void check_free_fall(const Subject& subject, const Case& c, Checks& checks) {
   const Vector<double> weight = moving_mass(c.robot) * c.sample.gravity;
   const Vector<double> turning = stacked(cross(w, momentum.head(3)), cross(w, momentum.tail(3)));
   const Vector<double> error = A * acceleration + change * velocity + turning - stacked(Vector<double>(3), weight);
-  // Forces are rounded before they accelerate what is light.
+  // Forces are rounded before they accelerate light links.
   const Vector<Real> forces = expected_accelerations(c, tau, gravity).terms;
   const Vector<Real> terms =
       magnitude(A.template cast<Real>()) * (magnitude(acceleration.template cast<Real>()) + 1e-3L * forces) +

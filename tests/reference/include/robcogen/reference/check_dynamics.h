@@ -13,7 +13,7 @@ inline constexpr Tolerance kAcceleration{
     "kAcceleration", 1e-11, "rounding of the forces, carried to accelerations by the inverse of H"};
 inline constexpr Tolerance kInertia{"kInertia", 1e-12, "rounding of a sum of positive terms"};
 
-// A sample, and what all checks of it compare with.
+// A sample, and the reference of all its checks.
 struct Case {
   Case(const Robot& tables, const Sample& random, int number)
       : robot(tables),
@@ -33,7 +33,7 @@ struct Case {
   Matrix<Real> inverse_magnitude;
 };
 
-// What the reference says of all 6 + n coordinates, for comparison with a robot of this base.
+// The reference in all 6 + n coordinates, for comparison with a robot of this base.
 inline Vector<Real> cut(bool floating, const Vector<Real>& base_and_joints) {
   return floating ? base_and_joints : base_and_joints.tail(base_and_joints.rows() - 6);
 }

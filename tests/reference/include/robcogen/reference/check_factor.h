@@ -1,4 +1,4 @@
-// Checks of the factor L of H = L^T L and what goes on from it. Each function records the errors of one sample.
+// Checks of the factor L of H = L^T L and of solutions with it. Each function records the errors of one sample.
 #pragma once
 
 #include "robcogen/reference/check_identities.h"
@@ -8,7 +8,7 @@ namespace robcogen::reference {
 inline constexpr Tolerance kFactor{
     "kFactor", 1e-12, "rounding of sums whose terms are bounded by the diagonal of H, carried through its inverse"};
 
-// What a subject finds for one q, and for one x.
+// The results of a subject for one q, and for one x.
 struct FactorResults {
   Matrix<double> L;
   Matrix<double> inverse_L;

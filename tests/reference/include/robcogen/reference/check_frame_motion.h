@@ -1,4 +1,4 @@
-// Checks of what functions tell of pairs of frames beside transforms and Jacobians, all that a robot's tables list:
+// Checks of functions of pairs of frames other than transforms and Jacobians, all that a robot's tables list:
 // Jacobians in other references, derivatives by time, velocities and accelerations. Each function records the errors of
 // one sample.
 #pragma once
@@ -101,7 +101,8 @@ inline std::vector<int> joints_between(const Robot& robot, int left, int right) 
   return joints;
 }
 
-// The size of a quantity's terms, from that of the chain's Jacobians (m, or 1) and the sums of what its joints do.
+// The size of a quantity's terms, from that of the chain's Jacobians (m, or 1) and the sums of the contributions of its
+// joints.
 inline Real terms_of(FrameQuantity quantity, Real lengths, Real rates, Real accelerations) {
   switch (quantity) {
     case FrameQuantity::jacobian_in_target:

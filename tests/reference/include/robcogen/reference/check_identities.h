@@ -112,7 +112,7 @@ void check_power(const Subject& subject, const Case& c, Checks& checks) {
   const Matrix<double> change = 1 / (12 * step) * (8.0 * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
   const Vector<double> velocity = coordinates(c.floating, m.base_velocity, m.qd);
   const Vector<double> coriolis = subject.coriolis_forces(m);
-  // Where nothing changes, rounding of H is all that there is to see.
+  // When nothing changes, only the rounding of H is visible.
   const Matrix<double> rates = magnitude(change) + speed * magnitude(inertia(0));
   const double scale = dot(magnitude(velocity), magnitude(coriolis) + rates * magnitude(velocity));
   if (scale == 0) return;

@@ -1,4 +1,4 @@
-// A robot's parameters: what updates of some of them, and copies, leave behind.
+// A robot's parameters after updates of some of them, and after copies.
 #pragma once
 
 #include <algorithm>

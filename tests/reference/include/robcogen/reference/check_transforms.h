@@ -9,7 +9,7 @@
 
 namespace robcogen::reference {
 
-// What a model's parameters and variables are in one sample.
+// The values of a model's parameters and variables in one sample.
 struct ModelValues {
   std::vector<double> parameters;
   std::vector<double> variables;
@@ -24,7 +24,7 @@ inline ModelValues random_values(std::mt19937_64& engine, const reflection::Tran
   return values;
 }
 
-// An amount, and the largest magnitude on the way to it: what its rounding errors are measured by.
+// An amount, and the largest intermediate magnitude: the scale of its rounding errors.
 struct Amount {
   Real value = 0;
   Real size = 0;
@@ -106,7 +106,7 @@ inline Matrix<Real> primitive(const reflection::Factor& factor, Real value) {
   return m;
 }
 
-// A transform multiplied out. `size` grows with what rounding errors grow with: amounts, and lengths of the parts.
+// A transform multiplied out. `size` is the scale of rounding errors: amounts, and lengths of the parts.
 struct MultipliedOut {
   Matrix<Real> pose = Matrix<Real>::identity(4);
   Real size = 1;
@@ -129,8 +129,8 @@ Matrix<double> copy_of(const Eigen::Matrix<double, n, n>& m) {
   return result;
 }
 
-// The errors of all transforms for these values. Amounts that are no numbers for them, a root of a negative length, say
-// nothing: `checked` marks the transforms that were compared.
+// The errors of all transforms for these values. Amounts that are NaN for them, such as a root of a negative length,
+// are skipped: `checked` marks the transforms that were compared.
 inline void check_transforms(
     const reflection::Transforms& model,
     const ModelValues& values,

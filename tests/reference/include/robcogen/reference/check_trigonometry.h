@@ -1,4 +1,4 @@
-// Functions of known sines and cosines against the same functions of positions.
+// Functions that take precomputed sines and cosines, compared with the same functions of positions.
 #pragma once
 
 #include <limits>
@@ -35,7 +35,7 @@ inline constexpr int kComputedTogether = 4;
 // any one.
 class Difference {
  public:
-  // What is no number on one side only is infinitely wrong.
+  // A NaN on one side only is an infinite error.
   void add(const std::vector<double>& a, const std::vector<double>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (std::isnan(a[i]) && std::isnan(b[i])) continue;

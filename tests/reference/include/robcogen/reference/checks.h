@@ -20,7 +20,7 @@ struct Tolerance {
 };
 
 // How the checks of single precision are told from the others, and how much larger their tolerances are. These are
-// relative to the terms of the sums, and to what the inverse of H makes of them: they follow from the robot's
+// relative to the terms of the sums, and to these times the inverse of H: they follow from the robot's
 // condition.
 inline constexpr const char* kInSingle = "float: ";
 inline constexpr double kSingle = 0x1p25;

@@ -14,7 +14,7 @@ struct CommandLine {
   int samples = 20;
 };
 
-// `[--seed N] [--samples N]`; nullopt, and what is expected on standard error, when it is something else.
+// `[--seed N] [--samples N]`; nullopt, with the usage on standard error, for anything else.
 inline std::optional<CommandLine> command_line(int argc, char** argv) {
   CommandLine result;
   for (int i = 1; i < argc; i += 2) {

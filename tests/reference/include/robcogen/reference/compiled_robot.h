@@ -16,7 +16,7 @@ inline constexpr bool kIsParametric = false;
 template <class R>
 inline constexpr bool kIsParametric<R, std::void_t<typename R::Parameters>> = true;
 
-// What kernels of a robot with parameters read first; else null.
+// The first input of kernels of a robot with parameters; otherwise null.
 template <class R>
 const double* cache_of([[maybe_unused]] const R& robot) {
   if constexpr (kIsParametric<R>) {
@@ -34,7 +34,7 @@ class CompiledRobot {
 
   explicit CompiledRobot(const Robot& tables, const R& robot = R()) : tables_(&tables), robot_(robot) {}
 
-  // What its kernels read before all else; empty where the robot has no parameters.
+  // The first input of its kernels; empty when the robot has no parameters.
   std::vector<double> cache() const {
     if constexpr (kIsParametric<R>) {
       return {robot_.parameters.data(), robot_.parameters.data() + R::Parameters::size()};
@@ -43,7 +43,7 @@ class CompiledRobot {
     }
   }
 
-  // (base acceleration, tau): what the library finds, given qdd.
+  // (base acceleration, tau): the results of the library, given qdd.
   Vector<double> inverse_dynamics(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
@@ -237,7 +237,7 @@ class CompiledRobot {
         arguments, [&](const auto&... g) { return arguments.external == nullptr ? call(g...) : call(g..., wrenches); });
   }
 
-  // Standard gravity where none is given: with a fixed base by the overload that does without.
+  // Without an argument, standard gravity: with a fixed base by the overload without gravity.
   template <class Call>
   static auto with_gravity(const Arguments& arguments, const Call& call) {
     if (arguments.gravity != nullptr) return call(gravity(*arguments.gravity));

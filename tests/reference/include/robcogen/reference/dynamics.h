@@ -28,7 +28,7 @@ struct Loads {
 template <class Scalar>
 struct Forces {
   Vector<Scalar> tau;
-  Vector<Scalar> base_wrench;  // what has to act on the base; for a fixed base, what its support exerts
+  Vector<Scalar> base_wrench;  // the wrench on the base; for a fixed base, that of its support
 };
 
 template <class Scalar>

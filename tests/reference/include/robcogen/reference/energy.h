@@ -20,19 +20,19 @@ Scalar kinetic_energy(const Robot& robot, const Motion<Scalar>& motion) {
   return energy;
 }
 
-// What moves: all links from this one on. A fixed base does not.
+// The moving links: all from this one on, without a fixed base.
 inline int first_moving_link(const Robot& robot) {
   return robot.floating_base ? 0 : 1;
 }
 
-// kg, of what moves.
+// kg, of the moving links.
 inline double moving_mass(const Robot& robot) {
   double mass = 0;
   for (int i = first_moving_link(robot); i < robot.links.size; ++i) mass += robot.links[i].mass;
   return mass;
 }
 
-// Mass times position of the centre of what moves: kg m, base coordinates.
+// Mass times position of the centre of the moving links: kg m, base coordinates.
 template <class Scalar>
 Vector<Scalar> first_moment(const Robot& robot, const Vector<Scalar>& q) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
@@ -45,7 +45,7 @@ Vector<Scalar> first_moment(const Robot& robot, const Vector<Scalar>& q) {
   return sum;
 }
 
-// J, zero where the centre of mass of what moves is at the base origin; gravity (m/s^2) is in base coordinates.
+// J, zero when the centre of mass of the moving links is at the base origin; gravity (m/s^2) is in base coordinates.
 template <class Scalar>
 Scalar potential_energy(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
   return -dot(gravity, first_moment(robot, q));

@@ -80,7 +80,7 @@ inline bool is_body(const reflection::Link& link, double share) {
 }
 
 // One value, at random: near the default, or else of the size of a limb. Also the sign and the size of a parameter
-// without default are free, but what it makes must be a body.
+// without default are free, but the result must be a body.
 inline double random_value(std::mt19937_64& engine, const reflection::Parameter& p) {
   if (!std::isnan(p.default_value)) return p.default_value * (1 + uniform(engine, 0.2)) + uniform(engine, 0.01);
   if (!p.dynamics) return uniform(engine, 1.5);

@@ -32,7 +32,7 @@ inline WrenchTerms wrench_terms(
   return terms;
 }
 
-// For each generalised force (base wrench, tau): what the links beyond contribute.
+// For each generalised force (base wrench, tau): the contribution of the links beyond.
 inline Vector<double> force_terms(const Robot& robot, const Motion<double>& motion, const Loads<double>& loads) {
   // A centre of mass on a joint's axis has no lever but a position, and that is rounded.
   constexpr double kPosition = 1e-3;

@@ -1,4 +1,4 @@
-// What is checked: a way to evaluate the functions of a robot, compiled or interpreted, fixed or floating base alike.
+// The subject of checks: evaluates the functions of a robot, compiled or interpreted, with fixed or floating base.
 //
 // The checks are written over any type with the members of CompiledRobot (compiled_robot.h): vectors of run-time size,
 // the base's six coordinates first where the base floats.
