@@ -74,7 +74,11 @@ class Parser {
   }
 
   Token section_word() {
-    const Token word = cursor_.take();
+    Token word = cursor_.take();
+    if (cursor_.at(word.text)) {
+      found_.push_back(word);
+      word = cursor_.take();
+    }
     const auto earlier =
         std::find_if(found_.begin(), found_.end(), [&](const Token& token) { return token.text == word.text; });
     if (earlier != found_.end())

@@ -168,6 +168,7 @@ class Parser {
       sound = false;
     }
     const std::size_t inside = cursor_.open_blocks();
+    if (cursor_.at("{") && !cursor_.after_line_end() && sound) report_second_brace();
     bool comma_is_reported = false;
     while (true) {
       if (cursor_.at("}")) {
@@ -224,19 +225,33 @@ class Parser {
     throw SyntaxError{};
   }
 
+  void report_second_brace() {
+    cursor_.error("extra-brace", "unexpected second '{'");
+    cursor_.take();
+    cursor_.assume_closing_brace();
+  }
+
   void report_extra_brace(const std::string& owner, const Token& brace) {
     cursor_.error_at(brace.span, "extra-brace", fmt::format("this '}}' ends {} before its last item", owner))
         .notes.push_back({cursor_.place(cursor_.peek().span), "the next item is here"});
   }
 
+  void report_repetition(const Token& token, const Token& earlier) {
+    cursor_.error_at(token.span, "duplicate-item", fmt::format("'{}' is given twice", token.text))
+        .notes.push_back({cursor_.place(earlier.span), "first given here"});
+  }
+
   // Takes the word that begins an item. A block has at most one item of a name.
   Token word(Words& found) {
     const Token token = cursor_.take();
+    if (cursor_.at(token.text)) {
+      report_repetition(cursor_.peek(), token);
+      cursor_.take();
+    }
     const auto is_inertia = [](const Token& t) { return t.text.starts_with("inertia_"); };
     for (const Token& earlier : found) {
       if (earlier.text != token.text && !(is_inertia(earlier) && is_inertia(token))) continue;
-      cursor_.error_at(token.span, "duplicate-item", fmt::format("'{}' is given twice", token.text))
-          .notes.push_back({cursor_.place(earlier.span), "first given here"});
+      report_repetition(token, earlier);
       return token;
     }
     found.push_back(token);

@@ -96,7 +96,9 @@ class Parser {
     motion.steps = parse_steps(cursor_, step_words());
     motion.name = parse_user_name(cursor_);
     motion.span = {begin_, cursor_.previous().span.end};
-    if (!cursor_.at_end() && !at_motion()) unexpected_after_steps(cursor_, step_words(), "a motion", "the next motion");
+    const bool begins_faulty_motion = cursor_.at_name() && cursor_.begins_line() && !cursor_.at("(", 1);
+    if (!cursor_.at_end() && !at_motion() && !begins_faulty_motion)
+      unexpected_after_steps(cursor_, step_words(), "a motion", "the next motion");
     return motion;
   }
 

@@ -97,7 +97,8 @@ class Parser {
     transform.primitives = parse_steps(cursor_, primitive_words());
     transform.name = parse_user_name(cursor_);
     transform.span = {begin_, cursor_.previous().span.end};
-    if (!cursor_.at_end() && !at_transform())
+    const bool begins_faulty_transform = cursor_.at("{") && cursor_.begins_line();
+    if (!cursor_.at_end() && !at_transform() && !begins_faulty_transform)
       unexpected_after_steps(cursor_, primitive_words(), "a transform", "the next transform");
     return transform;
   }
