@@ -7,8 +7,8 @@ namespace robcogen::fuzz {
 namespace {
 
 // Larger robots take their time, and find nothing that these do not.
-constexpr int kMostJoints = 8;
-constexpr std::size_t kMostFrames = 30;
+constexpr int kMaxJoints = 8;
+constexpr std::size_t kMaxFrames = 30;
 
 void check_robot(const std::shared_ptr<const Source>& text) {
   Diagnostics diagnostics;
@@ -17,7 +17,7 @@ void check_robot(const std::shared_ptr<const Source>& text) {
   const std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
   const std::string messages = diagnostics.render();
   require(tree.has_value() != diagnostics.has_errors(), "neither a robot nor an error, or both", messages);
-  if (!tree || tree->dof() > kMostJoints || tree->frames().size() > kMostFrames) return;
+  if (!tree || tree->dof() > kMaxJoints || tree->frames().size() > kMaxFrames) return;
   const model::DesiredTransforms desired = model::default_desired(*tree);
   for (const std::string& group : algorithm::groups())
     for (const algorithm::RobotFunction& f : algorithm::functions(*tree, desired, group))

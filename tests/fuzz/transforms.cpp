@@ -38,14 +38,14 @@ model::KinematicTree robot() {
 
 void check_list(const std::shared_ptr<const Source>& text) {
   static const model::KinematicTree tree = robot();
-  constexpr std::size_t kMostPairs = 20;
+  constexpr std::size_t kMaxPairs = 20;
   Diagnostics diagnostics;
   const language::desired::Document document = language::desired::parse(text, diagnostics);
   if (diagnostics.has_errors()) return;
   const model::DesiredTransforms desired = import::desired_transforms(document, tree, diagnostics);
   const std::string messages = diagnostics.render();
   require(!diagnostics.has_errors(), "what the robot lacks is more than a warning", messages);
-  if (desired.transforms.size() + desired.jacobians.size() > kMostPairs) return;
+  if (desired.transforms.size() + desired.jacobians.size() > kMaxPairs) return;
   for (const char* group : {"transforms", "jacobians"})
     for (const algorithm::RobotFunction& f : algorithm::functions(tree, desired, group))
       is_sound_through_passes(f.program);

@@ -1,4 +1,4 @@
-// How a run ends that cannot go on.
+// Faults that end a run, and the exit statuses of the program.
 #pragma once
 
 #include <string>

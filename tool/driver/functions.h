@@ -18,9 +18,9 @@ struct Function {
 
   // The same program with congruent limbs that fold in the same way, where that is another one.
   std::optional<symbolic::Program> congruent = {};
-  // What its rounding errors are measured against, where they were.
+  // The results that its rounding errors are measured against, where they are.
   std::shared_ptr<const symbolic::AccurateResults> results = {};
-  // The same program where congruent limbs share lanes, if they do; and which, a text a class.
+  // The same program with congruent limbs in lanes, if there is one; and the limbs, a text for each class.
   std::optional<symbolic::Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
   std::optional<symbolic::AngleParts> parts = {};

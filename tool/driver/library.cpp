@@ -110,7 +110,7 @@ int index_of(const std::vector<backend::FrameData>& frames, const std::string& n
   return place == frames.end() ? -1 : static_cast<int>(place - frames.begin());
 }
 
-// What the library says about the model beside its functions.
+// The data of a document without robot.
 void add_document(const model::CoordinateTransforms& document, backend::Library& library) {
   library.frames = frames_of(document);
   library.variables = document.variables;

@@ -1,4 +1,4 @@
-// What a library says about the robot beside its functions.
+// The data of a robot in a library: links, joints, frames, parameters.
 #pragma once
 
 #include "backend/library.h"
@@ -6,8 +6,8 @@
 
 namespace robcogen::driver {
 
-// Links, joints, frames and parameters, with their constants as far as the parameters' defaults determine them: what
-// depends on a parameter without one is NaN.
+// Links, joints, frames and parameters, with their constants as far as the defaults of the parameters determine them:
+// numbers that depend on a parameter without default are NaN.
 void add_model(const model::KinematicTree& tree, backend::Library& library);
 
 }  // namespace robcogen::driver

@@ -7,8 +7,8 @@
 
 namespace robcogen::driver {
 
-// In this order: the passes, parameters split off, congruent limbs in lanes, sines and cosines split off; those that
-// the steps and the language ask for.
+// Runs, as far as the steps and the language ask for them and in this order: the passes, the split of parameters,
+// congruent limbs in lanes, the split of sines and cosines.
 Functions optimise(const Model& model, Functions functions, const Steps& steps, const backend::Features& features);
 
 }  // namespace robcogen::driver

@@ -1,4 +1,4 @@
-// The parameters of a model, told to the user: a name that became one by accident stands out.
+// Lists the parameters of a model for the user, so that a name that is a parameter by accident stands out.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,7 @@
 
 namespace robcogen::driver {
 
-// One note, by kinds: names with their defaults, and where each is declared or first used. Nothing where
-// there are none.
+// One note, by kinds: names with their defaults, and where each is declared or first used. No note without parameters.
 void list_parameters(const std::vector<model::Parameter>& parameters, Diagnostics& diagnostics);
 
 }  // namespace robcogen::driver

@@ -13,8 +13,8 @@ namespace robcogen::driver {
 // The only group of functions that a library without robot has.
 inline constexpr const char* kTransformsGroup = "transforms";
 
-// Straight-line programs for more joints than this help nobody: the inertia matrix alone has a million elements. Checks
-// and prints of documents know no such bound.
+// A larger robot has no use for straight-line programs: its inertia matrix alone has a million elements. Documents can
+// be checked and printed whatever their size.
 inline constexpr int kMaxJoints = 1000;
 
 // A Failure when the robot has more than kMaxJoints.

@@ -21,7 +21,8 @@ bool is_sum_of_lanes(const Statement& s) {
   return s.op == Op::sum_lanes;
 }
 
-// By statement: how many sums of lanes it needs that need each other. Of the same number, none needs the other.
+// By statement: the length of the longest chain of sums over lanes that it depends on. Sums of equal length do not
+// depend on each other.
 std::vector<int> depths(const Program& p) {
   std::vector<int> result;
   for (const Statement& s : p.statements) {

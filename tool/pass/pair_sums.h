@@ -1,12 +1,12 @@
-// Sums of lanes two by two: together they take half as many instructions as one after the other.
+// Puts sums over lanes in pairs: the two of a pair share their instructions, which halves their cost.
 #pragma once
 
 #include "symbolic/program.h"
 
 namespace robcogen::pass {
 
-// The same statements in another order: of two sums of lanes that do not need each other, the second follows the first
-// at once.
+// Reorders the statements: of two sums over lanes that do not depend on each other, the second directly follows the
+// first.
 symbolic::Program pair_sums(symbolic::Program program);
 
 }  // namespace robcogen::pass

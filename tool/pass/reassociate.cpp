@@ -56,7 +56,7 @@ int latency(Op op) {
   switch (op) {
     case Op::sine:
     case Op::cosine:
-      return 0;  // taken as given
+      return 0;  // an input
     case Op::divide:
     case Op::square_root:
       return kDivisionLatency;
@@ -117,7 +117,7 @@ class Reassociation {
     return p_.statements[i].op == Op::multiply && uses_[i] == 1;
   }
 
-  // When a term can enter a sum: a product does so with its factors.
+  // When a term can enter a sum: a product is fused, so its factors count.
   int ready(const Operand& o) const {
     if (!is_statement(o)) return 0;
     const int finish = finish_[static_cast<std::size_t>(o.index)];
@@ -142,7 +142,7 @@ class Reassociation {
     return true;
   }
 
-  // As it was, inner sums first.
+  // The sum as it was, inner sums first.
   void keep(std::size_t i) {
     const Statement& s = p_.statements[i];
     int start = 0;
@@ -158,9 +158,10 @@ class Reassociation {
 
 }  // namespace
 
-// A sum swallows one product for nothing. In x + (a b + c d) the inner sum swallows one and the outer none; in
-// (x + a b) + c d both do. So a sum becomes a chain that begins with a term that is no product and takes the others as
-// they get ready; where that chain would make the whole program late, the sum stays as it was.
+// A processor fuses an addition with one product at no cost. In x + (a b + c d) the inner sum is fused with one product
+// and the outer one with none; in (x + a b) + c d both are fused. So a sum becomes a chain that begins with a term that
+// is not a product and adds the other terms in the order in which they become available; a sum stays as it was where
+// the chain would lengthen the critical path of the program.
 Program reassociate(Program p) {
   return Reassociation(p).run();
 }

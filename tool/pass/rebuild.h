@@ -17,7 +17,7 @@ class Rebuild {
   symbolic::Expression compute(std::size_t i);
   // Sets the new value of statement i; it inherits section and name.
   void set(std::size_t i, const symbolic::Expression& value);
-  // The statements made next belong to the section of statement i.
+  // The next statements belong to the section of statement i.
   void enter_section_of(std::size_t i);
   symbolic::Program finish();
 

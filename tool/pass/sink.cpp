@@ -12,11 +12,11 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-// A stretch is an unbroken run of statements of one section. A statement that only a later stretch reads is computed
+// A run is an unbroken sequence of statements of one section. A statement that only a later run reads is computed
 // there, next to its use; named ones stay where the algorithm put them, so that a section keeps what its title says.
 Program sink(Program p) {
   const std::size_t n = p.statements.size();
-  std::vector<int> own(n), section_of;  // stretch of a statement, section of a stretch
+  std::vector<int> own(n), section_of;  // run of a statement, section of a run
   for (std::size_t i = 0; i < n; ++i) {
     if (i == 0 || p.statements[i].section != p.statements[i - 1].section) section_of.push_back(p.statements[i].section);
     own[i] = static_cast<int>(section_of.size()) - 1;

@@ -1,10 +1,9 @@
-// Programs that read sines and cosines of joint angles, parted into the computation of these and what follows from
-// them.
+// Splits programs into the computation of sines and cosines and the rest, which takes them as inputs.
 //
-// A controller that calls many functions in one state computes sines and cosines once, and hands them to all. They are
-// numbered alike for all programs: first an angle for each joint, its own position, then the sums that programs read
-// beside these, of several joints, of constants and parameters. From sines and cosines of the joints alone those of
-// sums follow by the addition theorems.
+// A controller that calls many functions in one state computes sines and cosines once and passes them to all functions.
+// All programs number the angles in the same way: first the position of each joint, then the sums that programs read as
+// well, of several joints, of constants and of parameters. The addition theorems give the sines and cosines of sums
+// from those of the joints.
 #pragma once
 
 #include <optional>
@@ -16,21 +15,21 @@
 namespace robcogen::pass {
 
 struct SplitAngles {
-  // By program; none of one that reads no sine or cosine of such angles.
+  // By program; nullopt for a program that reads no sine or cosine of such angles.
   std::vector<std::optional<symbolic::AngleParts>> parts;
   int angle_count = 0;
   symbolic::Program angles;    // [parameters,] q -> all angles
   symbolic::Program addition;  // [parameters,] sin_joint, cos_joint -> sin_q, cos_q of all angles
 };
 
-// A program, and the same where equal limbs share lanes, if some do.
+// A program, and the same program with congruent limbs in lanes, if there is one.
 struct WithLanes {
   const symbolic::Program& program;
   const symbolic::Program* in_lanes = nullptr;
 };
 
-// A sine or cosine of anything else than a sum of positions, constants and parameters stays where it is. The programs
-// have the same joint positions, of these joints, and the same parameters, or none.
+// A sine or cosine of anything other than a sum of positions, constants and parameters stays where it is. All programs
+// have the positions of these joints as inputs, and the same parameters or none.
 SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints);
 
 }  // namespace robcogen::pass

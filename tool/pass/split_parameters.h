@@ -1,4 +1,4 @@
-// The programs of a parametric robot, without what follows from its parameters alone.
+// Splits off from the programs of a parametric robot every value that depends on its parameters alone.
 //
 // Between two changes of the parameters, cosines of parametric angles, regrouped inertias, products of lengths and
 // masses are constants. They are computed once, when the parameters change, into a cache that all programs read: what
@@ -12,7 +12,7 @@
 namespace robcogen::pass {
 
 struct SplitPrograms {
-  // As given, in order; the input array of role `parameters` has become the cache: one array for all programs.
+  // In the given order; their input array of role `parameters` is the cache now, one array for all programs.
   std::vector<symbolic::Program> programs;
   // parameters -> a part of the cache: the first part depends on kinematics parameters only, the second one on dynamics
   // parameters only, the third on parameters of both kinds, or on one that is of both. Each has one output, and these
@@ -28,8 +28,7 @@ struct Interfaces {
   bool dynamics = false;
 };
 
-// `interfaces` tells them of each parameter. Programs without an input of role `parameters`
-// stay as they are.
+// `interfaces`: by parameter. Programs without an input of role `parameters` stay as they are.
 SplitPrograms split_parameters(std::vector<symbolic::Program> programs, const std::vector<Interfaces>& interfaces);
 
 }  // namespace robcogen::pass

@@ -31,7 +31,7 @@ constexpr double kTypicalFloor = 4.0;
 // and whether a result is a number is luck: a few roundings more or less than those of the plain program decide.
 constexpr double kLostOfPivot = 1.0 / 16;
 
-// A state where results cancel is judged by this share of what they are otherwise.
+// A state in which results cancel is compared with this share of their usual size.
 constexpr double kLeastScale = 0.25;
 
 // A value in all states.
@@ -295,7 +295,7 @@ double worst(const std::vector<ArrayError>& errors) {
   return result;
 }
 
-// Array by array: what is lost of one gives no leave to lose as much of another.
+// Array by array: the error of one array does not excuse the same error in another.
 bool is_as_accurate(const std::vector<ArrayError>& errors, const std::vector<ArrayError>& plain) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (!(errors[i].mean_square <= std::max(kShare * plain[i].mean_square, kFloor))) return false;
@@ -363,7 +363,7 @@ AccurateResults::AccurateResults(const Program& program, std::vector<double> par
         output.scale[s] = std::isfinite(size) ? std::max(output.scale[s], size) : kInfinity;
       }
     }
-    // Where the reference overflows nobody can tell.
+    // A state in which the reference overflows is not compared.
     double squares = 0.0;
     for (double& scale : output.scale) {
       if (scale == kInfinity) scale = 0.0;

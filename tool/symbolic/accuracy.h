@@ -1,8 +1,8 @@
-// How many digits a program keeps: its results in double and in float, against another program of the same function
-// that is evaluated with 32 digits.
+// How many digits a program keeps: its results in double and in float are compared with another program of the same
+// function that is evaluated with 32 digits.
 //
-// Measured on a few states that are the same for all programs of a function, with nothing but the IEEE operations of
-// double and float: the same figures on every machine.
+// The measure uses a few states, the same for all programs of a function, and only IEEE operations of double and float,
+// so that it is the same on every machine.
 #pragma once
 
 #include <memory>

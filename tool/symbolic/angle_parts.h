@@ -1,4 +1,4 @@
-// A program parted at the sines and cosines that it reads.
+// A program split at the sines and cosines that it reads.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ struct AngleParts {
   // The program without them: it takes sin_q and cos_q, of all angles of its library, as inputs behind the joint
   // positions.
   Program core;
-  // The same where equal limbs share lanes, if they do in the program.
+  // The same with congruent limbs in lanes, if the program has them.
   std::optional<Program> core_in_lanes;
   std::vector<int> read;  // the angles whose sine or cosine these read, in rising order
   Program angles;         // [parameters,] q -> these angles, in this order

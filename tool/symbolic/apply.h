@@ -1,4 +1,4 @@
-// What an operation does to two scalars of any kind: numbers in the interpreter, expressions in the passes.
+// An operation on two scalars of any kind: numbers in the interpreter, expressions in the passes.
 #pragma once
 
 #include <cmath>

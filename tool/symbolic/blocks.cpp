@@ -44,7 +44,7 @@ std::vector<Block> joined(int array, std::vector<Column> columns, const Between&
   return blocks;
 }
 
-// The elements of an output that are lanes of values, as columns; each element in one.
+// The elements of an output that are lanes of values, as columns; each element is in one column.
 std::vector<Column> columns_of(const Program& p, const OutputArray& array) {
   std::map<std::tuple<int, int, bool>, std::vector<int>> places;  // of a statement's lane, with this sign
   const auto key = [](const Operand& o, int lane) { return std::tuple(o.index, lane, o.negative); };
@@ -81,8 +81,8 @@ int cost(int count) {
   return count < 4 ? count : (count + 3) / 4;
 }
 
-// Elements that equal one constant, of those that no block has. What is written later may stand between them where that
-// takes no more stores.
+// Elements that equal one constant and are in no block. Elements that are written later may stand between them where
+// that takes no more stores.
 std::vector<Fill> fills_of(int index, const OutputArray& array, const std::vector<bool>& taken) {
   std::vector<Fill> fills;
   const auto count = static_cast<int>(array.values.size());

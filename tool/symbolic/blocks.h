@@ -1,4 +1,4 @@
-// Elements of arrays that lanes come from or go to and that stand side by side: what moves as whole vectors.
+// Neighbouring elements of arrays that are loaded into lanes, or stored from them, as whole vectors.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ struct Block {
   int first = 0;
   int stride = 0;
   int width = 0;                 // lanes
-  std::vector<Operand> columns;  // values of so many lanes, or constants, which are the same in all
+  std::vector<Operand> columns;  // values with that many lanes, or constants, which are equal in all lanes
 };
 
-// Elements of an output, side by side, that are the same constant, but for some in between: these are written later.
+// Neighbouring elements of an output that are the same constant. Some in between may not be: they are written later.
 struct Fill {
   int array = 0;
   int first = 0;
@@ -29,14 +29,14 @@ struct Stores {
   std::vector<Fill> fills;
 };
 
-// What outputs of a program with lanes are written as, of two columns or more; of one without lanes, nothing. Elements
-// that belong to neither are written one by one.
+// The blocks (of two columns or more) and fills that store the outputs of a program with lanes; none for a program
+// without lanes. Other elements are stored one by one.
 Stores stores(const Program& program);
 
-// Gathers, two or more, that are columns of a block of an input.
+// Two or more gathers that are columns of a block of an input.
 std::vector<Block> loads(const Program& program);
 
-// Instructions that put a block together from its columns, or take it apart, beside those that load or store.
+// Instructions that assemble a block from its columns or split it into them, without its loads and stores.
 int moves(const Block& block);
 
 }  // namespace robcogen::symbolic

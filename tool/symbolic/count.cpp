@@ -28,7 +28,7 @@ bool is_fusable(const Program& p, int sum, const Operand& product) {
                                  p.statements[static_cast<std::size_t>(product.index)].width;
 }
 
-// -1 stands for users that swallow no product.
+// -1: users that cannot be fused with a product.
 Uses uses_of(const Program& p) {
   const auto for_each = [&](const auto& note) {
     for (std::size_t i = 0; i < p.statements.size(); ++i)
@@ -86,7 +86,7 @@ int critical_path(const Program& p) {
     switch (s.op) {
       case Op::sine:
       case Op::cosine:
-        break;  // given
+        break;  // inputs
       case Op::gather:
         for (const Operand& o : s.lanes) ready[i] = std::max(ready[i], at(o));
         if (ready[i] > 0) ready[i] += kMoveLatency;  // else it can be made ahead
@@ -128,14 +128,14 @@ bool has_parameters(const Program& p) {
   return std::any_of(p.inputs.begin(), p.inputs.end(), [](const InputArray& a) { return a.role == Role::parameters; });
 }
 
-// What is left to compute when all that follows from the parameters alone is given.
+// The program with every value that depends on parameters alone as an input.
 Program given_parameters(const Program& p) {
   std::vector<bool> is_parameter;
   for (const InputArray& array : p.inputs)
     is_parameter.insert(is_parameter.end(), array.elements.size(), array.role == Role::parameters);
   Program rest = p;
   rest.statements.clear();
-  std::vector<int> place(p.statements.size(), -1);  // -1: given
+  std::vector<int> place(p.statements.size(), -1);  // -1: an input
   const auto is_given = [&](const Operand& o) {
     const auto i = static_cast<std::size_t>(o.index);
     return is_constant(o) || (o.kind == Operand::Kind::input && is_parameter[i]) || (is_statement(o) && place[i] < 0);
@@ -229,7 +229,7 @@ OperationCount count(const Program& p) {
         break;
     }
   }
-  // A single lane has its sine from those of all lanes, where these are computed.
+  // The sine of a single lane is one of the sines of all lanes, where these are computed.
   c.sincos = static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
     const auto& [kind, index, lane] = angle;
     return lane < 0 || angles.count({kind, index, -1}) == 0;
@@ -241,7 +241,7 @@ OperationCount count(const Program& p) {
 }
 
 int predicted_time(const Program& program) {
-  // What follows from parameters alone was split off before equal limbs came into lanes.
+  // Values that depend on parameters alone were split off before congruent limbs went into lanes.
   const OperationCount c = count(has_parameters(program) && !program.has_lanes() ? given_parameters(program) : program);
   return std::max(c.critical_path, (c.instructions + c.moves) / 2);
 }

@@ -1,4 +1,4 @@
-// Operation count and critical path of a program: figures with no noise.
+// Operation count and critical path of a program: figures without noise.
 #pragma once
 
 #include "symbolic/program.h"
@@ -11,7 +11,7 @@ inline constexpr int kDivisionLatency = 14;
 // Of taking a lane out of a vector or putting it in.
 inline constexpr int kMoveLatency = 3;
 
-// What is done in all lanes of a value counts once.
+// An operation on all lanes of a value counts once.
 struct OperationCount {
   int mul = 0;
   int add = 0;  // additions and subtractions
@@ -19,8 +19,8 @@ struct OperationCount {
   int sqrt = 0;
   int sincos = 0;         // distinct arguments of sin and cos
   int instructions = 0;   // mul + add after fusing a product into the sum that uses it
-  int moves = 0;          // that put scalars into lanes, take them out, and add up lanes
-  int critical_path = 0;  // cycles: 4 for mul, add and fused, 14 for div and sqrt, 0 for sin and cos (taken as given)
+  int moves = 0;          // instructions that move scalars into and out of lanes, and that add up lanes
+  int critical_path = 0;  // cycles: 4 for mul, add and fused, 14 for div and sqrt, 0 for sin and cos
 };
 
 OperationCount count(const Program& program);
@@ -29,8 +29,8 @@ OperationCount count(const Program& program);
 // critical path, no less than half the instructions.
 int predicted_time(const Program& program);
 
-// What programs of one purpose are compared by: operations, and instructions after fusing once more. What follows from
-// parameters alone is given.
+// The measure that programs of one purpose are compared by: operations plus instructions after fusing. Values that
+// depend on parameters alone cost nothing.
 int work(const Program& program);
 
 }  // namespace robcogen::symbolic

@@ -79,7 +79,7 @@ Expression operator/(const Expression& a, const Expression& b) {
 Expression sqrt(const Expression& a) {
   if (a.is_zero()) return a;
   Graph& g = *a.graph();
-  // The root of a negative constant is no constant: it is left to who runs the program.
+  // The root of a negative constant is not folded: the program computes it, and yields NaN.
   if (a.is_constant() && a.number().value() > 0) return g.constant(sqrt(a.number()));
   return g.operation(Op::square_root, a, Expression());
 }

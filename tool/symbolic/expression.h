@@ -18,7 +18,7 @@ namespace robcogen::symbolic {
 
 class Graph;
 
-// Default: the constant zero, that belongs to any graph.
+// Default: the constant zero, which belongs to every graph.
 class Expression {
  public:
   Expression() = default;
@@ -78,16 +78,18 @@ class Graph {
   Expression constant(double value) { return constant(Number(value)); }
   Expression one() { return Expression(this, 1, false); }
   Expression input(int element);
-  // An operand of a node that is looked at.
+  // An operand of a node.
   Expression expression(int node, bool negative) { return Expression(this, node, negative); }
 
-  // A checkpoint, and the way back to it: everything built since is forgotten. For trying variants by their cost.
+  // A checkpoint, and the return to it: everything that was built since is forgotten. For comparing the cost of
+  // variants.
   std::size_t mark() const { return nodes_.size(); }
   void rollback(std::size_t mark);
-  // What was built since the mark: operations, plus instructions when a sum swallows one of its products.
+  // The cost of everything that was built since the mark: operations, plus instructions after fusing sums with
+  // products.
   int cost_since(std::size_t mark) const;
 
-  // For graphs whose programs are counted only: no sections and names from now on, and statements without names.
+  // For programs that are only counted: no sections and names from now on, and statements without names.
   void forget_names() { names_matter_ = false; }
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);

@@ -1,4 +1,4 @@
-// Runs a program with no compiler: the evaluator behind `robcogen eval` and the property tests.
+// Runs a program without a compiler: the evaluator behind `robcogen eval` and the property tests.
 #pragma once
 
 #include <map>

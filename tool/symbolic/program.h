@@ -12,7 +12,7 @@
 
 namespace robcogen::symbolic {
 
-// The last two are of programs with lanes only: several scalars as one value, and the sum of a value's lanes.
+// The last two occur in programs with lanes only: several scalars as one value, and the sum of a value's lanes.
 enum class Op { add, subtract, multiply, divide, square_root, sine, cosine, gather, sum_lanes };
 
 constexpr bool is_binary(Op op) {
@@ -53,8 +53,7 @@ inline bool is_constant(const Operand& o) {
   return o.kind == Operand::Kind::constant;
 }
 
-// Calls f on every operand of a statement, in their order; with those of a statement that is no constant, f may change
-// them.
+// Calls f on every operand of a statement, in order; f may change the operands of a statement that is not const.
 template <class AnyStatement, class F>
 void for_each_operand(AnyStatement& s, F f) {
   if (s.op == Op::gather) {
@@ -68,8 +67,8 @@ void for_each_operand(AnyStatement& s, F f) {
 // What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.
 enum class Role {
   joint_position,           // rad or m
-  joint_sine,               // of joint positions, and behind them of sums of these
-  joint_cosine,             // alike
+  joint_sine,               // of joint positions, then of sums of joint positions
+  joint_cosine,             // in the same order
   joint_velocity,           // rad/s or m/s
   joint_acceleration,       // rad/s^2 or m/s^2
   joint_force,              // N m or N
@@ -152,7 +151,7 @@ struct Program {
   }
 };
 
-// How many lanes an operand has; a sound one picks a lane of none but statements that have several.
+// How many lanes an operand has. Only a statement with several lanes has single lanes.
 inline int width_of(const Program& p, const Operand& o) {
   return is_statement(o) && o.lane < 0 ? p.statements[static_cast<std::size_t>(o.index)].width : 1;
 }

@@ -21,7 +21,7 @@ namespace robcogen::symbolic {
 // PI; constants that nothing reads are left out.
 std::string print(const Program& program);
 
-// nullopt with a message `line N: …` in `error` when the text is no program.
+// nullopt, with a message `line N: …` in `error`, when the text is not a program.
 std::optional<Program> parse(const std::string& text, std::string& error);
 
 }  // namespace robcogen::symbolic

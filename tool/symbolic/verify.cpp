@@ -16,7 +16,7 @@ int width_of_result(const Program& p, const Statement& s) {
 
 namespace {
 
-// Whether the lanes of a statement agree with each other, where its operands are sound.
+// Whether the lanes of a statement agree, given sound operands.
 bool has_sound_lanes(const Program& p, const Statement& s) {
   const auto is_scalar = [&](const Operand& o) { return width_of(p, o) == 1; };
   if (s.width != width_of_result(p, s)) return false;
@@ -33,7 +33,7 @@ bool is_identifier(const std::string& s) {
   return true;
 }
 
-// What is wrong with the names of input or output arrays.
+// The first fault in the names of input or output arrays.
 template <class Array>
 std::string fault_of_names(const std::vector<Array>& arrays) {
   std::unordered_set<std::string> names;

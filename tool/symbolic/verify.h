@@ -1,4 +1,4 @@
-// Whether a program is one.
+// Checks the internal consistency of a program.
 #pragma once
 
 #include <string>
@@ -7,12 +7,11 @@
 
 namespace robcogen::symbolic {
 
-// Internal consistency: operands before users, indices in range, names unique, identifiers and no operation, constants
-// finite and not negative, output sizes right.
-// Empty when sound, else what is wrong first.
+// Operands come before their users, indices are in range, names are unique identifiers and not names of operations,
+// constants are finite and not negative, output sizes are right. Returns the first fault, or an empty text.
 std::string verify(const Program& program);
 
-// How many lanes follow from a statement's operands.
+// The number of lanes that follows from a statement's operands.
 int width_of_result(const Program& program, const Statement& s);
 
 }  // namespace robcogen::symbolic

@@ -130,11 +130,11 @@ TEST(Text, StandsThere) {
 }
 
 TEST(Text, LinesAreShortAndEndInNoBlank) {
-  constexpr std::size_t kMostColumns = 119;
+  constexpr std::size_t kMaxColumns = 119;
   for (const File& file : files()) {
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const std::string& line = file.lines[i];
-      EXPECT_LE(line.size(), kMostColumns) << file.path << ":" << i + 1;
+      EXPECT_LE(line.size(), kMaxColumns) << file.path << ":" << i + 1;
       EXPECT_FALSE(line.ends_with(' ')) << file.path << ":" << i + 1;
       EXPECT_EQ(line.find('\t'), std::string::npos) << file.path << ":" << i + 1;
     }

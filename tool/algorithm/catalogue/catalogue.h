@@ -19,7 +19,7 @@ struct RobotFunction {
   std::string name;                  // `inverse_dynamics`, `fr_base_X_fr_foot`
   std::vector<std::string> summary;  // what, frames, units, source
   std::vector<int> columns;          // jacobians: the joint of each column
-  model::FramePair frames;           // of what is about two frames
+  model::FramePair frames;           // of functions between two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
   std::string method = {};           // how it is computed, where there was a choice
   std::optional<symbolic::RoundingError> error = {};  // once it was measured
@@ -28,14 +28,14 @@ struct RobotFunction {
 // In canonical order.
 const std::vector<std::string>& groups();
 
-// Those whose functions are about two frames each: the pairs of the desired transforms.
+// Those whose functions are between two frames each: the pairs of the desired transforms.
 const std::vector<std::string>& groups_between_frames();
 
-// The groups of a robot that nobody chose groups for: those that most programs need, and that cost little to compile.
+// The default groups of a robot: those that most programs need and that compile quickly.
 const std::vector<std::string>& default_groups();
 
-// Whether the robot's mass properties allow the functions of this group: those that divide by the joint-space inertia
-// matrix need one that is regular, those of the centre of mass some mass, all of the dynamics some inertia.
+// Whether the robot's mass properties allow the functions of this group: functions that divide by the joint-space
+// inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
 bool is_available(const model::KinematicTree& tree, const std::string& group);
 
 // The functions of one group; none where it is not available. Gravity, where it enters, is folded to (0, 0, -9.81) in a
@@ -51,13 +51,13 @@ std::vector<RobotFunction> functions(
     const std::string& group,
     const Formulation& formulation = {});
 
-// The programs of these functions by the plain formulation, without names; nothing for groups that no formulation has a
-// part in.
+// The programs of these functions by the plain formulation, without names; empty for groups that do not depend on a
+// formulation.
 std::vector<symbolic::Program> plain_programs(const model::KinematicTree& tree, const std::string& group);
 
 // The programs of these functions with congruent limbs that fold in the same way, for lanes, by
-// FormulationChoices::for_congruent_limbs; nullopt where these are the same, and nothing for groups that no limbs have
-// a part in.
+// FormulationChoices::for_congruent_limbs; nullopt where these are the same; empty for groups that do not depend on
+// a formulation.
 std::vector<std::optional<symbolic::Program>> congruent_programs(
     const model::KinematicTree& tree,
     const std::string& group,

@@ -1,4 +1,4 @@
-// The functions of each group (robot_programs.h).
+// The functions of each group (catalogue.h).
 #pragma once
 
 #include <vector>

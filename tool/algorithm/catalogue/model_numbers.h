@@ -1,4 +1,4 @@
-// The numbers of a parametric robot's model as a program: what independent checks compute from.
+// The numbers of a parametric robot's model as a program, for independent checks.
 #pragma once
 
 #include "model/kinematic_tree.h"

@@ -1,4 +1,4 @@
-// Coordinate transforms with no robot: every program of a document of transforms.
+// Coordinate transforms without a robot: every program of a document of transforms.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace robcogen::algorithm {
 
-// What a transform depends on, as its primitives are written.
+// The arguments that the primitives of a transform depend on.
 struct Arguments {
   std::vector<int> variables;  // indices into the document's, in its order
   bool parameters = false;     // all of the document's, or none

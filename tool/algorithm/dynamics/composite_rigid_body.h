@@ -13,7 +13,7 @@ std::vector<MassProperties> composite_bodies(const TracedRobot& robot);
 // All that moves, frozen: every link but a fixed base; about the base origin in base axes.
 MassProperties moving_body(const TracedRobot& robot, const std::vector<MassProperties>& composite);
 
-// -I^-1 wrench: how a free body accelerates when `missing` is not supplied.
+// -I^-1 missing: the acceleration of a free body that lacks the wrench `missing`.
 Motion free_acceleration(const SpatialInertia& body, const Force& missing);
 
 // Adds to tau[j] the force that a common acceleration of the base takes at joint j.
@@ -27,7 +27,7 @@ void add_composite_forces(
 // that branches induce are the constant zero.
 SquareMatrix joint_space_inertia(const TracedRobot& robot);
 
-// The rows of H, ancestors first: eliminated from the last to the first they fill nothing in.
+// The rows of H, ancestors first: elimination from the last row to the first fills in no zeros.
 std::vector<int> elimination_order(const model::KinematicTree& tree);
 
 }  // namespace robcogen::algorithm

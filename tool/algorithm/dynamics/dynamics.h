@@ -81,7 +81,7 @@ symbolic::Program joint_space_inertia_factor(
     const model::KinematicTree& tree,
     const std::string& name,
     const Formulation& formulation = {});
-// What goes on from a factor; `factor` is the program above: L, inverse_diagonal, x -> y = H^-1 x.
+// Functions of a factor; `factor` is the program above: L, inverse_diagonal, x -> y = H^-1 x.
 symbolic::Program inertia_factor_solve(
     const model::KinematicTree& tree,
     const symbolic::Program& factor,
@@ -105,9 +105,9 @@ symbolic::Program coriolis_matrix(
     const std::string& name,
     const Formulation& formulation = {});
 
-// What moves: every link but a fixed base. Its mass, a number of the parameters alone: -> mass.
+// The mass of all that moves, which is every link but a fixed base; a function of the parameters alone: -> mass.
 symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
-// Its centre of mass: q -> com, base coordinates; zero where nothing that moves has mass.
+// Its centre of mass: q -> com, base coordinates; zero where no moving link has mass.
 symbolic::Program center_of_mass(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -129,7 +129,7 @@ symbolic::Program kinetic_energy(
     const model::KinematicTree& tree,
     const std::string& name,
     const Formulation& formulation = {});
-// q -> V of what moves, zero where its centre of mass is at the base origin.
+// q -> V of all that moves, zero where its centre of mass is at the base origin.
 symbolic::Program potential_energy(
     const model::KinematicTree& tree,
     const std::string& name,

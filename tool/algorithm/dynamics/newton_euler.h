@@ -1,4 +1,4 @@
-// Recursive Newton-Euler as expressions, for algorithms that go on from its forces.
+// Recursive Newton-Euler as expressions, for algorithms that use its forces.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ struct Forces {
   Force base_wrench;            // of a floating base
 };
 
-// The forces of a motion (Featherstone 2008, table 5.1). `loads`: none when it is null.
+// The forces of a motion (Featherstone 2008, table 5.1). `loads`: nullptr for none.
 Forces newton_euler_forces(
     const TracedRobot& robot,
     const LinkMotion& base,

@@ -1,10 +1,11 @@
-// Mass properties that a joint does not feel, moved to where they cost nothing.
+// Base inertial parameters: mass properties that a joint does not feel move to the parent link.
 //
-// Mass on the axis of a revolute joint does as well on the parent, and so does all of a slider's pseudo-inertia: seven
-// and four numbers remain to a link, none where they go into a fixed base (base inertial parameters: Gautier, Khalil
-// 1990; Mayeda, Yoshida, Osuka 1990; with pseudo-inertias, in which S_zz is the null direction of a revolute joint).
-// Inverse dynamics, inertia matrix, kinetic energy and forward dynamics stay what they were. The bodies are no physical
-// ones any more: masses can be zero or negative, and what is asked about masses must not see them.
+// Mass on the axis of a revolute joint has the same effect on the parent, and so has all of the pseudo-inertia behind a
+// prismatic joint: seven and four numbers remain for a link, none where they go into a fixed base (base inertial
+// parameters: Gautier, Khalil 1990; Mayeda, Yoshida, Osuka 1990; with pseudo-inertias, in which S_zz is the null
+// direction of a revolute joint). Inverse dynamics, inertia matrix, kinetic energy and forward dynamics stay what they
+// were. The bodies are not physical any more: masses can be zero or negative, and functions of the masses must not use
+// them.
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@
 
 namespace robcogen::algorithm {
 
-// Limbs of one class that can share the lanes of vectors: 2, 4 or 8 of them. Of six legs, four and two.
+// Limbs of one class that can share the lanes of vectors: 2, 4 or 8 of them. Six legs are four and two.
 struct LimbsInLanes {
   std::vector<std::string> names;        // of the first joint of each
   std::vector<std::vector<int>> joints;  // corresponding ones, one of each limb
@@ -17,8 +17,8 @@ struct LimbsInLanes {
 
 std::vector<LimbsInLanes> limbs_in_lanes(const model::KinematicTree& tree);
 
-// The elements of the program's inputs that correspond, one of each limb, as flat indices: what belongs to the joints
-// of the limbs and to the links that these move.
+// The elements of the program's inputs that correspond, one of each limb, as flat indices: elements of the joints of
+// the limbs and of the links that these move.
 std::vector<std::vector<int>> limb_inputs(
     const model::KinematicTree& tree,
     const LimbsInLanes& limbs,

@@ -17,8 +17,8 @@ struct Formulation {
   int effort = 0;                       // of the search for such frames (frame_search.h); 0: none
   LinkFrames frames = {};               // those that were found; empty: the model's
 
-  // For traces that are made to be compared: nothing has a name, and what the model says is computed already (together
-  // with `frames` only).
+  // For traces that are only compared: without names, and with the numbers of the model computed before (together with
+  // `frames` only).
   bool is_draft = false;
   std::shared_ptr<const LinkNumbers> numbers = nullptr;
 
@@ -26,14 +26,13 @@ struct Formulation {
   RepresentativeLinks representative = {};
 };
 
-// The one that chooses nothing: the algorithms of the textbook in the frames of the model. What the others are measured
-// by.
+// Chooses nothing: the algorithms of the textbook in the frames of the model, the reference for all others.
 Formulation plain_formulation();
 
 // Names of the choices, in the order of the fields.
 const std::vector<std::string>& choices();
 
-// Takes the choices out of a list of names: those found are on, the others off. What is left is not looked at.
+// Removes the choices from a list of names: those found are on, the others off. The remaining names are not checked.
 Formulation take_formulation(std::vector<std::string>& names);
 
 }  // namespace robcogen::algorithm

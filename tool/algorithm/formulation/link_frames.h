@@ -1,8 +1,8 @@
 // Frames that the recursions compute in, where those of the model cost more.
 //
-// A link's frame may turn about, and slide along, the axis of its joint without that anything changes that the joints
-// feel. And it need not turn with the joint: then the vectors of the recursion stay and the link's constant mass
-// properties turn instead, 2 to 9 products for 20, and chains of parallel axes are computed in one frame.
+// A link's frame may turn about, and slide along, the axis of its joint: the joint forces stay the same. And it need
+// not turn with the joint: then the mass properties of the link turn instead of the vectors of the recursion, 2 to 9
+// products for 20, and chains of parallel axes are computed in one frame.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct LinkFrame {
 // By joint: the frame of its child. Empty: the frames of the model.
 using LinkFrames = std::vector<LinkFrame>;
 
-// Poses of the children in their parents by joint, and what belongs to each link, for the recursions.
+// The robot in these frames, for the recursions.
 struct FramedLinks {
   std::vector<Pose> poses;             // by joint
   std::vector<MassProperties> masses;  // by link
@@ -36,9 +36,9 @@ struct FramedLinks {
 // Axes that are tilted by less (rad) are parallel but for the digits that documents write of PI.
 inline constexpr double kParallel = 1e-5;
 
-// A joint's placement, split where its axis is not parallel to that of the parent: what leads to the common normal's
-// foot on the joint's axis, and the rest of the path along that axis, which commutes with the joint's own motion. Whole
-// where the foot is so far away that the detour would lose digits.
+// A joint's placement, split where its axis is not parallel to that of the parent: the part up to the foot of the
+// common normal on the joint's axis, and the rest along that axis, which commutes with the joint's own motion. Not
+// split where the foot is so far away that the detour would lose digits.
 struct AxisPlacement {
   std::vector<model::PrimitiveTransform> to_axis;
   model::Quantity along;
@@ -67,7 +67,7 @@ struct MassNumbers {
   std::array<std::array<Number, 3>, 3> pseudo_inertia;
 };
 
-// What many traces of one robot take from its model, computed once.
+// The numbers that many traces of one robot take from its model, computed once.
 struct LinkNumbers {
   std::vector<AxisPlacement> placements;  // by joint
   std::vector<MassNumbers> masses;        // by link, in the frames of the model; those that matter

@@ -22,8 +22,8 @@ symbolic::Program coordinate_transform(
     TransformForm form,
     const std::string& name);
 
-// How a Jacobian tells the velocity of `right` with respect to `left`; angular rows are the angular velocity in the
-// same axes.
+// The reference in which a Jacobian gives the velocity of `right` with respect to `left`; the angular rows give the
+// angular velocity in the same axes.
 enum class JacobianReference {
   in_left,    // velocity of the origin of `right`, in axes of `left`
   in_target,  // the same velocity in axes of `right`

@@ -1,4 +1,4 @@
-// Products of primitive transforms, with as few factors as neighbours about one axis leave.
+// Products of primitive transforms with merged neighbours.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 namespace robcogen::algorithm {
 
 // The same product: rotations about one axis become one by the sum of their angles, translations along one axis one by
-// the sum of their lengths, wherever what stands between them commutes. Terms of opposite sign cancel, constants add up
-// exactly, and what becomes zero vanishes.
+// the sum of their lengths, wherever the factors between them commute. Terms of opposite sign cancel, constants add up
+// exactly, and factors that become zero vanish.
 std::vector<model::PrimitiveTransform> merged(const std::vector<model::PrimitiveTransform>& primitives);
 
 }  // namespace robcogen::algorithm

@@ -21,7 +21,7 @@ struct JointOnPath {
 // sine and cosine. The last segment has constants alone.
 struct PathSegment {
   std::vector<model::PrimitiveTransform> primitives;
-  std::string subject;               // what the values behind it are called after; empty: the last segment
+  std::string subject;               // names the values behind it; empty: the last segment
   std::string passed;                // what it leads past: `joint KFE`, `Rx(a - b)`
   std::optional<JointOnPath> joint;  // of a robot, but for the last segment
 };
@@ -39,8 +39,8 @@ int behind_last_turn(const Path& path);
 // robots the joint positions.
 Pose pose_of(ProgramTrace& trace, const PathSegment& segment, const std::vector<Expression>& variables);
 
-// Follows the whole path and returns its end. Calls behind(segment, here) after each but the last; where a joint ends
-// it, turning about the z axis or sliding along it has left the joint's axis where it was.
+// Follows the whole path and returns its end. Calls behind(segment, here) after each but the last; where a segment ends
+// at a joint, the z axis there is the joint's axis.
 Reached walk(
     ProgramTrace& trace,
     const Path& path,

@@ -1,4 +1,4 @@
-// The frame that a path has reached, and the matrices that map coordinates of there back to its first frame.
+// The frame that a path has reached, and the matrices that map coordinates in it to its first frame.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,14 @@ struct Reached {
   Matrix3 rotation = {};
   Vector3 position = {};
 
-  // How the rotation came about: rotation = before.front() * planes[0] * planes[1] …, no two neighbours about one axis.
+  // The factors of the rotation: rotation = before.front() * planes[0] * planes[1] …, no two neighbours about one axis.
   // before[i] is the product up to planes[i]. Quarter turns are pushed to the left, where they are free.
   std::vector<Matrix3> before = {};
   std::vector<PlaneRotation> planes = {};
   std::vector<Expression> angles = {};  // whose sines and cosines are at hand
 
-  // [p]x R can be made in the end, of p and R, or from some segment on along the path, where R [offset]x is added:
-  // sin^2
-  // + cos^2 does not come up then. Which is cheaper depends on the chain.
+  // [p]x R can be computed at the end, from p and R, or from some segment on along the path, by adding R [offset]x,
+  // which avoids sin^2 + cos^2. Which is cheaper depends on the path.
   int segment = 0;
   int moment_from = kNoSegment;
   Matrix3 moment = {};
@@ -34,11 +33,11 @@ struct Reached {
 // The first frame itself.
 Reached start(Graph& graph, int moment_from = Reached::kNoSegment);
 
-// Goes on to a frame of this pose in the one reached.
+// Goes on to the frame with this pose in the frame reached.
 void advance(Reached& here, const Pose& pose);
 
-// The cheapest of the programs that `make` makes: with the moment made in the end, from the first segment on, or from
-// `tail` on, the segment behind the last turn. A form that has no moment is made once.
+// The cheapest of the programs of `make`: with the moment computed at the end, from the first segment on, or from
+// `tail` on, the segment behind the last rotation. A form without moment is traced once.
 symbolic::Program cheapest_transform(
     TransformForm form,
     int tail,

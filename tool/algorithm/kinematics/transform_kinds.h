@@ -1,4 +1,4 @@
-// The forms of coordinate transforms as the API calls them: one scope a form.
+// The forms of coordinate transforms in the API: one scope for each form.
 #pragma once
 
 #include <string>

@@ -7,11 +7,10 @@
 
 namespace robcogen::algorithm {
 
-// The method of less predicted time, the longer of the critical path and half the instructions; each in the link frames
-// that suit it.
+// The method with the smaller predicted time (symbolic::predicted_time), each in the link frames that suit it.
 ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation = {});
 
-// As chosen.
+// With the choice for this formulation.
 symbolic::Program forward_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,

@@ -1,7 +1,7 @@
-// Turns and slides of link frames that make something vanish, and move no frame further than the robot is long.
+// Turns and slides of link frames that make numbers vanish and move no frame further than the robot is long.
 //
-// What is parallel, zero or along an axis but for rounding of the model's numbers counts as such here. The numbers that
-// programs compute with stay what they are.
+// Here, axes that are parallel but for rounding in the model's numbers count as parallel, and likewise zeros and
+// directions. Programs still compute with the numbers of the model.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace robcogen::algorithm {
 
-// By the same rule two limbs of one shape get corresponding frames.
+// The same rule gives two congruent limbs corresponding frames.
 struct Candidate {
   int rule = 0;
   model::Quantity value;
@@ -23,10 +23,10 @@ class FrameCandidates {
  public:
   FrameCandidates(const model::KinematicTree& tree, const Formulation& formulation);
 
-  // Where all of the model is numbers.
+  // nullptr where the model has parameters.
   std::shared_ptr<const LinkNumbers> numbers() const;
 
-  // Rule 0 keeps what there is; no two are equal. Of the child of the joint.
+  // For the child of the joint. Rule 0 keeps the present value; no two values are equal.
   std::vector<Candidate> turns(int joint, const LinkFrames& frames) const;
   std::vector<Candidate> slides(int joint, const model::Quantity& turn, const LinkFrames& frames) const;
 
@@ -40,7 +40,7 @@ class FrameCandidates {
     double twist = 0.0;        // angle from there to the joint frame's x axis; of both for parallel axes
     bool has_offset = false;   // parallel axes: apart from each other
     model::Quantity foot;      // of the common normal along the parent's z axis
-    model::Quantity along;     // the way from there along the joint's axis
+    model::Quantity along;     // from there along the joint's axis
   };
 
   const model::KinematicTree& tree_;

@@ -1,4 +1,4 @@
-// Looks for the link frames in which a program costs least.
+// The search for link frames in which a program costs least.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace robcogen::algorithm {
 
-// Traces the program that the frames are for, of a robot: the whole one, or a part of it.
+// Traces the program for which frames are searched, of the whole robot or of a part of it.
 using TraceOf = std::function<symbolic::Program(const model::KinematicTree&, const Formulation&)>;
 
 // Coordinate descent, link by link from the base: directions of common normals, of first moments and principal axes

@@ -1,4 +1,4 @@
-// A robot reduced to what one link has to do with.
+// A robot reduced to the links that one joint moves or that carry it.
 #pragma once
 
 #include <vector>

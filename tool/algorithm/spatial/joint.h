@@ -1,4 +1,4 @@
-// A joint as the recursions see it: what it adds to the motion of its child, and what it feels of a force on it.
+// A joint as the recursions see it: what it adds to the motion of its child, and which part of a force it feels.
 //
 // All that the recursions know of joint types is here. The motion subspace S of a joint is constant in the axes of the
 // child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) of a revolute joint, (0 0 0 0 0 1) of a
@@ -30,11 +30,11 @@ void add_rate(const Joint& joint, const Expression& rate, Vector3& w, Vector3& v
 Expression project(const Joint& joint, const Force& F_C);
 // Changes F_C so that S' F_C is `value`.
 void set_projection(const Joint& joint, const Expression& value, Force& F_C);
-// The part of V_C along S, which is left without it.
+// Removes the part of V_C along S and returns it.
 Expression take_rate(const Joint& joint, Motion& V_C);
-// S x V: how unit rate of the joint changes a motion in axes that stay behind.
+// S x V: the change of a motion at unit rate of the joint, in axes that do not move with it.
 Motion cross_subspace(const Joint& joint, const Motion& V_C);
-// Whether of the force on a link without children the joint feels the moment about z alone.
+// Whether the joint feels only the moment about z of a force on its child.
 bool feels_only_moment(const Joint& joint);
 
 // ---- Across the joint, from the parent P to the child C.
@@ -52,7 +52,7 @@ LinkMotion across_joint(
 // I S: the force that accelerates the body by one unit of the joint from rest, and its momentum at unit rate.
 Force times_subspace(const MassProperties& body, const Joint& joint);
 Force times_subspace(const SpatialInertia& body, const Joint& joint);
-// I - U U' / D, what is left of an inertia with a joint that gives way: U = I S, `gain` = U / D. Row and column of S
+// I - U U' / D, the inertia that remains where the joint gives way: U = I S, `gain` = U / D. Row and column of S
 // become zero.
 SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain);
 

@@ -1,4 +1,4 @@
-// How a link moves, and what that takes, in 3-vectors.
+// The motion of a link and the wrench that it takes, in 3-vectors.
 //
 // With U = [wd]x + [w]x [w]x, the classical acceleration of a point r of the link is a + U r, so that force and moment
 // about the origin are
@@ -15,11 +15,11 @@ struct AngularState {
   Vector3 w;   // angular velocity
   Vector3 wd;  // angular acceleration
 
-  // An element of U. Made when it is asked for, so that the cost of a form of the moment can be told.
+  // An element of U, created on demand so that the costs of different forms of the moment can be compared.
   Expression u(std::size_t row, std::size_t column) const;
 };
 
-// U v; elements of U that meet a zero of v are not made.
+// U v; elements of U that meet a zero of v are not created.
 Vector3 multiply_u(const AngularState& state, const Vector3& v);
 
 // Motion of one link: everything in link axes; `a` is the classical acceleration of the origin minus gravity.
@@ -28,12 +28,11 @@ struct LinkMotion {
   Vector3 a;
 };
 
-// Of a base with this twist and spatial acceleration, which stands for gravity too.
+// The motion of a base with this twist and spatial acceleration; gravity is part of the result.
 LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const Vector3& gravity);
 
 // The wrench that gives the link this motion, about its origin. Of three equivalent forms of the moment, the one that
-// adds fewest operations to what is computed already. With `only_z_moment` nothing but that component of the moment is
-// computed.
+// adds fewest operations to those that are there already. With `only_z_moment` only that component is computed.
 Force link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& motion, bool only_z_moment = false);
 
 }  // namespace robcogen::algorithm

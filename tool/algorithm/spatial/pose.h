@@ -15,7 +15,7 @@ namespace robcogen::algorithm {
 //
 // The rotation is factorised: quarter turns are pushed to the left, where they are free; neighbouring rotations about
 // one axis are merged, so a constant turn about a joint's axis just adds to the joint's angle. A part of the offset
-// along the child's own z axis is moved to `slide`, where algorithms get it cheaper.
+// along the child's own z axis is moved to `slide`, where it costs less.
 struct Pose {
   Vector3 offset;     // parent axes
   Rotation rotation;  // child to parent
@@ -30,7 +30,8 @@ Pose pose_of(
 
 // A force on the child C, about the parent's origin in the parent's axes.
 Force to_parent(const Pose& X_PC, const Force& F_C);
-// The motion of a body, about the parent's origin in the parent's axes; and back.
+// The motion of a body about the child's origin in the child's axes, about the parent's origin in the parent's axes;
+// and back.
 Motion to_parent(const Pose& X_PC, const Motion& V_C);
 Motion to_child(const Pose& X_PC, const Motion& V_P);
 

@@ -1,5 +1,5 @@
-// Rotations as products of quarter turns and plane rotations: the cheap form that the recursions turn vectors by. Never
-// a dense 3 x 3 matrix.
+// Rotations as products of quarter turns and plane rotations: the cheap form in which the recursions rotate vectors,
+// never a dense 3 x 3 matrix.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace robcogen::algorithm {
 
-// Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions a vector.
+// Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions for a vector.
 struct PlaneRotation {
   int axis = 2;           // 0, 1, 2
   Expression c;           // cosine

@@ -10,7 +10,7 @@
 
 namespace robcogen::algorithm {
 
-// A program in the making, over quantities of any model.
+// A program under construction, over quantities of any model.
 class ProgramTrace {
  public:
   ProgramTrace() = default;
@@ -52,7 +52,7 @@ class ProgramTrace {
 // Values that a robot's parameters may have: their defaults, or numbers near one.
 std::vector<double> parameter_values(const model::KinematicTree& tree);
 
-// A program in the making over a robot.
+// A program under construction, over a robot.
 class Trace : public ProgramTrace {
  public:
   // A parametric robot's parameters are the first input array of every program.

@@ -41,8 +41,8 @@ bool is_zero(const Vector3& v);
 Matrix3 skew(const Vector3& p);
 Matrix3 operator+(const Matrix3& a, const Matrix3& b);
 
-// a b + c d, a b - c d. C++ leaves open which operand of an operator is made first, and the order of making decides how
-// equal programs are spelled: these go from left to right with every compiler.
+// a b + c d, a b - c d. C++ leaves open which operand of an operator is evaluated first, and the order in which nodes
+// are created decides how equal programs are spelled: these go from left to right with every compiler.
 Expression sum_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d);
 Expression difference_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d);
 

@@ -99,10 +99,10 @@ std::string comment(const std::vector<std::string>& lines, const std::string& ma
 }
 
 std::string describe(const InputArray& array, const std::string& name) {
-  constexpr std::size_t kMostListed = 40;
+  constexpr std::size_t kMaxListed = 40;
   if (array.role == Role::link_wrenches) return name + ": six elements a link, base first";
   if (array.role == Role::inertia_factor) return name + ": column by column, apply(append, args(transpose(L)))";
-  if (array.elements.size() > kMostListed) return name + ": " + std::to_string(array.elements.size()) + " elements";
+  if (array.elements.size() > kMaxListed) return name + ": " + std::to_string(array.elements.size()) + " elements";
   return name + ": [" + joined(array.elements) + "]";
 }
 

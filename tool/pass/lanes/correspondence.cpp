@@ -22,7 +22,7 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b = 0) {
   return h ^ h >> 31;
 }
 
-constexpr std::size_t kMostClasses = 8;  // a bit for each limb; further classes have no lanes
+constexpr std::size_t kMaxClasses = 8;  // a bit for each limb; further classes have no lanes
 
 // Seeds of hashes, by what is hashed.
 enum Kind : std::uint64_t { number = 1, input_of_limb, other_input, shared, any_shared, sum, operation };
@@ -80,11 +80,11 @@ Correspondence::Correspondence(
       equal_terms_(program.statements.size()),
       similar_terms_(program.statements.size()) {
   int group = 0;
-  for (std::size_t c = 0; c < classes.size() && c < kMostClasses; ++c) {
+  for (std::size_t c = 0; c < classes.size() && c < kMaxClasses; ++c) {
     all_limbs_.push_back(0);
     for (const std::vector<int>& tuple : classes[c]) {
       for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
-        const std::uint64_t bit = std::uint64_t{1} << (at(kMostLanes) * c + lane);
+        const std::uint64_t bit = std::uint64_t{1} << (at(kMaxLanes) * c + lane);
         input_limbs_[at(tuple[lane])] = bit;
         all_limbs_.back() |= bit;
         input_group_[at(tuple[lane])] = group;
@@ -106,13 +106,13 @@ Correspondence::Owner Correspondence::owner(const Operand& o) const {
   const std::uint64_t bits = limbs(o);
   if (!std::has_single_bit(bits)) return {};
   const int bit = std::countr_zero(bits);
-  return {bit / kMostLanes, bit % kMostLanes};
+  return {bit / kMaxLanes, bit % kMaxLanes};
 }
 
 void Correspondence::hash_statement(std::size_t i) {
   const Statement& s = program_.statements[i];
   limbs_[i] = limbs(s.a) | (symbolic::is_binary(s.op) ? limbs(s.b) : 0);
-  // Of a sum when it is complete: terms that one limb adds to it later are no reason to belong to that limb.
+  // A sum belongs to a limb only when it is complete: terms that one limb adds later do not count.
   for (const std::uint64_t all : all_limbs_)
     if (!inner_[i] && (limbs_[i] & all) == all) limbs_[i] &= ~all;
   const bool is_shared = !std::has_single_bit(limbs_[i]);

@@ -1,4 +1,4 @@
-// Which statements of a program compute the same for different limbs.
+// Which statements of a program compute the same quantity for different limbs.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace robcogen::pass {
 
-inline constexpr int kMostLanes = 8;
+inline constexpr int kMaxLanes = 8;
 
 // Input elements that correspond, one of each limb: {qd[0], qd[3], qd[6], qd[9]}. Flat indices.
 using InputTuples = std::vector<std::vector<int>>;
@@ -18,14 +18,15 @@ using Tuple = std::vector<symbolic::Operand>;
 
 class Correspondence {
  public:
-  // `classes`: of each class of limbs, its inputs. `inner`: sums that are part of the one sum that reads them.
+  // `classes`: by class of limbs, its inputs. `inner`: sums that are part of the one sum that reads them.
   Correspondence(
       const symbolic::Program& program,
       const std::vector<InputTuples>& classes,
       const std::vector<bool>& inner);
 
-  // The limb that a value belongs to: its class and lane. limbs -1: to none. What depends on all limbs of a class, as
-  // the motion of a base that carries them, belongs to none; what is made of it and one limb, to that limb.
+  // The limb that a value belongs to: its class and lane; -1: none. A value that depends on all limbs of a class, such
+  // as the motion of the base that carries them, belongs to none; a value that depends on it and on one limb belongs to
+  // that limb.
   struct Owner {
     int limbs = -1;
     int lane = -1;
@@ -33,16 +34,16 @@ class Correspondence {
   };
   Owner owner(const symbolic::Operand& o) const;
 
-  // Puts corresponding operands together, given those of each limb: the most alike first. What finds no partner stays
-  // in `lists`.
+  // Puts corresponding operands together, given those of each limb, the most similar ones first. Operands without a
+  // partner stay in `lists`.
   std::vector<Tuple> match(std::vector<std::vector<symbolic::Operand>>& lists) const;
 
  private:
-  // How alike two operands must be: equal but for limb, signs and numbers; the same with any two values that no limb
-  // owns for equal; the same kind of operand.
+  // How similar two operands must be: equal but for limb, signs and numbers; the same, where any two values that belong
+  // to no limb count as equal; operands of the same kind.
   enum class Likeness { equal, similar, kind };
   std::uint64_t hash(const symbolic::Operand& o, Likeness likeness) const;
-  // The limbs that a value depends on, a bit each; none where all limbs of a class enter.
+  // The limbs that a value depends on, a bit each; none where it depends on all limbs of a class.
   std::uint64_t limbs(const symbolic::Operand& o) const;
   void hash_statement(std::size_t i);
 

@@ -149,7 +149,7 @@ Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
   return sum({a, b});
 }
 
-// Constants of the limbs, that meet where their sums are taken apart, are one term.
+// Constants of the limbs, which meet where their sums are split into terms, become one term.
 void LaneBuilder::fold_constants(std::vector<Operand>& terms) {
   using symbolic::is_constant;
   const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
@@ -170,8 +170,8 @@ Operand LaneBuilder::sum(std::vector<Operand> terms) {
   const auto start = [&](const Operand& o) { return is_product(o) ? ready(o) - symbolic::kLatency : ready(o); };
   std::stable_sort(terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return start(a) < start(b); });
   const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });
-  // What limbs add up to is known last. Where products can be added up before, it waits for none of them, at the cost
-  // of an addition that is not fused.
+  // The sum over the limbs is known last. Where products can be added up before it, it does not wait for them, at the
+  // cost of one addition that is not fused.
   const bool is_awaited = first != terms.end() && is_sum_of_lanes(*first) && first - terms.begin() >= 2 &&
                           start(first[-1]) + 2 * symbolic::kLatency <= ready(*first);
   if (first != terms.end() && !is_awaited) std::rotate(terms.begin(), first, first + 1);
@@ -227,7 +227,7 @@ void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
   s.named = named;
 }
 
-// What brings numbers into lanes goes to its first user.
+// Statements that move numbers into lanes go to their first user.
 void LaneBuilder::settle_late() {
   std::vector<int> user(made_.size(), -1);
   const auto note = [&](const Operand& o, int reader) {

@@ -1,4 +1,4 @@
-// Makes the program that pack_lanes computes: statements with lanes, their names, sections and order.
+// Builds a program with lanes: its statements, their names, sections and order.
 #pragma once
 
 #include <map>
@@ -15,29 +15,30 @@ class LaneBuilder {
   // Inputs, constants, names and sections are those of `old`.
   explicit LaneBuilder(const symbolic::Program& old);
 
-  // What is made next stands for these statements of the old program (none: for the one at `place`), and comes after
-  // everything that stands for an earlier place than this.
+  // The next statements stand for these statements of the old program (none: for the one at `place`), and come after
+  // all statements that stand for an earlier place.
   void begin(const Tuple& lanes, int place);
 
   int width(const symbolic::Operand& o) const;
   symbolic::Operand number(const Number& value);  // not negative
-  // Numbers in the lanes, some of them negated. The same in all: one scalar.
+  // Numbers in the lanes, some of them negated; a scalar where they are equal in all lanes.
   symbolic::Operand numbers(const Tuple& lanes, unsigned flips);
   symbolic::Operand gather(Tuple lanes);
   symbolic::Operand product(symbolic::Operand a, symbolic::Operand b);
   symbolic::Operand quotient(symbolic::Operand a, symbolic::Operand b);
   symbolic::Operand unary(symbolic::Op op, const symbolic::Operand& a);
   symbolic::Operand binary(symbolic::Op op, const symbolic::Operand& a, symbolic::Operand b);
-  // A chain that begins with a term that is no product and takes the others as they get ready, so that each addition
-  // can be fused with a product; unless that term is a sum of lanes that is known after several products.
+  // A chain that begins with a term that is not a product and adds the others in the order in which they become
+  // available, so that each addition can be fused with a product; unless that first term is a sum over lanes that is
+  // known only after several of the products.
   symbolic::Operand sum(std::vector<symbolic::Operand> terms);
-  // Of a value that is a scalar in `width` equal lanes, too.
+  // Also of a scalar, which then counts `width` times.
   symbolic::Operand sum_lanes(const symbolic::Operand& a, int width);
 
   // Gives the value the name that these statements have in common.
   void name(const symbolic::Operand& value, const Tuple& lanes);
 
-  // Statements in the order of their places; what brings numbers into lanes, next to its first use.
+  // Statements in the order of their places; a statement that moves numbers into lanes stands next to its first use.
   symbolic::Program program(const std::vector<std::vector<symbolic::Operand>>& outputs);
 
  private:

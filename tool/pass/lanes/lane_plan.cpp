@@ -17,7 +17,7 @@ using symbolic::Statement;
 class LanePlanner {
  public:
   LanePlanner(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
-      : p_(p), classes_(classes), zero_(zero), inner_(inner_sums(p)), alike_(p, classes, inner_) {
+      : p_(p), classes_(classes), zero_(zero), inner_(inner_sums(p)), correspondence_(p, classes, inner_) {
     plan_.scalars.resize(p.statements.size());
   }
 
@@ -33,7 +33,7 @@ class LanePlanner {
   const std::vector<InputTuples>& classes_;
   Operand zero_;
   std::vector<bool> inner_;
-  Correspondence alike_;
+  Correspondence correspondence_;
   LanePlan plan_;
   std::map<std::vector<std::pair<int, int>>, int> known_;  // by kinds and indices of the lanes
   std::vector<int> pending_packed_, pending_scalars_;
@@ -41,7 +41,7 @@ class LanePlanner {
   const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
 
   // -------------------------------------------------------------------------------------------------------------------
-  // What is to be computed
+  // Which values are packed
 
   // The elements of each limb, each value once.
   void pack_outputs(const symbolic::OutputArray& array) {
@@ -49,12 +49,12 @@ class LanePlanner {
       std::vector<std::vector<Operand>> lists(width(c));
       std::vector<bool> seen(plan_.scalars.size(), false);
       for (const Operand& o : array.values) {
-        const Correspondence::Owner owner = alike_.owner(o);
+        const Correspondence::Owner owner = correspondence_.owner(o);
         if (!is_statement(o) || owner.limbs != static_cast<int>(c) || seen[at(o.index)]) continue;
         seen[at(o.index)] = true;
         lists[at(owner.lane)].push_back(o);
       }
-      for (const Tuple& tuple : alike_.match(lists)) plan_.roots.push_back(part(tuple));
+      for (const Tuple& tuple : correspondence_.match(lists)) plan_.roots.push_back(part(tuple));
     }
     for (const Operand& o : array.values) need(o);
   }
@@ -104,7 +104,7 @@ class LanePlanner {
     return PackedValue::Kind::gather;
   }
 
-  // Vectors first: scalars that turn out to be lanes of them are not computed by themselves.
+  // Packed values first: scalars that turn out to be lanes of them are not computed by themselves.
   void expand_all() {
     while (!pending_packed_.empty() || !pending_scalars_.empty()) {
       if (!pending_packed_.empty()) {
@@ -154,15 +154,15 @@ class LanePlanner {
     plan_.packed_values[w].parts = std::move(parts);
   }
 
-  // Of the terms or factors of each limb: those that correspond first.
+  // Of the terms or factors of each limb, those that correspond come first.
   std::vector<Part> parts_of(std::vector<std::vector<Operand>> lists) {
     std::vector<Part> parts;
-    for (const Tuple& tuple : alike_.match(lists)) parts.push_back(part(tuple));
+    for (const Tuple& tuple : correspondence_.match(lists)) parts.push_back(part(tuple));
     for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
     return parts;
   }
 
-  // What is left, in its order; limbs that have fewer terms get zeros.
+  // The rest in the given order; limbs that have fewer terms get zeros.
   std::vector<Tuple> filled_up(const std::vector<std::vector<Operand>>& lists) {
     std::size_t longest = 0;
     for (const std::vector<Operand>& list : lists) longest = std::max(longest, list.size());
@@ -183,12 +183,12 @@ class LanePlanner {
   }
 
   void find_sum_of_limbs(int s) {
-    if (alike_.owner({Operand::Kind::statement, s, false}).limbs >= 0) return;
+    if (correspondence_.owner({Operand::Kind::statement, s, false}).limbs >= 0) return;
     SumOfLimbs sum;
     std::vector<std::vector<std::vector<Operand>>> lists;
     for (std::size_t c = 0; c < classes_.size(); ++c) lists.emplace_back(width(c));
     for (const Operand& o : terms_of(p_, inner_, s)) {
-      const Correspondence::Owner owner = alike_.owner(o);
+      const Correspondence::Owner owner = correspondence_.owner(o);
       (owner.limbs < 0 || !is_statement(o) ? sum.rest : lists[at(owner.limbs)][at(owner.lane)]).push_back(o);
     }
     for (std::size_t c = 0; c < classes_.size(); ++c) {
@@ -196,7 +196,7 @@ class LanePlanner {
       w.kind = PackedValue::Kind::sum;
       w.width = static_cast<int>(width(c));
       w.place = s;
-      for (const Tuple& tuple : alike_.match(lists[c])) w.parts.push_back(part(tuple));
+      for (const Tuple& tuple : correspondence_.match(lists[c])) w.parts.push_back(part(tuple));
       for (const std::vector<Operand>& list : lists[c]) sum.rest.insert(sum.rest.end(), list.begin(), list.end());
       if (w.parts.empty()) continue;
       sum.packed_values.push_back(static_cast<int>(plan_.packed_values.size()));

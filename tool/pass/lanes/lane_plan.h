@@ -1,8 +1,8 @@
-// Which values of a program equal limbs compute together, one limb in each lane, and in which order.
+// Which values of a program congruent limbs compute together, one limb in each lane, and in which order.
 //
 // Superword packing from known seeds (after Larsen and Amarasinghe 2000): from corresponding outputs, and from
-// corresponding terms of sums over the limbs, tuples of statements become one value each, operand by operand. What is
-// the same for all limbs stays scalar; what has no counterpart is computed as before and gathered.
+// corresponding terms of sums over the limbs, tuples of statements become one packed value each, operand by operand. A
+// value that is the same for all limbs stays scalar; a value without counterpart is computed as before and gathered.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,19 @@
 
 namespace robcogen::pass {
 
-// A value of lanes, flipped in some of them.
+// A packed value, negated in some of its lanes.
 struct Part {
   int packed_value = -1;  // into LanePlan::packed_values
   unsigned flips = 0;
 };
 
-// A value of lanes.
+// A value with a lane for each limb.
 struct PackedValue {
   enum class Kind { broadcast, numbers, gather, operation, sum };
   Kind kind = Kind::gather;
-  Tuple lanes;  // what it stands for, without signs; empty: a sum that no limb has by itself
+  Tuple lanes;  // the scalars that it stands for, without signs; empty: a sum that no single limb has
   int width = 0;
-  int place = 0;  // after which statement of the program it can be computed
+  int place = 0;  // the statement of the program after which it can be computed
   symbolic::Op op = symbolic::Op::add;
   std::vector<Part> parts;
 };
@@ -55,7 +55,7 @@ struct LanePlan {
   int scalar_count() const { return static_cast<int>(scalars.size()); }
 };
 
-// `zero`: the constant that limbs with fewer terms or factors get. None where values would have to wait for each other.
+// `zero`: the constant for limbs with fewer terms or factors. nullopt where values would depend on each other.
 std::optional<LanePlan> lane_plan(
     const symbolic::Program& program,
     const std::vector<InputTuples>& classes,

@@ -50,9 +50,9 @@ class LaneProgramBuilder {
   const LanePlan& plan_;
   const std::vector<unsigned>& signs_;  // by packed value: the lanes that are kept negated
   LaneBuilder& builder_;
-  std::vector<Operand> scalars_, packed_;  // what was made
+  std::vector<Operand> scalars_, packed_;  // the new operands
   std::map<std::pair<int, unsigned>, Operand> flipped_;
-  std::map<int, Lanes> roots_;  // by packed value: what outputs take in its place
+  std::map<int, Lanes> roots_;  // by packed value: the value that outputs read in its place
 
   const PackedValue& packed_value(const Part& part) const { return plan_.packed_values[at(part.packed_value)]; }
   bool is_numbers(const Part& part) const { return packed_value(part).kind == PackedValue::Kind::numbers; }
@@ -85,8 +85,8 @@ class LaneProgramBuilder {
     return result;
   }
 
-  // Where lanes are kept with other signs than outputs give them, all of them are changed at once: less than one by
-  // one, and what has the same sign in all lanes can be stored as a vector.
+  // Where lanes are kept with other signs than the outputs want, all of them change sign at once: that costs less than
+  // one by one, and values with the same sign in all lanes can be stored as a vector.
   void make_root(const Part& root) {
     const PackedValue& w = plan_.packed_values[at(root.packed_value)];
     const unsigned change = (signs_[at(root.packed_value)] ^ root.flips) & all_lanes(w);
@@ -97,7 +97,7 @@ class LaneProgramBuilder {
     roots_.emplace(root.packed_value, Lanes{use(root.packed_value, negated), negated});
   }
 
-  // A value of lanes whose lanes are negated like this.
+  // The packed value with these lanes negated.
   Operand use(int packed_value, unsigned flips) {
     const PackedValue& w = plan_.packed_values[at(packed_value)];
     if (w.kind == PackedValue::Kind::numbers) return builder_.numbers(w.lanes, flips & all_lanes(w));

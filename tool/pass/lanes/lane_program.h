@@ -1,4 +1,4 @@
-// The program that computes what was planned for lanes.
+// The program with lanes that a plan describes.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace robcogen::pass {
 
-// `signs`: of plan_signs. Constants differ from lane to lane, and take up signs in which limbs differ. The builder is
-// one for this program.
+// `signs`: of plan_signs. Constants differ from lane to lane, and absorb the signs in which limbs differ. `builder`: a
+// new one for this program.
 symbolic::Program lane_program(
     const symbolic::Program& program,
     const LanePlan& plan,

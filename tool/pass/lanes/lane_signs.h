@@ -1,7 +1,8 @@
-// Signs of lanes, chosen so that few have to be changed.
+// Signs of lanes, chosen so that few of them have to be changed.
 //
-// Mirrored limbs differ in signs: a + b in one is a - b in another. A value of lanes may be kept with some of its lanes
-// negated as long as all that read it know; this is the algebra of that choice, linear over the field of two elements.
+// Mirrored limbs differ in signs: a + b in one is a - b in another. A packed value may be kept with some of its lanes
+// negated as long as all its readers take that into account. Choosing such signs is linear algebra over the field of
+// two elements.
 #pragma once
 
 #include <optional>
@@ -26,7 +27,7 @@ class Signs {
   Sign product(const Sign& a, const Sign& b) const;
   // Chooses a variable such that this sign vanishes, where that is possible.
   void make_plain(const Sign& sign);
-  // The lanes that are negated, where variables that nobody chose are plain.
+  // The lanes that are negated, with zero for variables that were not chosen.
   unsigned value(const Sign& sign);
 
  private:
@@ -34,7 +35,7 @@ class Signs {
     bool costs = false;
     std::optional<Sign> value = {};
   };
-  // By variables that nobody chose; those on the way are remembered by these too.
+  // Expresses the sign by variables that were not chosen, and shortens the chains on the way.
   Sign resolved(const Sign& sign);
 
   unsigned all_;

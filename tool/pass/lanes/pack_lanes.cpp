@@ -16,7 +16,7 @@ using symbolic::predicted_time;
 using symbolic::Program;
 using symbolic::Statement;
 
-// None where values would have to wait for each other, or some have lanes already.
+// nullopt where values would depend on each other, or where some have lanes already.
 std::optional<Program> with_lanes(const Program& program, const std::vector<InputTuples>& classes) {
   if (program.has_lanes()) return std::nullopt;
   LaneBuilder builder(program);
@@ -25,12 +25,12 @@ std::optional<Program> with_lanes(const Program& program, const std::vector<Inpu
   return lane_program(program, *plan, plan_signs(*plan), builder);
 }
 
-// What is predicted to gain less may lose.
+// A smaller predicted gain may be a loss.
 bool is_clearly_faster(int time, int other) {
   return 8 * time < 7 * other;
 }
 
-// What two forms of one program in lanes, whose critical paths hardly differ, are compared by.
+// The measure for two forms of one program in lanes, whose critical paths hardly differ.
 int instructions(const Program& program) {
   const symbolic::OperationCount c = symbolic::count(program);
   return c.instructions + c.moves;
@@ -38,7 +38,7 @@ int instructions(const Program& program) {
 
 bool can_be_lanes(const InputTuples& limbs) {
   const std::size_t width = limbs.empty() ? 0 : limbs.front().size();
-  return width == 2 || width == 4 || width == at(kMostLanes);
+  return width == 2 || width == 4 || width == at(kMaxLanes);
 }
 
 // By flat index.
@@ -53,7 +53,7 @@ std::vector<bool> inputs_read(const Program& program) {
   return read;
 }
 
-// Of a program that reads one limb alone, such as a transform, nothing is done twice.
+// A program that reads one limb only, such as a transform, computes nothing twice.
 bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
   std::size_t lanes = 0;
   for (std::size_t lane = 0; lane < limbs.front().size(); ++lane)
@@ -62,7 +62,7 @@ bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
   return lanes >= 2;
 }
 
-// All classes at once; where that does not pay, class after class, as long as one gains beside those before.
+// All classes at once; where that does not pay, one class after the other, as long as one of them adds a gain.
 Packed pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
   Packed best = {program, std::vector<bool>(classes.size(), false)};
   std::vector<bool> all;
@@ -122,10 +122,10 @@ Program with_plain_numbers(const Program& program) {
 Packed pack_lanes(
     const Program& program,
     const std::vector<InputTuples>& classes,
-    const std::optional<Program>& alike) {
+    const std::optional<Program>& congruent) {
   Packed best = pack_classes(program, classes);
-  if (!alike) return best;
-  Packed other = pack_classes(with_plain_numbers(*alike), classes);
+  if (!congruent) return best;
+  Packed other = pack_classes(with_plain_numbers(*congruent), classes);
   if (!other.program.has_lanes() || !is_clearly_faster(predicted_time(other.program), predicted_time(program)))
     return best;
   return !best.program.has_lanes() || instructions(other.program) < instructions(best.program) ? other : best;

@@ -1,4 +1,4 @@
-// Equal limbs in the lanes of vectors: one statement computes the same for all limbs of a class.
+// Congruent limbs in the lanes of vectors: one statement computes a quantity for all limbs of a class.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,15 @@ struct Packed {
 // The program with its constants as plain numbers (Number::plain), each once.
 symbolic::Program with_plain_numbers(const symbolic::Program& program);
 
-// The program with lanes for those classes of limbs of which that makes it clearly faster by prediction
-// (symbolic::predicted_time); the program itself, where none does or it has lanes already. Each class has 2, 4 or 8
-// limbs.
+// The program with lanes for those classes of limbs that make it clearly faster (symbolic::predicted_time); the program
+// itself where no class does, or where it has lanes already. Each class has 2, 4 or 8 limbs.
 //
-// `alike` computes the same with limbs that fold alike, at the price of products with zeros and ones: it comes into
-// lanes in the place of the program where it gets faster that way.
+// `congruent` computes the same with limbs that fold in the same way, at the price of products with zeros and ones: it
+// takes the place of the program where lanes make it faster than the program.
 Packed pack_lanes(
     const symbolic::Program& program,
     const std::vector<InputTuples>& classes,
-    const std::optional<symbolic::Program>& alike = std::nullopt);
+    const std::optional<symbolic::Program>& congruent = std::nullopt);
 
 // All classes that can be packed, whatever that costs; a program that has lanes stays as it is.
 symbolic::Program packed(const symbolic::Program& program, const std::vector<InputTuples>& classes);

@@ -27,8 +27,8 @@ class SignChoice {
 
  private:
   const LanePlan& plan_;
-  Signs signs_{kMostLanes};
-  std::vector<Sign> sign_;  // by packed value: of what is computed, against what it stands for
+  Signs signs_{kMaxLanes};
+  std::vector<Sign> sign_;  // by packed value: of the computed value relative to the one that it stands for
 
   const PackedValue& packed_value(const Part& part) const { return plan_.packed_values[at(part.packed_value)]; }
   Sign sign_of(const Part& part) const {
@@ -67,7 +67,7 @@ class SignChoice {
     }
   }
 
-  // Makes the signs of the terms of a sum the same, as far as that is free.
+  // Makes the signs of the terms of a sum equal, as far as that costs nothing.
   void agree(const std::vector<Part>& parts) {
     const Part* first = nullptr;
     for (const Part& part : parts) {

@@ -1,4 +1,4 @@
-// With which signs the values of lanes are kept.
+// The signs with which packed values are kept.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace robcogen::pass {
 
-// By value of lanes: the lanes that are kept negated, a bit each, so that few have to be changed where limbs are
-// mirrored. Values that outputs ask for are kept as they are, up to a sign of the whole.
+// By packed value: the lanes that are kept negated, a bit each, so that few signs change where limbs are mirrored.
+// Values that outputs read are kept as they are, up to one sign for all lanes.
 std::vector<unsigned> plan_signs(const LanePlan& plan);
 
 }  // namespace robcogen::pass
