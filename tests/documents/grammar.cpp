@@ -12,7 +12,7 @@ namespace {
 using NodePtr = std::shared_ptr<const Node>;
 using language::Token;
 
-constexpr int kMost = 3;  // of what may be repeated without end, in derivations
+constexpr int kMaxRepetitions = 3;  // in derivations, of a part that may repeat without limit
 
 bool is_token(const std::string& name) {
   return name == "ID" || name == "NAME" || name == "NUMBER" || name == "INTEGER";
@@ -151,7 +151,7 @@ class Deriver {
         return;
       }
       case Node::Kind::repeat: {
-        const int most = depth > deepest_ ? node.least : std::min(node.most, kMost);
+        const int most = depth > deepest_ ? node.least : std::min(node.most, kMaxRepetitions);
         const int count = node.least + static_cast<int>(below(static_cast<std::size_t>(most - node.least) + 1));
         for (int i = 0; i < count; ++i) derive(*node.of[0], depth);
       }

@@ -21,7 +21,7 @@ using model::Quantity;
 // Constants fold into fewer sums than values that are only known to be constant, and into link frames that make
 // products of inertia vanish. Main functions: inverse and forward dynamics and the inertia matrix; a function of ten
 // instructions may have two more. Of the others the Coriolis matrix of the quadruped is the worst.
-constexpr double kMost = 1.1, kMostOfOthers = 1.6;
+constexpr double kMaxRatio = 1.1, kMaxRatioOfOthers = 1.6;
 constexpr int kAlways = 2;
 
 KinematicTree robot_of(const std::string& name) {
@@ -67,7 +67,7 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
       const int constant_cost = symbolic::count(pass::run(constants[k])).instructions;
       const std::string& function = programs[k].name;
       const bool is_main = function.find("dynamics") != std::string::npos || function == "joint_space_inertia";
-      EXPECT_LE(parametric_cost, (is_main ? kMost : kMostOfOthers) * constant_cost + kAlways)
+      EXPECT_LE(parametric_cost, (is_main ? kMaxRatio : kMaxRatioOfOthers) * constant_cost + kAlways)
           << name << " " << function;
     }
   }

@@ -50,7 +50,7 @@ void check_parents_first(const Description& description, Diagnostics& diagnostic
 
 void check_link_ids(const Description& description, Diagnostics& diagnostics) {
   // Links are numbered from 0 or 1, or from 2 where the base counts as 1.
-  constexpr int kLargestFirstId = 2;
+  constexpr int kMaxFirstId = 2;
   std::map<int, Place> ids;
   for (const DescribedLink& link : description.links) {
     if (!link.id) continue;
@@ -69,7 +69,7 @@ void check_link_ids(const Description& description, Diagnostics& diagnostics) {
   const std::string gaps = gaps_between(ids);
   if (!gaps.empty()) {
     diagnostics.warning("gapped-ids", first_place, fmt::format("ids of links are not consecutive: {} missing", gaps));
-  } else if (first < 0 || first > kLargestFirstId) {
+  } else if (first < 0 || first > kMaxFirstId) {
     diagnostics.warning("gapped-ids", first_place, fmt::format("ids of links start with {}, not with 1", first));
   }
 }

@@ -20,8 +20,8 @@
 #define ROBCOGEN_KEEPS_ORDER 1
 #endif
 
-// The registers of numbers, by the constraint that assembly names them with, and whether vectors of the compiler's
-// stand in them whole, from so many bytes on. "m" is memory: right on any processor.
+// The assembly constraint for registers of numbers, and the size in bytes from which a vector of the compiler fills
+// such a register. "m" is memory: valid on any processor.
 #if defined(__AVX512F__)
 #define ROBCOGEN_REGISTER_OF_DOUBLE "+v"
 #define ROBCOGEN_REGISTER_OF_FLOAT "+v"

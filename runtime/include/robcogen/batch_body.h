@@ -11,7 +11,7 @@ namespace robcogen::batch {
 namespace {  // separate in each file, like lanes
 
 // The states of one block of `count` states. In the last block, lanes without a state repeat the last one, so
-// that nothing is read or written beyond.
+// that no memory beyond it is read or written.
 template <class Scalar>
 class Block {
  public:
@@ -56,7 +56,7 @@ class Block {
   // With two lanes, single elements move as fast.
   static constexpr bool kHasRows = kSize > 2;
 
-  // States one after another, and the elements of each side by side: four elements at a time are a block.
+  // States one after another, with contiguous elements: four elements at a time are a block.
   template <int kElements>
   static void load_rows(const Scalar* data, std::ptrdiff_t state, Value* to) noexcept {
     int k = 0;

@@ -46,7 +46,7 @@ constexpr int kRegisterBytes = 32;
 constexpr int kRegisterBytes = 16;
 #endif
 
-// How many of them a register of the processor holds.
+// The number of scalars in a register of the processor.
 template <class Scalar>
 constexpr int kInRegister = 1;
 #if ROBCOGEN_HAS_VECTORS
@@ -163,7 +163,7 @@ class Lanes<Scalar, kSize, true> {
     }
   }
 
-  // From and to numbers at this distance.
+  // From and to numbers at this stride.
   static ROBCOGEN_INLINE Lanes gather(const Scalar* from, std::ptrdiff_t stride) noexcept {
     return gather(from, stride, std::make_integer_sequence<int, kSize>());
   }
@@ -304,7 +304,7 @@ ROBCOGEN_INLINE Lanes<Scalar, 2 * kSize> joined(
   return shuffled<kLane...>(low, high);
 }
 
-// The lanes of both, that fit into a register together.
+// The lanes of both, which fit into a register together.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE Lanes<Scalar, 2 * kSize> joined(
     const Lanes<Scalar, kSize>& low,

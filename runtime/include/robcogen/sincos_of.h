@@ -91,13 +91,13 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) no
   constexpr int kSize = kTogether<Scalar>, kWhole = kCount / kSize * kSize;
   Bits<Together<Scalar>> beyond = {};
   for (int i = 0; i < kWhole; i += kSize) sincos_together<kSize>(x + i, sine + i, cosine + i, beyond);
-  // The last ones with some before them once more, where there are as many, for a whole vector moves as a block.
+  // The last ones overlap those before, when there are enough, because a whole vector moves as a block.
   constexpr int kLast = kCount < kSize ? kCount : kSize, kFrom = kCount - kLast;
   if constexpr (kWhole < kCount) sincos_together<kLast>(x + kFrom, sine + kFrom, cosine + kFrom, beyond);
   if (any_beyond<Scalar>(beyond)) replace_large(x, kCount, sine, cosine);
 }
 
-// Of lanes: the vectors that they are made of. Registers of SSE hold four floats, and two of them become four.
+// For lanes: the vectors that they consist of. Registers of SSE hold four floats, and two of them become four.
 template <class Scalar, int kSize>
 constexpr int kLeaf = kSize < kInRegister<Scalar> ? kSize : kInRegister<Scalar>;
 #if defined(__SSE2__) && ROBCOGEN_HAS_VECTORS
@@ -132,7 +132,7 @@ ROBCOGEN_INLINE void sincos(
   }
 }
 
-// Of lanes that fill no more than half of a register, two values at a time; the last one may be alone.
+// For lanes that fill at most half of a register, two values at a time; the last one may be single.
 template <int kCount, class Scalar, int kSize, class Beyond>
 ROBCOGEN_INLINE void sincos_in_pairs(
     const Lanes<Scalar, kSize>* x,
@@ -170,7 +170,7 @@ ROBCOGEN_INLINE void sincos_of(
   }
 }
 
-// Whether polynomials compute its sines and cosines.
+// Whether polynomials compute the sines and cosines of this scalar.
 template <class Scalar>
 constexpr bool kIsComputed = std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>;
 template <class Scalar, int kSize>
@@ -179,7 +179,7 @@ constexpr bool kIsComputed<Lanes<Scalar, kSize>> = std::is_same_v<Scalar, double
 }  // namespace lanes
 }  // namespace
 
-// As of any other scalar. (Not in the unnamed namespace, where a qualified name would not find it.)
+// As for any other scalar. (Not in the unnamed namespace, where a qualified name would not find it.)
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (lanes::kIsComputed<Lanes<Scalar, kSize>>) {
@@ -201,7 +201,7 @@ ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& 
 namespace {
 
 // Whether all are so small that sincos_of_small has the sines and cosines of each, and of sums of three of them. Judged
-// by the sum of their squares, of which those in two blocks count twice: no more than 3e4^2 (of float 120^2), and not
+// by the sum of their squares, where those in two blocks count twice: at most 3e4^2 (for float 120^2), and not
 // NaN. (Under -ffast-math a NaN may pass: its sine and cosine are NaN either way.)
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE bool are_small(const Scalar* angles) noexcept {
@@ -223,7 +223,7 @@ ROBCOGEN_INLINE bool are_small(const Scalar* angles) noexcept {
   return sum_lanes(sum) <= kLimit;
 }
 
-// Sines and cosines of angles that are known to be small.
+// Sines and cosines of angles that have passed this test.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos_of_small(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (lanes::kIsComputed<Scalar>) {
@@ -236,7 +236,7 @@ ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos_of_small(const Lanes<Scalar,
   }
 }
 
-// A lone sine or cosine costs as much as both.
+// A single sine or cosine costs as much as both.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE Lanes<Scalar, kSize> sin(const Lanes<Scalar, kSize>& x) noexcept {
   return robcogen::sincos(x).sin;
@@ -246,8 +246,8 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) noexcept
   return robcogen::sincos(x).cos;
 }
 
-// Whether they are computed together: where that is measured to be faster than the C library. Of fewer than four angles
-// only those of double that leave few lanes empty; of lanes all.
+// Whether angles are computed together: when measurements show that this is faster than the C library. Fewer than four
+// angles only for double, when few lanes are empty; lanes always.
 template <int kCount, class Scalar>
 constexpr bool kPays = lanes::kIsComputed<Scalar> && (kCount >= 4 || !std::is_floating_point_v<Scalar>);
 template <int kCount>
@@ -274,7 +274,7 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosin
   }
 }
 
-// The same to these places: of angles[i] to the i-th of kTo.
+// The same, written to places: the sine and cosine of angles[i] to the i-th of kTo.
 template <int... kTo, class Scalar>
 ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   constexpr int kCount = sizeof...(kTo);
@@ -284,14 +284,14 @@ ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosin
   ((sine[kTo] = sines[i], cosine[kTo] = cosines[i], ++i), ...);
 }
 
-// The same of these angles only, to places of the same numbers.
+// The same for these angles only, to places of the same indices.
 template <int... kAt, class Scalar>
 ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   const Scalar packed[] = {angles[kAt]...};
   sincos_to<kAt...>(packed, sine, cosine);
 }
 
-// Sines and cosines of kSize angles as a value; of few angles too they are computed together.
+// Sines and cosines of kSize angles as a value; they are computed together, also for few angles.
 template <class Scalar, int kSize>
 class SinCosOf {
  public:

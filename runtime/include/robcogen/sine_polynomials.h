@@ -15,7 +15,7 @@
 #define ROBCOGEN_INLINE static inline
 #endif
 
-// Products and sums that are rounded once: where the processor has them, and the compiler a name for them.
+// Fused products and sums, rounded once: when the processor has them, and the compiler an intrinsic.
 #define ROBCOGEN_FUSES 0
 #if defined(__FMA__) && ROBCOGEN_HAS_VECTORS && defined(__has_builtin)
 #if __has_builtin(__builtin_elementwise_fma)
@@ -49,7 +49,7 @@ using Element = typename ElementOf<Numbers>::type;
 template <class Numbers>
 constexpr bool kIsSingle = std::is_same_v<Element<Numbers>, float>;
 
-// A constant of each precision.
+// A constant in each precision.
 template <class Scalar>
 constexpr Scalar constant(float of_float, double of_double) noexcept {
   if constexpr (std::is_same_v<Scalar, float>)
@@ -58,7 +58,7 @@ constexpr Scalar constant(float of_float, double of_double) noexcept {
     return of_double;
 }
 
-// The bits of each.
+// The bits of each element.
 template <class Scalar>
 using BitsOfOne = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
 template <class Numbers>
@@ -79,8 +79,8 @@ ROBCOGEN_INLINE Numbers numbers(const Bits<Numbers>& b) noexcept {
 }
 
 // Minimax polynomials in z = r^2 for r in [-pi/4, pi/4] (Remez exchange, coefficients rounded): sin r = r - r z s(z),
-// cos r = 1 - z / 2 + z^2 c(z). Of double the relative error of the sine is 2^-57 and the error of the cosine 2^-59, of
-// float 2^-27 and 2^-31.
+// cos r = 1 - z / 2 + z^2 c(z). For double the relative error of the sine is 2^-57 and the error of the cosine 2^-59,
+// for float 2^-27 and 2^-31.
 template <class Numbers>
 ROBCOGEN_INLINE Numbers rest_of_sine(const Numbers& z) noexcept {
   if constexpr (kIsSingle<Numbers>)
@@ -125,7 +125,7 @@ ROBCOGEN_INLINE Numbers fused(const Numbers& a, const Numbers& b, const Numbers&
   }
 }
 
-// The same in all elements.
+// The same number in all elements.
 template <class Numbers>
 ROBCOGEN_INLINE Numbers all(Element<Numbers> x) noexcept {
   return x - Numbers{};
@@ -133,10 +133,10 @@ ROBCOGEN_INLINE Numbers all(Element<Numbers> x) noexcept {
 
 // x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16.
 //
-// Of double, pi / 2 in parts of 53, 33 and 53 bits. The first difference is exact: it is below 1 and a multiple of
-// 2^-53. The second is exact where it is below 2^-34, for it is a multiple of 2^-86; where it is larger, r - first and
-// what rounding took off r are, for they have less than 53 bits. Of float the same with parts of 24, 16 and 24 bits:
-// multiples of 2^-24 and 2^-40, exact below 2^-16.
+// For double, pi / 2 has parts of 53, 33 and 53 bits. The first difference is exact: it is below 1 and a multiple of
+// 2^-53. The second is exact when it is below 2^-34, because it is a multiple of 2^-86; when it is larger, r - first
+// and the rounding error of r are exact, because they have less than 53 bits. For float the parts have 24, 16 and 24
+// bits: multiples of 2^-24 and 2^-40, exact below 2^-16.
 template <class Numbers>
 ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numbers& rest) noexcept {
   using Scalar = Element<Numbers>;
@@ -148,8 +148,9 @@ ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numb
   rest = fused(k, all<Numbers>(kPart3), fused(k, all<Numbers>(kPart2), r - first));
 }
 
-// Of r - rest, |r| <= pi / 4, within 0.9 ulp. The cosine gets the rest by way of the square, before that is rounded;
-// the sine gets it without the cosine that belongs there, at most 0.15 ulp. The polynomials need not wait for the rest.
+// For r - rest, |r| <= pi / 4, within 0.9 ulp. The rest enters the cosine through the square, before rounding; it
+// enters the sine without its factor, the cosine: an error of at most 0.15 ulp. The polynomials do not wait for the
+// rest.
 template <class Numbers>
 ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& sine, Numbers& cosine) noexcept {
   const Numbers z = r * r, square = fused(r, r, -((r + r) * rest));
@@ -159,8 +160,8 @@ ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& 
       all<Numbers>(Element<Numbers>(1.0)));
 }
 #else
-// a - t and what rounding added to it (Dekker 1971), where |a| is not smaller than |t| or nothing is added. Exact also
-// where the compiler fuses t = k p, which is exact by itself.
+// a - t and its rounding error (Dekker 1971), when |a| >= |t| or the error is zero. Exact also when the compiler fuses
+// t = k p, which is exact.
 template <class Numbers>
 ROBCOGEN_INLINE Numbers difference(const Numbers& a, const Numbers& t, Numbers& excess) noexcept {
   const Numbers result = as_rounded(a - t);
@@ -168,11 +169,11 @@ ROBCOGEN_INLINE Numbers difference(const Numbers& a, const Numbers& t, Numbers& 
   return result;
 }
 
-// x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16, of float 2^8.
+// x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16, for float 2^8.
 //
-// Of double, pi / 2 in parts of 33 bits, of which a multiple below 2^17 is exact (Cody, Waite 1980): where a difference
-// is smaller than what it is taken from, it has few enough bits to be exact. Of float, in parts of 16 bits and a last
-// one of 24: its multiple, below 2^-25, is rounded by 2^-50 at most, and no float in this range is nearer to a multiple
+// For double, pi / 2 has parts of 33 bits, whose multiples below 2^17 are exact (Cody, Waite 1980): when a difference
+// is smaller than its minuend, it has few enough bits to be exact. For float, it has parts of 16 bits and a last one of
+// 24: its multiple, below 2^-25, is rounded by 2^-50 at most, and no float in this range is nearer to a multiple
 // of pi / 2 than 2^-27.9.
 template <class Numbers>
 ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numbers& rest) noexcept {
@@ -190,8 +191,8 @@ ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numb
   }
 }
 
-// Of r - rest, |r| <= pi / 4, of double within 0.8 ulp: what rounding takes off 1 - z / 2 is added again. Of float it
-// is not, which leaves the cosine within 1.2 ulp.
+// For r - rest, |r| <= pi / 4, for double within 0.8 ulp: the rounding error of 1 - z / 2 is added again. For float it
+// is not: the cosine is within 1.2 ulp.
 template <class Numbers>
 ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& sine, Numbers& cosine) noexcept {
   constexpr Element<Numbers> kHalf = 0.5, kOne = 1.0;
@@ -204,16 +205,16 @@ ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& 
 }
 #endif
 
-// Adding it rounds to an integer k, whose last bits then stand in the last bits.
+// Adding it rounds to an integer k: the last bits of the sum are the last bits of k.
 template <class Scalar>
 constexpr auto kRound = constant<Scalar>(0x1.8p23f + 0x1p8f, 0x1.8p52 + 0x1p16);
 
-// Of |k| <= 2^16 the bits are below kBeyond, of any other, and of NaN, not. Of float |k| <= 2^8.
+// For |k| <= 2^16 the bits are below kBeyond; for other numbers and NaN they are not. For float |k| <= 2^8.
 template <class Scalar>
 constexpr BitsOfOne<Scalar> kBeyond = 1 << (std::is_same_v<Scalar, float> ? 9 : 17);
 template <class Numbers>
 ROBCOGEN_INLINE Bits<Numbers> bits_of_integer(const Numbers& rounded) noexcept {
-  // Of 0x1.8p23f and 0x1.8p52.
+  // The bits of 0x1.8p23f and 0x1.8p52.
   constexpr BitsOfOne<Element<Numbers>> kNone = kIsSingle<Numbers> ? 0x4b400000 : 0x4338000000000000;
   return bits(rounded) ^ kNone;
 }
@@ -224,7 +225,7 @@ ROBCOGEN_INLINE Numbers quarter_turns(const Numbers& x) noexcept {
   return as_rounded(x * kTwoByPi + kRound<Element<Numbers>>);
 }
 
-// Of what is beyond the range of the polynomials, |x| of about 1e5, of float 400, `beyond` gets bits from kBeyond on.
+// For x beyond the range of the polynomials, |x| of about 1e5, for float 400, `beyond` gets bits from kBeyond on.
 // The last bits are those of the integer.
 template <class Numbers>
 ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, Bits<Numbers>& beyond) noexcept {
@@ -233,7 +234,7 @@ ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, Bits<Numbers>& beyon
   return k;
 }
 
-// Where nothing is.
+// When no element is beyond the range.
 struct NoneBeyond {};
 template <class Numbers>
 ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, NoneBeyond&) noexcept {
@@ -264,7 +265,7 @@ ROBCOGEN_INLINE void polynomials(const Numbers& x, Numbers& sine, Numbers& cosin
   reduce<Numbers>(x, rounded - kRound<Element<Numbers>>, r, rest);
   of_reduced<Numbers>(r, rest, sin_r, cos_r);
 
-  // In odd quadrants sine and cosine are exchanged: of the two, each gets what the other has not.
+  // In odd quadrants sine and cosine are exchanged: each gets the value of the other.
   constexpr int kHighest = 8 * static_cast<int>(sizeof(Element<Numbers>)) - 1;
   const Bits<Numbers> odd = k << kHighest, half_turn = k >> 1 << kHighest;
   const Bits<Numbers> sine_bits = bits(chosen(odd, sin_r, cos_r)) ^ half_turn;
