@@ -56,7 +56,7 @@ class Reader {
     if (keyword == "in") return words_ >> section_ ? "" : "'in' needs the number of a section";
     if (keyword == "let" || keyword == "tmp") return assignment(keyword == "let");
     if (keyword == "return") return values();
-    return "'" + keyword + "' is no statement";
+    return "'" + keyword + "' is not a statement";
   }
 
   bool role(Role& role) {
@@ -121,7 +121,7 @@ class Reader {
       s.op = o.op;
       known = true;
     }
-    if (!known) return "'" + op + "' is no operation";
+    if (!known) return "'" + op + "' is not an operation";
     if (std::string fault = read_operand(first, s.a); !fault.empty()) return fault;
     if (std::string fault = read_operand(operand, s.b); !fault.empty()) return fault;
     return append(std::move(s));
@@ -147,7 +147,7 @@ class Reader {
       }
       return "";
     }
-    return "'" + name + "' is no output";
+    return "'" + name + "' is not an output";
   }
 
   std::string read_operand(std::string word, Operand& o) {
@@ -161,7 +161,7 @@ class Reader {
       o.index = known->second;
       const bool is_lane =
           at == word.size() || (read_all(std::string_view(word).substr(at + 1), o.lane) && o.lane >= 0);
-      return is_lane ? "" : "'" + word + "' is no lane";
+      return is_lane ? "" : "'" + word + "' is not a lane";
     }
     if (word.ends_with(']')) return read_input(word, o);
     return read_constant(word, o);
@@ -181,7 +181,7 @@ class Reader {
       }
       offset += static_cast<int>(array.elements.size());
     }
-    return "'" + word + "' is no element of an input";
+    return "'" + word + "' is not an element of an input";
   }
 
   std::string read_constant(const std::string& word, Operand& o) {

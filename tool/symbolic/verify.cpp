@@ -38,7 +38,7 @@ template <class Array>
 std::string fault_of_names(const std::vector<Array>& arrays) {
   std::unordered_set<std::string> names;
   for (const Array& array : arrays) {
-    if (!is_identifier(array.name)) return "'" + array.name + "' is no identifier";
+    if (!is_identifier(array.name)) return "'" + array.name + "' is not a valid identifier";
     if (!names.insert(array.name).second) return "'" + array.name + "' names two arrays";
   }
   return "";
@@ -67,7 +67,7 @@ std::string verify(const Program& p) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
-    if (!is_identifier(s.name)) return "'" + s.name + "' is no identifier";
+    if (!is_identifier(s.name)) return "'" + s.name + "' is not a valid identifier";
     if (std::any_of(kOps.begin(), kOps.end(), [&](const OpName& o) { return s.name == o.name; }))
       return "'" + s.name + "' is an operation";
     if (!names.insert(s.name).second) return "'" + s.name + "' is assigned twice";

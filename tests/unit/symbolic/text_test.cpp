@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"program\n", "line 1: a program needs a name"},
         Refused{"program 1st\n", "the program has no proper name"},
         Refused{"program p extra\n", "line 1: 'extra' is too much"},
-        Refused{"program p\nprogramme q\n", "line 2: 'programme' is no statement"},
+        Refused{"program p\nprogramme q\n", "line 2: 'programme' is not a statement"},
         Refused{"program p\ninput q\n", "line 2: an input needs a name and a role"},
         Refused{"program p\ninput q altitude\n", "line 2: an input needs a name and a role"},
         Refused{"program p\noutput tau value 2\n", "line 2: an output needs a name, a role, rows and columns"},
@@ -123,19 +123,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{kHead + "in 0 1\n", "line 6: '1' is too much"},
         Refused{kHead + "let x q[0]\n", "line 6: expected `name = …`"},
         Refused{kHead + "let x = a[0]\n", "line 6: expected `a op b`"},
-        Refused{kHead + "let x = a[0] % a[1]\n", "line 6: '%' is no operation"},
+        Refused{kHead + "let x = a[0] % a[1]\n", "line 6: '%' is not an operation"},
         Refused{kHead + "let x = a[0] + a[1] a[2]\n", "line 6: 'a[2]' is too much"},
         Refused{kHead + "let x = sin\n", "line 6: the function needs an operand"},
         Refused{kHead + "let x = sin a[0] a[1]\n", "line 6: 'a[1]' is too much"},
-        Refused{kHead + "let x = a[4] + 1\n", "line 6: 'a[4]' is no element of an input"},
-        Refused{kHead + "let x = a[-1] + 1\n", "line 6: 'a[-1]' is no element of an input"},
-        Refused{kHead + "let x = a[1x] + 1\n", "line 6: 'a[1x]' is no element of an input"},
-        Refused{kHead + "let x = a[] + 1\n", "line 6: 'a[]' is no element of an input"},
-        Refused{kHead + "let x = b[0] + 1\n", "line 6: 'b[0]' is no element of an input"},
-        Refused{kHead + "let x = ] + 1\n", "line 6: ']' is no element of an input"},
+        Refused{kHead + "let x = a[4] + 1\n", "line 6: 'a[4]' is not an element of an input"},
+        Refused{kHead + "let x = a[-1] + 1\n", "line 6: 'a[-1]' is not an element of an input"},
+        Refused{kHead + "let x = a[1x] + 1\n", "line 6: 'a[1x]' is not an element of an input"},
+        Refused{kHead + "let x = a[] + 1\n", "line 6: 'a[]' is not an element of an input"},
+        Refused{kHead + "let x = b[0] + 1\n", "line 6: 'b[0]' is not an element of an input"},
+        Refused{kHead + "let x = ] + 1\n", "line 6: ']' is not an element of an input"},
         Refused{kHead + "let x = y + 1\n", "line 6: 'y' is neither a number nor assigned before"},
         Refused{kHead + "let x = x + 1\n", "line 6: 'x' is neither a number nor assigned before"},
-        Refused{kHead + "let x = --a[0] + 1\n", "line 6: '-a[0]' is no element of an input"},
+        Refused{kHead + "let x = --a[0] + 1\n", "line 6: '-a[0]' is not an element of an input"},
         Refused{kHead + "let x = a[0] + --1\n", "line 6: '-1' is neither a number nor assigned before"},
         Refused{kHead + "let x = a[0] + nan\n", "line 6: 'nan' is neither a number nor assigned before"},
         Refused{kHead + "let x = a[0] + 1e999\n", "line 6: '1e999' is neither a number nor assigned before"},
@@ -145,11 +145,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{kHead + "let x = a[0] + pi:1:2:3\n", "line 6: 'pi:1:2:3' is neither a number nor assigned before"},
         Refused{kHead + "let x = a[0] + pi:-1:2\n", "line 6: 'pi:-1:2' is neither a number nor assigned before"},
         Refused{kHead + "let x = a[0] + 1\nlet x = a[0] + 2\n", "line 7: 'x' is assigned twice"},
-        Refused{kHead + "let a-b = a[0] + 1\n", "'a-b' is no identifier"},
+        Refused{kHead + "let a-b = a[0] + 1\n", "'a-b' is not a valid identifier"},
         Refused{kHead + "let sin = a[0] + 1\nreturn out sin\n", "'sin' is an operation"},
         Refused{kHead + "in 2\nlet x = a[0] + 1\nreturn out x\n", "statement 'x' is in no section"},
         Refused{kHead + "in -1\nlet x = a[0] + 1\nreturn out x\n", "statement 'x' is in no section"},
-        Refused{kHead + "return aus a[0]\n", "line 6: 'aus' is no output"},
+        Refused{kHead + "return aus a[0]\n", "line 6: 'aus' is not an output"},
         Refused{kHead + "return out x\n", "line 6: 'x' is neither a number nor assigned before"},
         Refused{kHead + "return out a[0] a[1]\n", "output 'out' has the wrong number of values"},
         Refused{kHead, "output 'out' has the wrong number of values"}));
@@ -221,7 +221,7 @@ TEST_F(Verify, ArraysThatShareAName) {
 
 TEST_F(Verify, ArraysWithoutAProperName) {
   p.inputs[0].name = "a b";
-  EXPECT_EQ(verify(p), "'a b' is no identifier");
+  EXPECT_EQ(verify(p), "'a b' is not a valid identifier");
 }
 
 TEST_F(Verify, ConstantsThatAreNegativeOrNotFinite) {

@@ -179,10 +179,8 @@ class LinkFrameBuilder {
       trace_.section(joint.name, "joint " + joint.name + ": placement");
       result.poses[at(j)] = pose(j);
       trace_.section(
-          name, "link " + name + ": mass properties" +
-                    (frames_[at(j)].turns_with_joint
-                         ? ""
-                         : ", that turn with joint " + joint.name + " in the place of the vectors, which are more"));
+          name,
+          "link " + name + ": mass properties" + (frames_[at(j)].turns_with_joint ? "" : " in the parent's axes"));
       Pose& model = result.frames_of_model[at(joint.child)];
       model = pose_of(trace_, model_in_frame(frames_[at(j)]), {});
       MassProperties& mass = result.masses[at(joint.child)];
@@ -277,10 +275,10 @@ std::string description(const model::KinematicTree& tree, const LinkFrames& fram
     if (!frame.turns_with_joint) turning += (turning.empty() ? "" : ", ") + link;
   }
   std::string text;
-  if (!placed.empty()) text = "Links are seen in frames of their own, where products vanish: " + placed + ".";
+  if (!placed.empty()) text = "Link frames in which products vanish: " + placed + ".";
   if (turning.empty()) return text;
   if (!text.empty()) text += " ";
-  return text + "Instead of the vectors the mass properties turn with the joint of: " + turning + ".";
+  return text + "Inertia in the parent's axes, which costs less than rotating the motion vectors: " + turning + ".";
 }
 
 AxisPlacement axis_placement(const Placement& placement) {
