@@ -484,7 +484,7 @@ function(_robcogen_link_harness target harness)
   target_link_libraries(${target} PRIVATE ${library_TARGET} ${harness})
   string(JOIN "::" qualified ${library_NAMESPACE} ${library_NAME})
   _robcogen_folder(folder)
-  _robcogen_header(${folder} robot robot_header)
+  set(robot_header ${folder}/${library_NAME}.h)
   _robcogen_header(${folder} reflection reflection_header)
   target_compile_definitions(
     ${target} PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_header}> ROBCOGEN_REFLECTION_HEADER=<${reflection_header}>

@@ -187,6 +187,7 @@ JointState inverse_dynamics(const JointState& q, const JointState& qd, const Gra
 // The definitions, in each precision.
 #include "leg/detail/kernels.h"
 
+#define ROBCOGEN_DEFINITIONS
 namespace leg {
 namespace here = ::leg;
 #include "leg/detail/functions.inc"
@@ -196,6 +197,7 @@ namespace leg::f32 {
 namespace here = ::leg::f32;
 #include "leg/detail/functions.inc"
 }  // namespace leg::f32
+#undef ROBCOGEN_DEFINITIONS
 )";
   const std::string text = file(library_with_kernels(), "leg/leg.h");
   EXPECT_NE(text.find(part), std::string::npos) << text;

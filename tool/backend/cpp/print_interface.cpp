@@ -16,6 +16,9 @@ namespace {
 // The namespace of the precision that <name>/detail/functions.inc is included in: members of Robot call its functions.
 constexpr const char* kHere = "here";
 
+// Defined while that file is included: a header that a build compiles by itself must be sound.
+constexpr const char* kIncluded = "ROBCOGEN_DEFINITIONS";
+
 std::vector<std::string> parameter_list(const Overload& overload) {
   std::vector<std::string> list;
   for (const Argument& a : overload.arguments)
@@ -285,16 +288,21 @@ std::string print_umbrella(const Api& api, const std::string& path) {
        "#pragma once\n", tables ? includes({"<array>"}) : "", includes(headers),
        in_namespace(api.space, paragraphs(groups)),
        comment("The definitions, in each precision.") + includes({cpp::quoted(kernels_path(folder(library)))}),
-       definitions_in(api, api.space), definitions_in(api, api.space + "::f32")});
+       std::string("#define ") + kIncluded + "\n" + definitions_in(api, api.space),
+       definitions_in(api, api.space + "::f32") + "#undef " + kIncluded + "\n"});
 }
 
 std::string print_definitions(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   std::vector<std::string> parts = {
       banner(library, path, "definitions of its functions") +
-      comment(umbrella_path(folder(library)) + " includes this file in the namespaces of both precisions.")};
+      comment(
+          umbrella_path(folder(library)) +
+          " includes this file in the namespaces of both precisions; alone it is empty.") +
+      "#ifdef " + kIncluded + "\n"};
   for (const std::string& group : library.groups) parts.push_back(definitions(api, group));
   if (library.has_robot()) parts.push_back(robot_type(api));
+  parts.push_back("#endif\n");
   return paragraphs(parts);
 }
 
