@@ -83,6 +83,21 @@ struct Cloud {
     }
     return sum;
   }
+  // As a document gives them: moments and products about the link's origin, products with positive sign.
+  model::Inertia document() const {
+    const Eigen::Matrix3d tensor = inertia_tensor(), s = pseudo_inertia();
+    model::Inertia inertia;
+    inertia.mass = model::Quantity(total());
+    for (std::size_t i = 0; i < 3; ++i)
+      inertia.com[i] = model::Quantity(first_moment()[static_cast<Eigen::Index>(i)] / total());
+    inertia.ixx = model::Quantity(tensor(0, 0));
+    inertia.iyy = model::Quantity(tensor(1, 1));
+    inertia.izz = model::Quantity(tensor(2, 2));
+    inertia.ixy = model::Quantity(s(0, 1));
+    inertia.ixz = model::Quantity(s(0, 2));
+    inertia.iyz = model::Quantity(s(1, 2));
+    return inertia;
+  }
   MassProperties symbols(Numbers& n) const {
     const Eigen::Vector3d h = first_moment();
     const Eigen::Matrix3d s = pseudo_inertia();

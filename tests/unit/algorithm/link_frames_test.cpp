@@ -1,5 +1,5 @@
-// Link frames: placements split along axes, and the results of the search. That results do not depend on frames is a
-// property of random robots (tests/numeric/passes_test.cpp).
+// Placements split along axes. That results do not depend on frames is a property of random robots
+// (frame_search_test.cpp, tests/numeric/passes_test.cpp).
 #include "algorithm/formulation/link_frames.h"
 
 #include <gtest/gtest.h>
@@ -7,10 +7,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "algorithm/dynamics/dynamics.h"
-#include "algorithm/search/frame_search.h"
 #include "hand_robots.h"
-#include "symbolic/count.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -82,56 +79,6 @@ TEST(AxisPlacement, SplitsAtRightAnglesExactly) {
   ASSERT_EQ(split.to_axis.size(), 3U);
   EXPECT_EQ(value(split.to_axis[0].amount), 0.3);
   EXPECT_EQ(value(split.to_axis[1].amount), 0.5);
-}
-
-symbolic::Program inertia(const model::KinematicTree& tree, const Formulation& formulation) {
-  return joint_space_inertia(tree, "H", formulation);
-}
-
-// The second rod of a planar arm, given in axes that its mass is not on.
-model::KinematicTree crooked_arm() {
-  model::Description d;
-  d.name = "crooked";
-  d.base = model::test::link("base", {{"upper", "shoulder", {}, {}}});
-  d.links = {model::test::link("upper", {{"lower", "elbow", {}, {}}}), model::test::link("lower")};
-  d.links[0].inertia = point_mass_on_x(1.0, 0.5);
-  d.links[1].inertia = point_mass_on_x(1.0, 0.5);
-  d.links[1].inertia->com[1] = model::Quantity(0.25);
-  d.links[1].inertia->ixy = model::Quantity(0.5 * 0.25);
-  d.links[1].inertia->ixx = model::Quantity(0.25 * 0.25);
-  d.links[1].inertia->izz = model::Quantity(0.25 + 0.25 * 0.25);
-  model::Placement elbow;
-  elbow.translation[0] = model::Quantity(1.0);
-  d.joints = {
-      model::test::joint("shoulder", model::JointType::revolute, {}),
-      model::test::joint("elbow", model::JointType::revolute, elbow)};
-  return built(d);
-}
-
-TEST(FrameSearch, PutsTheAxisThroughTheMass) {
-  const model::KinematicTree tree = crooked_arm();
-  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inertia);
-  ASSERT_EQ(frames.size(), 2U);
-  const double turn = value(frames[1].turn);
-  EXPECT_NEAR(std::remainder(turn - std::atan2(0.25, 0.5), std::numbers::pi / 2), 0.0, 1e-12) << turn;
-  EXPECT_LT(symbolic::work(inertia(tree, {.frames = frames})), symbolic::work(inertia(tree, {})));
-}
-
-TEST(FrameSearch, FindsTheSameAgain) {
-  const model::KinematicTree tree = crooked_arm();
-  const auto text = [&] { return description(tree, cheap_frames(tree, {.effort = 1}, inertia)); };
-  EXPECT_EQ(text(), text());
-  EXPECT_NE(text(), "");
-}
-
-TEST(FrameSearch, LeavesFramesWithoutEffort) {
-  const model::KinematicTree tree = crooked_arm();
-  EXPECT_TRUE(cheap_frames(tree, {}, inertia).empty());
-  EXPECT_TRUE(cheap_frames(tree, {.choose_frames = false, .turn_inertia = false, .effort = 1}, inertia).empty());
-  for (const LinkFrame& frame : cheap_frames(tree, {.choose_frames = false, .effort = 1}, inertia))
-    EXPECT_TRUE(frame.turn.is_zero() && frame.slide.is_zero());
-  for (const LinkFrame& frame : cheap_frames(tree, {.turn_inertia = false, .effort = 1}, inertia))
-    EXPECT_TRUE(frame.turns_with_joint);
 }
 
 }  // namespace

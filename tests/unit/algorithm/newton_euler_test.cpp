@@ -23,22 +23,12 @@ TEST_P(NewtonEuler, TheInertiaTensor) {
   EXPECT_TRUE(n.value(inertia_tensor(body.symbols(n))).isApprox(body.inertia_tensor(), kTolerance));
 }
 
-// Moments and products of a document are about the link's origin; products have positive sign.
 TEST_P(NewtonEuler, MassPropertiesOfADocument) {
   const Cloud body = Cloud::random(n);
   const Vector3d h = body.first_moment();
-  const Matrix3d s = body.pseudo_inertia(), tensor = body.inertia_tensor();
-  model::Inertia inertia;
-  inertia.mass = model::Quantity(body.total());
-  for (std::size_t i = 0; i < 3; ++i) inertia.com[i] = model::Quantity(h[static_cast<int>(i)] / body.total());
-  inertia.ixx = model::Quantity(tensor(0, 0));
-  inertia.iyy = model::Quantity(tensor(1, 1));
-  inertia.izz = model::Quantity(tensor(2, 2));
-  inertia.ixy = model::Quantity(s(0, 1));
-  inertia.ixz = model::Quantity(s(0, 2));
-  inertia.iyz = model::Quantity(s(1, 2));
+  const Matrix3d s = body.pseudo_inertia();
   model::Link link;
-  link.inertia = inertia;
+  link.inertia = body.document();
   const MassProperties m = mass_properties(n.trace, link);
   EXPECT_EQ(n.value(m.mass), body.total());
   EXPECT_TRUE(n.value(m.first_moment).isApprox(h, kTolerance));

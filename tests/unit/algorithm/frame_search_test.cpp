@@ -1,0 +1,120 @@
+// Link frames that the search finds: cheaper than those of the model, with the same results.
+#include "algorithm/search/frame_search.h"
+
+#include <cmath>
+
+#include "algorithm/dynamics/dynamics.h"
+#include "random_robots.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using namespace test;
+
+double value(const model::Quantity& q) {
+  return q.number().value();
+}
+
+symbolic::Program inertia(const model::KinematicTree& tree, const Formulation& formulation) {
+  return joint_space_inertia(tree, "H", formulation);
+}
+
+// The second rod of a planar arm, given in axes that its mass is not on.
+model::KinematicTree crooked_arm() {
+  model::Description d;
+  d.name = "crooked";
+  d.base = model::test::link("base", {{"upper", "shoulder", {}, {}}});
+  d.links = {model::test::link("upper", {{"lower", "elbow", {}, {}}}), model::test::link("lower")};
+  d.links[0].inertia = point_mass_on_x(1.0, 0.5);
+  d.links[1].inertia = point_mass_on_x(1.0, 0.5);
+  d.links[1].inertia->com[1] = model::Quantity(0.25);
+  d.links[1].inertia->ixy = model::Quantity(0.5 * 0.25);
+  d.links[1].inertia->ixx = model::Quantity(0.25 * 0.25);
+  d.links[1].inertia->izz = model::Quantity(0.25 + 0.25 * 0.25);
+  model::Placement elbow;
+  elbow.translation[0] = model::Quantity(1.0);
+  d.joints = {
+      model::test::joint("shoulder", model::JointType::revolute, {}),
+      model::test::joint("elbow", model::JointType::revolute, elbow)};
+  return built(d);
+}
+
+TEST(FrameSearch, PutsTheAxisThroughTheMass) {
+  const model::KinematicTree tree = crooked_arm();
+  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inertia);
+  ASSERT_EQ(frames.size(), 2U);
+  const double turn = value(frames[1].turn);
+  EXPECT_NEAR(std::remainder(turn - std::atan2(0.25, 0.5), std::numbers::pi / 2), 0.0, 1e-12) << turn;
+  EXPECT_LT(symbolic::work(inertia(tree, {.frames = frames})), symbolic::work(inertia(tree, {})));
+}
+
+TEST(FrameSearch, FindsTheSameAgain) {
+  const model::KinematicTree tree = crooked_arm();
+  const auto text = [&] { return description(tree, cheap_frames(tree, {.effort = 1}, inertia)); };
+  EXPECT_EQ(text(), text());
+  EXPECT_NE(text(), "");
+}
+
+TEST(FrameSearch, LeavesFramesWithoutEffort) {
+  const model::KinematicTree tree = crooked_arm();
+  EXPECT_TRUE(cheap_frames(tree, {}, inertia).empty());
+  EXPECT_TRUE(cheap_frames(tree, {.choose_frames = false, .turn_inertia = false, .effort = 1}, inertia).empty());
+  for (const LinkFrame& frame : cheap_frames(tree, {.choose_frames = false, .effort = 1}, inertia))
+    EXPECT_TRUE(frame.turn.is_zero() && frame.slide.is_zero());
+  for (const LinkFrame& frame : cheap_frames(tree, {.turn_inertia = false, .effort = 1}, inertia))
+    EXPECT_TRUE(frame.turns_with_joint);
+}
+
+symbolic::Program inverse_dynamics(const model::KinematicTree& tree, const Formulation& formulation) {
+  return newton_euler(tree, "tau", Loads::standard_gravity, formulation);
+}
+
+class SearchOf : public testing::TestWithParam<int> {
+ protected:
+  static constexpr int kJoints = 4;
+  Numbers n{static_cast<unsigned>(GetParam())};
+  model::KinematicTree tree = random_robot(n, kJoints, true);
+  symbolic::Arrays<double> state;
+
+  void SetUp() override {
+    for (const char* array : {"q", "qd", "qdd"})
+      for (int j = 0; j < kJoints; ++j) state[array].push_back(n.real());
+  }
+};
+
+// The whole chain is what each of its joints has to do with: no step makes it dearer.
+TEST_P(SearchOf, FramesCostNoMoreThanTheModels) {
+  for (const TraceOf& trace : {TraceOf(inertia), TraceOf(inverse_dynamics)}) {
+    const LinkFrames frames = cheap_frames(tree, {.effort = 1}, trace);
+    const symbolic::Program found = trace(tree, {.frames = frames, .is_draft = true});
+    const symbolic::Program of_model = trace(tree, {.frames = LinkFrames(kJoints), .is_draft = true});
+    EXPECT_LE(symbolic::work(found), symbolic::work(of_model));
+  }
+}
+
+TEST_P(SearchOf, FramesKeepTheResults) {
+  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inverse_dynamics);
+  const std::vector<double> expected = run(inverse_dynamics(tree, plain_formulation()), state);
+  const std::vector<double> found = run(inverse_dynamics(tree, {.frames = frames}), state);
+  double size = 0;  // of the forces: some thousand newtons where velocities are a few rad/s
+  for (const double force : expected) size = std::max(size, std::abs(force));
+  for (std::size_t j = 0; j < expected.size(); ++j) EXPECT_NEAR(found[j], expected[j], 1e-12 * size) << j;
+}
+
+INSTANTIATE_TEST_SUITE_P(, SearchOf, testing::Range(0, 8));
+
+// Crooked shanks whose axis through the mass is at the same angle, or at the opposite one.
+TEST(FrameSearch, LimbsOfOneShapeGetCorrespondingFrames) {
+  const model::KinematicTree tree = two_legs(0.125, -0.125);
+  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inertia);
+  const auto frame = [&](const char* joint) { return frames.at(static_cast<std::size_t>(*tree.find_joint(joint))); };
+  EXPECT_NE(value(frame("L_knee").turn), 0.0);
+  EXPECT_NEAR(value(frame("L_knee").turn), -value(frame("R_knee").turn), kByHand);
+  for (const char* joint : {"hip", "knee"})
+    EXPECT_EQ(
+        frame((std::string("L_") + joint).c_str()).turns_with_joint,
+        frame((std::string("R_") + joint).c_str()).turns_with_joint);
+}
+
+}  // namespace
+}  // namespace robcogen::algorithm

@@ -1,0 +1,101 @@
+// Congruent limbs that differ in zeros: numbers that fold alike, and keep their values.
+#include "algorithm/formulation/representative_limbs.h"
+
+#include <cmath>
+
+#include "algorithm/dynamics/traced_robot.h"
+#include "random_robots.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using namespace test;
+using model::KinematicTree;
+
+// The poses and masses of the model, and what represents them.
+struct Representatives {
+  explicit Representatives(KinematicTree robot) : tree(std::move(robot)) {
+    q = trace.joint_input("q", symbolic::Role::joint_position);
+    const TracedRobot traced(trace, q);
+    poses = traced.poses;
+    masses = traced.masses;
+    links = representative_links(tree, poses, masses);
+  }
+
+  KinematicTree tree;
+  Trace trace{tree};
+  std::vector<Expression> q;
+  std::vector<Pose> poses;
+  std::vector<MassProperties> masses;
+  RepresentativeLinks links;
+
+  std::size_t joint(const char* name) const { return static_cast<std::size_t>(*tree.find_joint(name)); }
+  const MassProperties& mass(const char* joint_name) const {
+    return masses[static_cast<std::size_t>(tree.joints[joint(joint_name)].child)];
+  }
+  void fold() {
+    for (std::size_t j = 0; j < links.size(); ++j) {
+      fold_like(trace, links[j], poses[j]);
+      fold_like(trace, links[j], masses[static_cast<std::size_t>(tree.joints[j].child)]);
+    }
+  }
+  // Of the shank's mass properties about the origin of the thigh.
+  symbolic::Program shank_in_thigh(const char* knee) const {
+    const MassProperties m = to_parent(poses[joint(knee)], mass(knee));
+    std::vector<Expression> values = flat(m.pseudo_inertia);
+    for (const Expression& e : m.first_moment.element) values.push_back(e);
+    return test::program(trace.graph, tree.joints.size(), values);
+  }
+};
+
+constexpr std::size_t kMomentY = 2;  // of RepresentativeLink::mass
+constexpr double kRightY = -0.1875;  // no other number of the robot, or sums would be shared
+
+TEST(RepresentativeLimbs, EqualLimbsNeedNone) {
+  EXPECT_TRUE(Representatives(two_legs(0, 0)).links.empty());
+  EXPECT_TRUE(Representatives(two_legs(0.1, -0.1)).links.empty());
+}
+
+// Other numbers, but no zero that the other limb does not have.
+TEST(RepresentativeLimbs, LimbsThatFoldAlikeNeedNone) {
+  EXPECT_TRUE(Representatives(two_legs(0.1, -0.25)).links.empty());
+}
+
+TEST(RepresentativeLimbs, RobotsWithoutCongruentLimbsNeedNone) {
+  EXPECT_TRUE(Representatives(two_rods()).links.empty());
+}
+
+// One magnitude for the limbs, between theirs; what they have in common stays.
+TEST(RepresentativeLimbs, AMagnitudeStandsForTheZero) {
+  const Representatives r(two_legs(0, kRightY));
+  ASSERT_EQ(r.links.size(), 4U);
+  const RepresentativeLink &left = r.links[r.joint("L_knee")], &right = r.links[r.joint("R_knee")];
+  EXPECT_EQ(left.mass[kMomentY], -right.mass[kMomentY]);  // with the sign of each limb
+  EXPECT_GT(left.mass[kMomentY], 0);
+  EXPECT_LT(left.mass[kMomentY], -kRightY);
+  EXPECT_TRUE(std::isnan(left.mass[0]));
+  for (const double number : r.links[r.joint("L_hip")].mass) EXPECT_TRUE(std::isnan(number));
+}
+
+TEST(RepresentativeLimbs, NumbersFoldLikeThemAndKeepTheirValues) {
+  Representatives r(two_legs(0, kRightY));
+  const std::vector<double> q = {0.3, 0.8, -0.4, 1.2};  // L_hip, L_knee, R_hip, R_knee
+  const symbolic::Program left = r.shank_in_thigh("L_knee"), right = r.shank_in_thigh("R_knee");
+  ASSERT_LT(symbolic::work(left), symbolic::work(right));
+
+  EXPECT_TRUE(r.mass("L_knee").first_moment[1].is_zero());
+  r.fold();
+  const Expression& moment = r.mass("L_knee").first_moment[1];
+  EXPECT_FALSE(moment.is_zero());
+  EXPECT_EQ(moment.number().value(), 0.0);
+  EXPECT_EQ(r.mass("R_knee").first_moment[1].number().value(), kRightY);
+
+  const symbolic::Program left_like = r.shank_in_thigh("L_knee"), right_like = r.shank_in_thigh("R_knee");
+  EXPECT_EQ(symbolic::work(left_like), symbolic::work(right_like));
+  EXPECT_EQ(symbolic::work(right_like), symbolic::work(right));
+  expect_near(run(left_like, {{"in", q}}), run(left, {{"in", q}}));
+  expect_near(run(right_like, {{"in", q}}), run(right, {{"in", q}}));
+}
+
+}  // namespace
+}  // namespace robcogen::algorithm
