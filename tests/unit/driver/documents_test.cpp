@@ -1,0 +1,74 @@
+// Which language a document is in, and the text of files.
+#include "driver/documents.h"
+
+#include "documents.h"
+#include "driver/failure.h"
+
+namespace robcogen::driver {
+namespace {
+
+using test::Folder;
+namespace fs = std::filesystem;
+
+TEST(Documents, HaveTheLanguageOfTheirSuffix) {
+  EXPECT_EQ(language_of_suffix("a/arm.kindsl"), Language::robot);
+  EXPECT_EQ(language_of_suffix("arm.urdf"), Language::urdf);
+  EXPECT_EQ(language_of_suffix("arm.motdsl"), Language::motions);
+  EXPECT_EQ(language_of_suffix("arm.ctdsl"), Language::transforms);
+  EXPECT_EQ(language_of_suffix("arm.dtdsl"), Language::desired);
+  for (const char* other : {"arm.xml", "arm", "kindsl", "arm.kindsl.bak"})
+    EXPECT_FALSE(language_of_suffix(other)) << other;
+}
+
+TEST(Documents, OfOtherSuffixesAreJudgedByTheirContent) {
+  const Folder folder;
+  EXPECT_EQ(language_of(folder.file("robot.xml", test::kRodsUrdf)), Language::urdf);
+  EXPECT_EQ(language_of(folder.file("robot", test::kRods)), Language::robot);
+  EXPECT_EQ(language_of(folder.file("robot.kindsl", test::kRodsUrdf)), Language::urdf);  // a file called wrongly
+  EXPECT_EQ(language_of(folder.file("frames.motdsl", test::kRodsUrdf)), Language::motions);
+  EXPECT_EQ(language_of("no_such_file"), Language::robot);
+}
+
+TEST(Documents, RobotsComeInTwoLanguages) {
+  EXPECT_TRUE(is_robot(Language::robot) && is_robot(Language::urdf));
+  EXPECT_FALSE(is_robot(Language::motions) || is_robot(Language::transforms) || is_robot(Language::desired));
+}
+
+TEST(Documents, AreReadByteForByte) {
+  const Folder folder;
+  const fs::path file = folder.file("text", "a\r\nb\n");
+  const auto source = read_source(file);
+  EXPECT_EQ(source->text(), "a\r\nb\n");
+  EXPECT_EQ(source->name(), file.string());
+  // A file is read again when it has changed.
+  folder.file("text", "c");
+  EXPECT_EQ(read_source(file)->text(), "c");
+}
+
+// What reading this file fails with; `ok` and no message where it does not.
+Failure failure_of(const fs::path& file) {
+  try {
+    read_source(file);
+  } catch (const Failure& failure) {
+    return failure;
+  }
+  return {ok, ""};
+}
+
+TEST(Documents, ThatAreNotThereFail) {
+  const Failure failure = failure_of("/no/such/file.kindsl");
+  EXPECT_EQ(failure.status, wrong_usage);
+  EXPECT_NE(failure.message.find("/no/such/file.kindsl"), std::string::npos) << failure.message;
+}
+
+TEST(Documents, ThatAreNotTextFail) {
+  const Folder folder;
+  const fs::path file = folder.file("robot.kindsl", std::string("Robot\nR\0x", 9));
+  const Failure failure = failure_of(file);
+  EXPECT_EQ(failure.status, wrong_input);
+  EXPECT_EQ(failure.message.find(file.string() + ":2:2: error: "), 0U) << failure.message;
+  EXPECT_NE(failure.message.find("[not-text]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace robcogen::driver

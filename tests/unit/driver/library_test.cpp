@@ -1,0 +1,121 @@
+// What a library says about its model, and the functions that it holds.
+#include "driver/library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "documents.h"
+#include "driver/model_data.h"
+#include "driver/trace.h"
+
+namespace robcogen::driver {
+namespace {
+
+using namespace test;
+
+backend::Library assembled(const Model& model, const std::vector<std::string>& groups, Primitives primitives = {}) {
+  return assemble(model, {"arm", "a::b"}, groups, trace(model, groups, {}, false), primitives);
+}
+
+const backend::Function& function(const backend::Library& library, const std::string& scope, const std::string& name) {
+  for (const backend::Function& f : library.functions)
+    if (f.scope == scope && f.name == name) return f;
+  ADD_FAILURE() << scope << "::" << name << " is missing";
+  return library.functions.front();
+}
+
+TEST(Library, SaysWhereItIsFrom) {
+  const Folder folder;
+  const Model model = loaded(folder.file("rods.kindsl", kRods));
+  const backend::Library library = assembled(model, {"inverse_dynamics"});
+  EXPECT_EQ(library.name, "arm");
+  EXPECT_EQ(library.enclosing, "a::b");
+  EXPECT_EQ(library.robot, "Rods");
+  EXPECT_EQ(library.model_file, "rods.kindsl");  // no folder of this machine
+  EXPECT_EQ(library.generator_version, kVersion);
+  EXPECT_EQ(library.groups, std::vector<std::string>{"inverse_dynamics"});
+  EXPECT_FALSE(library.floating_base);
+  const Model other = loaded(folder.file("rods.kindsl", replaced(kRods, "mass = 2.0", "mass = 2.5")));
+  EXPECT_NE(library.model_hash, assembled(other, {"inverse_dynamics"}).model_hash);
+}
+
+TEST(Library, HoldsTheModelInNumbers) {
+  const backend::Library library = assembled(rods(), {"joint_space_inertia"});
+  ASSERT_EQ(library.links.size(), 3U);
+  EXPECT_EQ(library.links[2].name, "lower");
+  EXPECT_EQ(library.links[2].mass, kM2);
+  EXPECT_EQ(library.links[2].com, (std::array<double, 3>{kL2, 0, 0}));
+  EXPECT_EQ(library.links[2].inertia, (std::array<double, 6>{0, 0.78125, 0.78125, 0, 0, 0}));
+  ASSERT_EQ(library.joints.size(), 2U);
+  EXPECT_EQ(library.joints[0].rotation, (std::array<double, 3>{std::numbers::pi / 2, 0, 0}));
+  EXPECT_EQ(library.joints[1].translation, (std::array<double, 3>{kL1, 0, 0}));
+  EXPECT_EQ(library.joints[1].parent, 1);
+  EXPECT_EQ(library.joints[1].child, 2);
+  const auto tip = std::find_if(
+      library.frames.begin(), library.frames.end(), [](const backend::FrameData& f) { return f.name == "tip"; });
+  ASSERT_NE(tip, library.frames.end());
+  EXPECT_EQ(tip->link, 2);
+  EXPECT_EQ(tip->translation, (std::array<double, 3>{kL2, 0, 0}));
+}
+
+// What depends on a parameter without default is not a number; what does not is.
+TEST(Library, ParametersWithoutDefaultLeaveNoNumbers) {
+  const Folder folder;
+  const std::string text = replaced(replaced(kRods, "mass = 2.0", "mass = heavy"), "mass = 0.5", "mass = light[0.5]");
+  const backend::Library library = assembled(loaded(folder.file("rods.kindsl", text)), {"transforms"});
+  EXPECT_TRUE(std::isnan(library.links[1].mass));
+  EXPECT_EQ(library.links[2].mass, 0.5);
+  ASSERT_EQ(library.parameters.size(), 2U);
+  EXPECT_EQ(library.parameters[0].name, "heavy");
+  EXPECT_TRUE(std::isnan(library.parameters[0].default_value));
+  EXPECT_EQ(library.parameters[1].default_value, 0.5);
+  EXPECT_TRUE(library.parameters[0].is_dynamics);
+  EXPECT_FALSE(library.parameters[0].is_kinematics);
+}
+
+TEST(Library, FunctionsKnowTheirFrames) {
+  const backend::Library library = assembled(rods(), {"transforms", "jacobians"});
+  const backend::Function& f = function(library, "transforms::motion", "fr_base_X_tip");
+  EXPECT_EQ(library.frames.at(static_cast<std::size_t>(f.left_frame)).name, "fr_base");
+  EXPECT_EQ(library.frames.at(static_cast<std::size_t>(f.right_frame)).name, "tip");
+  EXPECT_EQ(function(library, "jacobians", "fr_base_J_tip").columns, (std::vector<int>{0, 1}));
+}
+
+TEST(Library, HomogeneousTransformsCanBeProducts) {
+  using model::MovedFramePosition;
+  const Model model = rods();
+  const backend::Library none = assembled(model, {"transforms"});
+  EXPECT_EQ(none.primitives, backend::PrimitiveConvention::none);
+  EXPECT_TRUE(function(none, "transforms::homogeneous", "fr_base_X_fr_lower").primitives.empty());
+  const backend::Library right = assembled(model, {"transforms"}, MovedFramePosition::right);
+  EXPECT_EQ(right.primitives, backend::PrimitiveConvention::right);
+  EXPECT_EQ(assembled(model, {"transforms"}, MovedFramePosition::left).primitives, backend::PrimitiveConvention::left);
+  // Rx(PI/2) Rz(q0) Tx(0.75) Rz(q1)
+  const backend::Function& f = function(right, "transforms::homogeneous", "fr_base_X_fr_lower");
+  ASSERT_EQ(f.primitives.size(), 4U);
+  EXPECT_TRUE(f.primitives[0].rotation && f.primitives[1].rotation && !f.primitives[2].rotation);
+  EXPECT_EQ(f.primitives[0].axis, 0);
+  EXPECT_EQ(f.primitives[1].axis, 2);
+  EXPECT_TRUE(function(right, "transforms::motion", "fr_base_X_fr_lower").primitives.empty());
+}
+
+TEST(Library, OfADocumentOfTransformsHasNoRobot) {
+  const Folder folder;
+  const backend::Library library = assembled(loaded(folder.file("arm.ctdsl", kTransforms)), {kTransformsGroup});
+  EXPECT_FALSE(library.has_robot());
+  EXPECT_EQ(library.robot, "Arm");
+  EXPECT_EQ(library.variables, std::vector<std::string>{"a"});
+  ASSERT_EQ(library.frames.size(), 2U);
+  EXPECT_EQ(library.frames[0].link, -1);
+  // The product of the document, for checks: Rx(a) Ty(0.5).
+  const backend::Function& f = function(library, "transforms::homogeneous", "base_X_hand");
+  ASSERT_EQ(f.factors.size(), 2U);
+  EXPECT_TRUE(f.factors[0].primitive.rotation);
+  ASSERT_EQ(f.factors[1].amount.size(), 1U);
+  EXPECT_EQ(f.factors[1].amount[0].value, 0.5);
+  EXPECT_EQ(library.frames[static_cast<std::size_t>(f.left_frame)].name, "base");
+}
+
+}  // namespace
+}  // namespace robcogen::driver

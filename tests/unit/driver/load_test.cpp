@@ -1,0 +1,161 @@
+// From files to models: robots and coordinate transforms by one call, whatever their language.
+#include "driver/load.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithm/catalogue/transform_functions.h"
+#include "algorithm/dynamics/dynamics.h"
+#include "documents.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::driver {
+namespace {
+
+using namespace test;
+using Codes = std::vector<std::string>;
+
+class Load : public testing::Test {
+ protected:
+  Folder folder;
+  Diagnostics diagnostics;
+
+  std::optional<Model> try_load(const std::string& name, const std::string& text, const LoadOptions& options = {}) {
+    diagnostics = Diagnostics();
+    return load(folder.file(name, text), options, diagnostics);
+  }
+  Codes codes(Severity severity) const {
+    Codes result;
+    for (const Diagnostic& d : diagnostics.all())
+      if (d.severity == severity) result.push_back(d.code);
+    return result;
+  }
+};
+
+TEST_F(Load, ARobotInEitherLanguage) {
+  if (!READS_URDF) GTEST_SKIP() << "built without urdfdom";
+  const Model document = loaded(folder.file("rods.kindsl", kRods)), urdf = loaded(folder.file("rods.urdf", kRodsUrdf));
+  for (const Model* model : {&document, &urdf}) {
+    ASSERT_TRUE(model->robot());
+    EXPECT_FALSE(model->transforms());
+    EXPECT_EQ(model->name(), "Rods");
+    const model::KinematicTree& tree = model->robot()->tree;
+    ASSERT_EQ(tree.dof(), 2);
+    EXPECT_EQ(tree.joints[0].name, "shoulder");
+    // The inertia matrix of two point masses, by hand.
+    const double q2 = -0.7, both = kM2 * kL1 * kL2 * std::cos(q2), far = kM2 * kL2 * kL2;
+    const auto H = symbolic::interpret<double>(algorithm::joint_space_inertia(tree, "H"), {{"q", {0.4, q2}}}).at("H");
+    EXPECT_NEAR(H[0], (kM1 + kM2) * kL1 * kL1 + far + 2 * both, 1e-12);
+    EXPECT_NEAR(H[1], far + both, 1e-12);
+    EXPECT_NEAR(H[3], far, 1e-12);
+  }
+}
+
+TEST_F(Load, MotionsAndTransformsAreOneModel) {
+  for (const fs::path& file : {folder.file("arm.motdsl", kMotions), folder.file("arm.ctdsl", kTransforms)}) {
+    const Model model = loaded(file);
+    ASSERT_TRUE(model.transforms()) << file;
+    EXPECT_FALSE(model.robot());
+    EXPECT_EQ(model.name(), "Arm");
+    EXPECT_EQ(model.file, file);
+    const model::CoordinateTransforms& document = model.transforms()->document;
+    EXPECT_EQ(document.variables, std::vector<std::string>{"a"});
+    ASSERT_EQ(document.transforms.size(), 2U) << "a transform and its inverse";
+    const auto functions = algorithm::transform_functions(document);
+    const auto forth = std::find_if(functions.begin(), functions.end(), [](const algorithm::TransformFunction& f) {
+      return f.name == "base_X_hand" && f.scope == "transforms::homogeneous";
+    });
+    ASSERT_NE(forth, functions.end());
+    const std::string input = forth->program.inputs.at(0).name, output = forth->program.outputs.at(0).name;
+    const auto X = symbolic::interpret<double>(forth->program, {{input, {0.3}}}).at(output);
+    EXPECT_NEAR(X[13], 0.5 * std::cos(0.3), 1e-15);  // the origin of the hand, in y and z of the base
+    EXPECT_NEAR(X[14], 0.5 * std::sin(0.3), 1e-15);
+  }
+}
+
+TEST_F(Load, AListChoosesTransforms) {
+  LoadOptions options;
+  options.desired = folder.file(
+      "rods.dtdsl",
+      "Robot Rods Frames { fr_base, tip } Transforms { fr_base <- tip } Jacobians { base = fr_base, target = tip }");
+  const Model model = loaded(folder.file("rods.kindsl", kRods), options);
+  ASSERT_EQ(model.robot()->desired.transforms.size(), 1U);
+  EXPECT_EQ(model.robot()->desired.transforms[0].right.name, "tip");
+  EXPECT_EQ(model.read, (std::vector<fs::path>{model.file, *options.desired}));
+  EXPECT_GT(loaded(model.file.parent_path() / "rods.kindsl").robot()->desired.transforms.size(), 1U);
+
+  options.desired = folder.file("arm.dtdsl", "Model Arm Frames { ^base, hand } Transforms { hand <- ^base }");
+  for (const fs::path& file : {folder.file("arm.motdsl", kMotions), folder.file("arm.ctdsl", kTransforms)}) {
+    const Model frames = loaded(file, options);
+    ASSERT_EQ(frames.transforms()->document.transforms.size(), 1U) << file;
+    EXPECT_EQ(frames.transforms()->document.transforms[0].left, "hand");
+  }
+}
+
+// Of one layout and comments the text is the same; of another number it is not.
+TEST_F(Load, CanonicalTextIsThatOfTheContent) {
+  const std::string text = kRods;
+  const auto canonical = [&](const std::string& t) { return loaded(folder.file("rods.kindsl", t)).canonical; };
+  EXPECT_EQ(canonical(text), canonical("// a comment\n" + replaced(text, "mass = 2.0  CoM", "mass = 2.00\nCoM")));
+  EXPECT_NE(canonical(text), canonical(replaced(text, "0.75, 0.0, 0.0) rot", "0.8, 0.0, 0.0) rot")));
+  EXPECT_NE(canonical(text), "");
+}
+
+TEST_F(Load, ErrorsAreReportedWithTheirPlace) {
+  EXPECT_FALSE(try_load("rods.kindsl", replaced(kRods, "lower via elbow", "lwer via elbow")));
+  ASSERT_FALSE(codes(Severity::error).empty());
+  EXPECT_EQ(diagnostics.all()[0].place.source->locate(diagnostics.all()[0].place.span.begin).line, 9U)
+      << diagnostics.render();
+  EXPECT_FALSE(try_load("arm.motdsl", "Model Arm Convention = local base -> hand : turn(a)"));
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
+TEST_F(Load, TwoTransformsOfOneNameAreAnError) {
+  EXPECT_FALSE(try_load("arm.ctdsl", "Model Arm MovedFramePos = right {A}_X_{B} = Rz(q) [A_X_C] {A}_X_{C} = Rx(q)"));
+  EXPECT_EQ(codes(Severity::error), Codes{"duplicate-name"});
+}
+
+TEST_F(Load, StrictnessMakesErrorsOfWarnings) {
+  const std::string text = replaced(kRods, "mass = 2.0", "mass = 2.0 kg");
+  EXPECT_TRUE(try_load("rods.kindsl", text));
+  const Codes warnings = codes(Severity::warning);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_FALSE(try_load("rods.kindsl", text, {.strict = true}));
+  EXPECT_EQ(codes(Severity::error), warnings);
+}
+
+// A point mass on a massless wrist: the inertia matrix of the wrist's joint is zero.
+TEST_F(Load, GroupsThatARobotCannotHaveAreErrorsWhereTheyAreAskedFor) {
+  const std::string text = replaced(
+      replaced(kRods, "(1.25, 0.0, 0.0)", "(0.0, 0.0, 0.0)"), "Iy = 0.78125  Iz = 0.78125", "Iy = 0.0  Iz = 0.0");
+  EXPECT_TRUE(try_load("rods.kindsl", text)) << diagnostics.render();
+  EXPECT_FALSE(codes(Severity::warning).empty());
+  EXPECT_TRUE(try_load("rods.kindsl", text, {.groups = {"inverse_dynamics"}}));
+  EXPECT_FALSE(try_load("rods.kindsl", text, {.groups = {"forward_dynamics"}}));
+  EXPECT_FALSE(codes(Severity::error).empty());
+}
+
+TEST_F(Load, ParametersAreListedOnDemand) {
+  const std::string text = replaced(kRods, "mass = 2.0", "mass = heavy[2.0]");
+  ASSERT_TRUE(try_load("rods.kindsl", text));
+  EXPECT_TRUE(codes(Severity::note).empty());
+  const std::optional<Model> model = try_load("rods.kindsl", text, {.lists_parameters = true});
+  ASSERT_TRUE(model);
+  ASSERT_EQ(model->parameters().size(), 1U);
+  ASSERT_EQ(codes(Severity::note), Codes{"parameters"});
+  EXPECT_NE(diagnostics.render().find("heavy[2.0] 6:16"), std::string::npos) << diagnostics.render();
+}
+
+TEST_F(Load, FramesAndPathsOfEitherDocument) {
+  for (const fs::path& file : {folder.file("arm.motdsl", kMotions), folder.file("arm.ctdsl", kTransforms)}) {
+    const auto motions = load_motions_of(file, diagnostics);
+    ASSERT_TRUE(motions) << diagnostics.render();
+    EXPECT_EQ(motions->frames, (std::vector<std::string>{"base", "hand"}));
+    EXPECT_TRUE(model::transform_between(*motions, "hand", "base"));
+  }
+  EXPECT_FALSE(load_motions_of(folder.file("bad.motdsl", "Model"), diagnostics));
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
+}  // namespace
+}  // namespace robcogen::driver
