@@ -7,13 +7,13 @@
 #include <unordered_set>
 #include <utility>
 
-#include "pass/lanes/lane_names.h"
 #include "pass/statements.h"
 #include "support/index.h"
 #include "support/parallel.h"
 #include "support/unique_name.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
+#include "symbolic/lane_names.h"
 
 namespace robcogen::pass {
 namespace {
@@ -324,7 +324,7 @@ class Core {
       labels.push_back((old.op == Op::cosine ? cosines_ : sines_).elements[at(readings_[i][lane].angle)]);
     }
     names_.erase(old.name);
-    s.name = unique_name(common_name(labels), names_);
+    s.name = unique_name(symbolic::common_name(labels), names_);
     return s;
   }
 

@@ -61,6 +61,7 @@ class Derived {
       }
       values[i] = symbolic::apply(s.op, *a, *b);
       if (s.named) graph_.name(*values[i], s.name);
+      if (s.described) graph_.describe(*values[i], s.name);
       if (!values[i]->is_constant()) names_.insert({values[i]->node(), s.name});
     }
     return values;
@@ -180,6 +181,7 @@ class Rest {
       const Expression b = symbolic::is_binary(s.op) ? read(s.b) : Expression();
       left_[i] = symbolic::apply(s.op, a, b);
       if (s.named) graph_.name(left_[i], s.name);
+      if (s.described) graph_.describe(left_[i], s.name);
     }
     std::vector<OutputArray> shapes = program.outputs;
     std::vector<std::vector<Expression>> outputs;

@@ -21,14 +21,15 @@ Graph* common_graph(const Expression& a, const Expression& b) {
 // Makes the names that statements have unique, and numbers the others by their sections' prefixes.
 void name_statements(Program& p) {
   std::unordered_set<std::string> used;
-  for (Statement& s : p.statements)
-    if (s.named) s.name = unique_name(s.name, used);
+  for (const bool is_own : {true, false})
+    for (Statement& s : p.statements)
+      if (has_meaning(s) && s.named == is_own) s.name = unique_name(s.name, used);
   // Two numbered names are different anyway.
   std::unordered_map<std::string, int> next_number;
   std::vector<int*> next_of_section;
   for (const Section& section : p.sections) next_of_section.push_back(&next_number[section.prefix]);
   for (Statement& s : p.statements) {
-    if (s.named) continue;
+    if (has_meaning(s)) continue;
     const auto section = at(s.section);
     s.name = p.sections[section].prefix + "_t" + std::to_string((*next_of_section[section])++);
     if (used.contains(s.name)) s.name = unique_name(s.name, used);
@@ -196,16 +197,26 @@ void Graph::begin_section(std::string title, std::string prefix) {
 }
 
 void Graph::name(const Expression& e, const std::string& name) {
+  set_name(e, name, true);
+}
+
+void Graph::describe(const Expression& e, const std::string& name) {
+  set_name(e, name, false);
+}
+
+void Graph::set_name(const Expression& e, const std::string& name, bool is_own) {
   if (!e.graph() || !names_matter_) return;
   const auto node = at(e.node());
   if (nodes_[node].kind != Node::Kind::operation) return;
   if (names_.size() <= node) names_.resize(node + 1);
-  if (!names_[node].empty()) return;
+  NodeName& known = names_[node];
+  if (known.is_own || (!is_own && !known.text.empty())) return;
+  known.is_own = is_own;
   // The node holds the value without its sign.
   if (!e.negative())
-    names_[node] = name;
+    known.text = name;
   else
-    names_[node] = name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name + "_neg";
+    known.text = name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name + "_neg";
 }
 
 Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
@@ -339,8 +350,11 @@ Program Graph::program(
       s.a.negative = n.a_negative;
       if (n.b >= 0) s.b = operand_of[at(n.b)];
       s.section = new_section[section];
-      s.named = i < names_.size() && !names_[i].empty();
-      if (s.named) s.name = names_[i];
+      if (i < names_.size()) {
+        s.name = names_[i].text;
+        s.named = names_[i].is_own;
+        s.described = !s.named && !s.name.empty();
+      }
     }
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {

@@ -96,6 +96,11 @@ class Graph {
   // Gives the value a name unless it has one, or is a constant or an input. Where only the negated value is computed,
   // it is called `<name>_neg`.
   void name(const Expression& e, const std::string& name);
+  // The same for what passes and back ends may still take apart or put into another statement: the name is used where a
+  // statement with this value is left. A name that `name` gives takes its place.
+  void describe(const Expression& e, const std::string& name);
+  // The subject of the section that is open: `lowerleg`.
+  const std::string& subject() const { return sections_.back().prefix; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const Number& number(const Node& n) const { return constants_[static_cast<std::size_t>(n.a)]; }
@@ -124,6 +129,12 @@ class Graph {
     friend bool operator==(const Key&, const Key&) = default;
   };
 
+  struct NodeName {
+    std::string text;
+    bool is_own = false;  // given by `name`
+  };
+
+  void set_name(const Expression& e, const std::string& name, bool is_own);
   Key key(const Node& n) const;
   // Where in known_ the node with this key stands, or would stand.
   std::size_t slot(const Key& k) const;
@@ -147,7 +158,7 @@ class Graph {
   std::vector<Node> nodes_;
   std::vector<Number> constants_;
   std::vector<int> section_of_;
-  std::vector<std::string> names_;  // up to the last node that has one
+  std::vector<NodeName> names_;  // up to the last node that has one
   std::vector<Section> sections_;
   // Nodes by their keys: open addressing, no more than half full, -1 where none is. The last node can be taken out by
   // clearing its place, since none came after it.

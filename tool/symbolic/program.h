@@ -35,7 +35,8 @@ struct Statement {
   Operand b;           // unused by unary operations
   std::string name;    // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
   int section = 0;     // into Program::sections
-  bool named = false;  // the name was given by the algorithm: a back end keeps it as a statement of its own
+  bool named = false;  // the algorithm gave it a name of its own: passes and back ends keep it as a statement of its own
+  bool described = false;  // the name says what the value is, and nothing else follows from it
   // Lanes: how many numbers the value is; what is done to it is done to each. A scalar operand is the same in all.
   int width = 1;
   std::vector<Operand> lanes = {};  // of gather: a scalar each
@@ -43,6 +44,11 @@ struct Statement {
 
 constexpr bool is_sum(Op op) {
   return op == Op::add || op == Op::subtract;
+}
+
+// Whether the name says what the value is; otherwise it is a number within the section.
+inline bool has_meaning(const Statement& s) {
+  return s.named || s.described;
 }
 
 inline bool is_statement(const Operand& o) {

@@ -3,6 +3,7 @@
 #include "algorithm/dynamics/articulated_body.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -21,6 +22,12 @@ Motion acceleration_to_child(const Pose& X_PC, const Motion& a_P) {
   return to_child(Pose{{}, X_PC.rotation, X_PC.slide}, Motion{a_P.angular, linear});
 }
 
+void describe_inertia(const SpatialInertia& x, const std::string& link, const std::string& suffix) {
+  describe(x.a, link + "_A", suffix);
+  describe(x.b, link + "_B", suffix);
+  describe(x.m, link + "_M", suffix);
+}
+
 class ArticulatedBodies {
  public:
   ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
@@ -36,6 +43,7 @@ class ArticulatedBodies {
     robot_.trace.section(name, "link " + name + ": articulated inertia and bias wrench");
     Force own = link_wrench(robot_.trace, robot_.mass(link), motion);
     robot_.subtract_external(load_, link, own);
+    describe(own, name + "_own");
     bias = {children_bias.moment + own.moment, children_bias.linear + own.linear};
     inertia = children_inertia + rigid_body_inertia(robot_.mass(link));
     algorithm::name(graph(), inertia, name);
@@ -52,6 +60,8 @@ class ArticulatedBodies {
       const JointState& state = joints_[at(joint.index)];
       // Without the component of `a` along the axis in the product, the link's own component comes out, joint
       // acceleration included.
+      describe(a.angular, name + "_dw", "_carried");
+      describe(a.linear, name + "_da", "_carried");
       const Expression carried = take_rate(joint, a);
       const Expression total = (state.u - dot(state.U, a)) * state.inverse_D;
       qdd[at(joint.index)] = total - carried;
@@ -74,7 +84,8 @@ class ArticulatedBodies {
     const Pose& X_PC = robot_.pose(joint.index);
     const std::string& name = robot_.link_name(joint.child);
     robot_.trace.section(name, "link " + name + ": velocity and bias acceleration");
-    const LinkMotion child = across_joint(joint, X_PC, motion, in_.qd[at(joint.index)], Expression());
+    LinkMotion child = across_joint(joint, X_PC, motion, in_.qd[at(joint.index)], Expression());
+    child.angular.link = name;
     algorithm::name(graph(), child.angular.w, name + "_w");
     algorithm::name(graph(), child.angular.wd, name + "_wd");
     algorithm::name(graph(), child.a, name + "_a");
@@ -90,14 +101,22 @@ class ArticulatedBodies {
     state.u = in_.tau[at(joint.index)] - project(joint, p);
     graph().name(state.inverse_D, name + "_Dinv");
     graph().name(state.u, name + "_u");
+    describe(state.U, name + "_U");
     if (!robot_.parent_matters(joint.child)) return;
     const Force gain = state.inverse_D * state.U;
+    describe(gain, name + "_U_by_D");
     x = released(x, joint, state.U, gain);
+    describe_inertia(x, name, "_free");
     p += state.u * gain;
+    describe(p, name, "_free");
     // The joint passes exactly tau along its axis.
     set_projection(joint, in_.tau[at(joint.index)], p);
-    inertia = inertia + to_parent(X_PC, x);
-    bias += to_parent(X_PC, p);
+    const SpatialInertia seen = to_parent(X_PC, x);
+    describe_inertia(seen, name, "_P");
+    inertia = inertia + seen;
+    const Force seen_bias = to_parent(X_PC, p);
+    describe(seen_bias, name, "_P");
+    bias += seen_bias;
   }
 
  public:
@@ -110,7 +129,10 @@ ForwardMotion by_articulated_bodies(const TracedRobot& robot, const StateInputs&
   ArticulatedBodies bodies(robot, in, load);
   SpatialInertia inertia;
   Force bias;
-  bodies.collect(0, base_motion(in.base_velocity, {}, load.gravity), inertia, bias);
+  LinkMotion base = base_motion(in.base_velocity, {}, load.gravity);
+  base.angular.link = robot.link_name(0);
+  describe(base.a, robot.link_name(0) + "_a");
+  bodies.collect(0, base, inertia, bias);
   Motion acceleration;
   if (robot.floating()) {
     robot.trace.section(robot.link_name(0), "base: acceleration");

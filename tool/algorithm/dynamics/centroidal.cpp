@@ -1,6 +1,7 @@
 // Centre of mass, its Jacobian and the centroidal momentum matrix, from composite rigid bodies.
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -34,7 +35,12 @@ Force unit_momentum(const WholeBody& body, int joint) {
   const std::string& link = robot.link_name(moving.child);
   robot.trace.section(link, "link " + link + ": momentum of joint " + moving.name);
   Force momentum = times_subspace(body.composite[at(moving.child)], robot.joint(joint));
-  for (int i = joint; i >= 0; i = robot.tree().parent_joint_of(i)) momentum = to_parent(robot.pose(i), momentum);
+  for (int i = joint; i >= 0; i = robot.tree().parent_joint_of(i)) {
+    momentum = to_parent(robot.pose(i), momentum);
+    const std::string& seen_from = robot.link_name(robot.tree().joints[at(i)].parent);
+    describe(momentum.moment, moving.name + "_" + seen_from + "_L");
+    describe(momentum.linear, moving.name + "_" + seen_from + "_p");
+  }
   return momentum;
 }
 

@@ -4,6 +4,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/ldl.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -26,7 +27,10 @@ void collect(const TracedRobot& robot, int link, std::vector<MassProperties>& co
     if (!robot.parent_matters(joint.child)) continue;
     const std::string& name = robot.link_name(link);
     robot.trace.section(name, "link " + name + ": composite inertia");
-    composite[l] = composite[l] + to_parent(robot.pose(joint.index), composite[at(joint.child)]);
+    const MassProperties seen = to_parent(robot.pose(joint.index), composite[at(joint.child)]);
+    describe(seen.first_moment, robot.link_name(joint.child) + "_h", "_P");
+    describe(seen.pseudo_inertia, robot.link_name(joint.child) + "_S", "_P");
+    composite[l] = composite[l] + seen;
   }
   name_composite(robot.trace, robot.link_name(link), composite[l]);
 }
@@ -42,8 +46,14 @@ std::vector<MassProperties> composite_bodies(const TracedRobot& robot) {
 MassProperties moving_body(const TracedRobot& robot, const std::vector<MassProperties>& composite) {
   if (robot.floating()) return composite[0];
   MassProperties total;
-  for (const Joint& joint : robot.children(0))
-    total = total + to_parent(robot.pose(joint.index), composite[at(joint.child)]);
+  for (const Joint& joint : robot.children(0)) {
+    const MassProperties seen = to_parent(robot.pose(joint.index), composite[at(joint.child)]);
+    describe(seen.first_moment, robot.link_name(joint.child) + "_h", "_P");
+    describe(seen.pseudo_inertia, robot.link_name(joint.child) + "_S", "_P");
+    total = total + seen;
+  }
+  describe(total.first_moment, "robot_h");
+  describe(total.pseudo_inertia, "robot_S");
   return total;
 }
 
@@ -51,7 +61,7 @@ Motion free_acceleration(const SpatialInertia& body, const Force& missing) {
   std::vector<Expression> right;
   for (const Expression& e : missing.moment.element) right.push_back(-e);
   for (const Expression& e : missing.linear.element) right.push_back(-e);
-  const std::vector<Expression> a = solve(matrix(body), std::move(right));
+  const std::vector<Expression> a = solve(matrix(body), std::move(right), {"wx", "wy", "wz", "vx", "vy", "vz"});
   return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
 }
 
@@ -65,6 +75,8 @@ void add_composite_forces(
       const std::string& name = robot.link_name(joint.child);
       robot.trace.section(name, "link " + name + ": share of the base acceleration");
       const Motion a = to_child(robot.pose(joint.index), parent);
+      describe(a.angular, name + "_dw");
+      describe(a.linear, name + "_da");
       tau[at(joint.index)] += dot(times_subspace(composite[at(joint.child)], joint), a);
       descend(joint.child, a);
     }
@@ -77,7 +89,11 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
   const std::vector<MassProperties> composite = composite_bodies(robot);
   const int base = tree.floating_base ? 6 : 0;
   SquareMatrix H(base + tree.dof());
-  const auto set = [&](int row, int column, const Expression& value) { H(row, column) = H(column, row) = value; };
+  const std::vector<std::string> names = coordinate_names(tree);
+  const auto set = [&](int row, int column, const Expression& value) {
+    H(row, column) = H(column, row) = value;
+    describe(value, "H_" + names[at(row)] + "_" + names[at(column)]);
+  };
   for (int j = 0; j < tree.dof(); ++j) {
     Joint joint = robot.joint(j);
     const std::string& link = robot.link_name(joint.child);
@@ -85,6 +101,7 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
     Force wrench = times_subspace(composite[at(joint.child)], joint);
     while (true) {
       set(base + joint.index, base + j, project(joint, wrench));
+      describe(wrench, tree.joints[at(j)].name + "_" + robot.link_name(joint.child));
       if (!robot.parent_matters(joint.child)) break;
       wrench = to_parent(robot.pose(joint.index), wrench);
       const int parent = tree.parent_joint_of(joint.index);
@@ -103,6 +120,13 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
       for (int c = 0; c < 6; ++c) H(r, c) = body(r, c);
   }
   return H;
+}
+
+std::vector<std::string> coordinate_names(const model::KinematicTree& tree) {
+  std::vector<std::string> names;
+  if (tree.floating_base) names = {"wx", "wy", "wz", "vx", "vy", "vz"};
+  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
+  return names;
 }
 
 std::vector<int> elimination_order(const model::KinematicTree& tree) {

@@ -27,6 +27,9 @@ void add_composite_forces(
 // that branches induce are the constant zero.
 SquareMatrix joint_space_inertia(const TracedRobot& robot);
 
+// Of the rows of the joint-space inertia matrix: those of a floating base, then joints.
+std::vector<std::string> coordinate_names(const model::KinematicTree& tree);
+
 // The rows of H, ancestors first: elimination from the last row to the first fills in no zeros.
 std::vector<int> elimination_order(const model::KinematicTree& tree);
 

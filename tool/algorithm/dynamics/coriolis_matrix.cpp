@@ -10,6 +10,7 @@
 
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -111,6 +112,8 @@ class SpreadBodies {
     w[at(link)] = velocity;
     const MassProperties& own = robot_.mass(link);
     spread[at(link)] = {cross(velocity, own.first_moment), spread_of_rigid_body(velocity, own.pseudo_inertia)};
+    describe(spread[at(link)].l, robot_.link_name(link) + "_own_l");
+    describe(spread[at(link)].K, robot_.link_name(link) + "_own_K");
     for (const Joint& joint : robot_.children(link)) {
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link " + name + ": velocity and spread");
@@ -122,10 +125,16 @@ class SpreadBodies {
       rate = {cross(velocity, X_PC.offset), X_PC.slide * rate_of_z(turning) + sliding};
       collect(joint.child, turning);
       if (!robot_.parent_matters(joint.child)) continue;
+      describe(rate.offset, name + "_rd");
+      describe(rate.slide, name + "_sd");
       const Spread seen = to_parent(X_PC, rate, composite[at(joint.child)], spread[at(joint.child)]);
+      describe(seen.l, name + "_l", "_P");
+      describe(seen.K, name + "_K", "_P");
       spread[at(link)].l += seen.l;
       spread[at(link)].K = spread[at(link)].K + seen.K;
     }
+    describe(spread[at(link)].l, robot_.link_name(link) + "_l");
+    describe(spread[at(link)].K, robot_.link_name(link) + "_K");
   }
 };
 
@@ -176,6 +185,14 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
   Force wrench = column_wrench(bodies.composite[link], bodies.spread[link], bodies.w[link], S);
   ChangeOfMotion row = row_of_joint(bodies.composite[link], bodies.spread[link], joint, S);
   c(base + index, base + index) = project(joint, wrench);
+  const std::string& moving = tree.joints[at(index)].name;
+  const auto describe_all = [&](const std::string& link_name) {
+    describe(wrench, moving + "_" + link_name);
+    describe(row.Q.moment, moving + "_" + link_name + "_Qn");
+    describe(row.Q.linear, moving + "_" + link_name + "_Qf");
+    describe(row.e, moving + "_" + link_name + "_e");
+  };
+  describe_all(name);
   while (robot.parent_matters(joint.child)) {
     const Pose& X_PC = robot.pose(joint.index);
     wrench = to_parent(X_PC, wrench);
@@ -185,6 +202,9 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     joint = robot.joint(parent);
     c(base + parent, base + index) = project(joint, wrench);
     c(base + index, base + parent) = project(joint, on_fields_of_link(row, bodies.w[at(joint.child)]));
+    describe(c(base + parent, base + index), "C_" + tree.joints[at(parent)].name + "_" + moving);
+    describe(c(base + index, base + parent), "C_" + moving + "_" + tree.joints[at(parent)].name);
+    describe_all(robot.link_name(joint.child));
   }
   if (!tree.floating_base) return;
   const Force on_base = on_fields_of_link(row, bodies.w[0]);
@@ -193,6 +213,11 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     c(3 + k, base + index) = wrench.linear[at(k)];
     c(base + index, k) = on_base.moment[at(k)];
     c(base + index, 3 + k) = on_base.linear[at(k)];
+    for (const int r : {k, 3 + k}) {
+      const std::string coordinate = coordinate_names(tree)[at(r)];
+      describe(c(r, base + index), "C_" + coordinate + "_" + moving);
+      describe(c(base + index, r), "C_" + moving + "_" + coordinate);
+    }
   }
 }
 
@@ -218,6 +243,9 @@ void fill_base(const TracedRobot& robot, const SpreadBodies& bodies, SquareMatri
       c(3 + r, k) = force[row];
       c(r, 3 + k) = sliding_moment[row];
       c(3 + r, 3 + k) = sliding_force[row];
+      const std::vector<std::string> names = coordinate_names(robot.tree());
+      for (const int i : {r, 3 + r})
+        for (const int j : {k, 3 + k}) describe(c(i, j), "C_" + names[at(i)] + "_" + names[at(j)]);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -11,11 +12,15 @@ using symbolic::Program;
 using symbolic::Role;
 
 // m v v + 2 v (w x h) + w I w, all about the link's origin.
-Expression twice_energy(const MassProperties& m, const Motion& twist) {
+Expression twice_energy(const MassProperties& m, const Motion& twist, const std::string& link) {
   const Vector3 &w = twist.angular, &v = twist.linear;
   const Vector3 sliding = m.mass * v, twice_h = m.first_moment + m.first_moment;
-  const Expression linear = dot(v, sliding + cross(w, twice_h));
-  return linear + dot(w, multiply(inertia_tensor(m), w));
+  const Vector3 momentum = sliding + cross(w, twice_h);
+  describe(momentum, link + "_p");
+  const Expression linear = dot(v, momentum);
+  const Vector3 angular = multiply(inertia_tensor(m), w);
+  describe(angular, link + "_L");
+  return linear + dot(w, angular);
 }
 
 }  // namespace
@@ -27,7 +32,8 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
 
   Expression twice;
   const std::function<void(int, const Motion&)> visit = [&](int link, const Motion& twist) {
-    twice += twice_energy(robot.mass(link), twist);
+    twice += twice_energy(robot.mass(link), twist, robot.link_name(link));
+    describe(twice, robot.link_name(link) + "_2T_sum");
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
       trace.section(child, "link " + child + ": velocity and energy");

@@ -26,11 +26,13 @@ ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in,
   for (std::size_t j = 0; j < in.tau.size(); ++j) missing.push_back(in.tau[j] - bias.tau[j]);
   SquareMatrix a(size);
   std::vector<Expression> b;
+  std::vector<std::string> names = coordinate_names(tree), ordered;
+  for (const int k : order) ordered.push_back(names[at(k)]);
   for (int r = 0; r < size; ++r) {
     for (int c = 0; c < size; ++c) a(r, c) = H(order[at(r)], order[at(c)]);
     b.push_back(missing[at(order[at(r)])]);
   }
-  const std::vector<Expression> solution = solve(std::move(a), std::move(b));
+  const std::vector<Expression> solution = solve(std::move(a), std::move(b), ordered);
   std::vector<Expression> x(at(size));
   for (std::size_t r = 0; r < solution.size(); ++r) x[at(order[r])] = solution[r];
   ForwardMotion motion;

@@ -3,6 +3,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/traced_robot.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -47,7 +48,9 @@ Program gravity_forces(
       algorithm::name(trace.graph, body.moment, child + "_h");
       tau[at(joint.index)] = project(joint, wrench_of(body, child_lift));
       body.moment[2] += body.mass * X_PC.slide;
-      total.moment += to_parent(X_PC.rotation, body.moment) + body.mass * X_PC.offset;
+      const Vector3 turned = to_parent(X_PC.rotation, body.moment);
+      describe(turned, child + "_h", "_P");
+      total.moment += turned + body.mass * X_PC.offset;
       total.mass += body.mass;
     }
     return total;

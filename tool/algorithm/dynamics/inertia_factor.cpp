@@ -6,6 +6,7 @@
 
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/describe.h"
 #include "support/index.h"
 #include "symbolic/count.h"
 
@@ -20,6 +21,7 @@ using symbolic::Role;
 // What the rows of H stand for.
 struct Coordinate {
   std::string name;            // the joint's; `base_wx`, …
+  std::string short_name;      // the joint's; `wx`, …
   std::string link;            // that it moves
   std::vector<int> ancestors;  // nearest last
 };
@@ -31,12 +33,13 @@ std::vector<Coordinate> coordinates_of(const KinematicTree& tree) {
   std::vector<int> base;
   if (tree.floating_base) {
     for (const char* name : kBase) {
-      list.push_back({name, tree.links[0].name, base});
+      list.push_back({name, name + 5, tree.links[0].name, base});
       base.push_back(static_cast<int>(base.size()));
     }
   }
   const int first = static_cast<int>(base.size());
-  for (const model::Joint& joint : tree.joints) list.push_back({joint.name, tree.links[at(joint.child)].name, base});
+  for (const model::Joint& joint : tree.joints)
+    list.push_back({joint.name, joint.name, tree.links[at(joint.child)].name, base});
   for (const int j : tree.topological()) {
     const int parent = tree.parent_joint_of(j);
     if (parent < 0) continue;
@@ -87,6 +90,7 @@ SquareMatrix inverse_of(ProgramTrace& trace, const GivenFactor& f) {
       Expression sum;
       for (const int k : c.ancestors) sum += f.L(i, k) * inverse(k, j);
       inverse(i, j) = -(f.inverse_diagonal[at(i)] * sum);
+      describe(inverse(i, j), "Linv_" + c.short_name + "_" + f.coordinates[at(j)].short_name);
     }
   }
   return inverse;
@@ -115,14 +119,26 @@ Program factor(
     const int i = *next;
     const Coordinate& c = coordinates[at(i)];
     enter(trace, c, "factor: row");
+    const auto element = [&](const std::string& matrix, int j) {
+      return matrix + c.short_name + "_" + coordinates[at(j)].short_name;
+    };
+    describe(H(i, i), element("E_", i));
+    for (const int j : c.ancestors) describe(H(i, j), element("E_", j));
     L(i, i) = sqrt(H(i, i));
+    describe(L(i, i), element("L_", i));
     const bool waits = elimination == Elimination::products_of_L;
     const Expression reciprocal = trace.graph.one() / (waits ? L(i, i) : H(i, i));
     inverse_diagonal[at(i)] = waits ? reciprocal : L(i, i) * reciprocal;
-    for (const int j : c.ancestors) L(i, j) = H(i, j) * inverse_diagonal[at(i)];
+    describe(inverse_diagonal[at(i)], element("L_", i) + "_inv");
+    describe(reciprocal, "D_" + c.short_name + "_inv");
+    for (const int j : c.ancestors) {
+      L(i, j) = H(i, j) * inverse_diagonal[at(i)];
+      describe(L(i, j), element("L_", j));
+    }
     const SquareMatrix& row = waits ? L : H;
     for (const int j : c.ancestors) {
       const Expression share = waits ? L(i, j) : H(i, j) * reciprocal;
+      describe(share, element("E_", j) + "_by_D");
       for (const int k : coordinates[at(j)].ancestors) H(j, k) -= share * row(i, k);
       H(j, j) -= share * row(i, j);
     }
@@ -149,14 +165,18 @@ Program inertia_factor_solve(const KinematicTree& tree, const Program& factor, c
   for (auto i = f.order.rbegin(); i != f.order.rend(); ++i) {
     const Coordinate& c = f.coordinates[at(*i)];
     enter(trace, c, "transpose of L: element");
+    describe(y[at(*i)], "r_" + c.short_name);
     y[at(*i)] = y[at(*i)] * f.inverse_diagonal[at(*i)];
+    describe(y[at(*i)], "z_" + c.short_name);
     for (const int j : c.ancestors) y[at(j)] -= f.L(*i, j) * y[at(*i)];
   }
   for (const int i : f.order) {
     const Coordinate& c = f.coordinates[at(i)];
     enter(trace, c, "L: element");
     for (const int j : c.ancestors) y[at(i)] -= f.L(i, j) * y[at(j)];
+    describe(y[at(i)], "Ly_" + c.short_name);
     y[at(i)] = y[at(i)] * f.inverse_diagonal[at(i)];
+    describe(y[at(i)], "y_" + c.short_name);
   }
   trace.output("y", Role::value, y);
   return trace.program(name);
@@ -180,6 +200,7 @@ Program inertia_factor_inverse(const KinematicTree& tree, const Program& factor,
       Expression sum;
       for (int k = 0; k < f.size(); ++k) sum += inverse_L(i, k) * inverse_L(j, k);
       inverse(i, j) = inverse(j, i) = sum;
+      describe(sum, "Hinv_" + f.coordinates[at(i)].short_name + "_" + f.coordinates[at(j)].short_name);
     }
   }
   trace.output("inverse", Role::inertia_matrix, f.size(), f.size(), inverse.columns());

@@ -8,6 +8,6 @@
 namespace robcogen::algorithm {
 
 // Solution of A x = b, by A = L^T D L from the last row up: zeros of A cost nothing. (Featherstone 2008, sec. 6.5.)
-std::vector<Expression> solve(SquareMatrix a, std::vector<Expression> b);
+std::vector<Expression> solve(SquareMatrix a, std::vector<Expression> b, const std::vector<std::string>& names);
 
 }  // namespace robcogen::algorithm

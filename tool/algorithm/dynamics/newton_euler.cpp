@@ -1,6 +1,7 @@
 #include "algorithm/dynamics/newton_euler.h"
 
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -25,11 +26,15 @@ class Recursion {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link " + name + ": velocity and acceleration");
-      const LinkMotion child = across_joint(joint, X_PC, motion, qd_[at(joint.index)], qdd_[at(joint.index)]);
+      LinkMotion child = across_joint(joint, X_PC, motion, qd_[at(joint.index)], qdd_[at(joint.index)]);
+      child.angular.link = name;
       name_motion(name, child);
       const Force wrench = wrench_of(joint.child, child);
       tau[at(joint.index)] = project(joint, wrench);
-      if (robot_.parent_matters(joint.child)) total += to_parent(X_PC, wrench);
+      if (!robot_.parent_matters(joint.child)) continue;
+      const Force seen = to_parent(X_PC, wrench);
+      describe(seen, name, "_P");
+      total += seen;
     }
     const bool base = robot_.is_base(link);
     if (base && !robot_.floating()) return total;
@@ -38,6 +43,7 @@ class Recursion {
     const bool only_moment = !base && !robot_.parent_matters(link) && feels_only_moment(robot_.parent_joint(link));
     Force own = link_wrench(robot_.trace, robot_.mass(link), motion, only_moment);
     if (loads_) robot_.subtract_external(*loads_, link, own);
+    describe(own, name + "_own");
     total += own;
     algorithm::name(robot_.trace.graph, total.linear, name + "_f");
     algorithm::name(robot_.trace.graph, total.moment, name + "_n");
@@ -75,7 +81,10 @@ Forces newton_euler_forces(
     const std::vector<Expression>& qdd,
     const LoadInputs* loads) {
   Recursion recursion(robot, qd, qdd, loads);
-  const Force base_wrench = recursion.wrench_of(0, base);
+  LinkMotion motion = base;
+  motion.angular.link = robot.link_name(0);
+  describe(motion.a, robot.link_name(0) + "_a");
+  const Force base_wrench = recursion.wrench_of(0, motion);
   return {recursion.tau, base_wrench};
 }
 

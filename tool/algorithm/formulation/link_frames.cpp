@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "algorithm/spatial/describe.h"
 #include "support/index.h"
 
 namespace robcogen::algorithm {
@@ -190,6 +191,8 @@ class LinkFrameBuilder {
       if (!rho) continue;
       model = turned(*rho, model);
       mass = to_parent(Pose{{}, Rotation{{}, {*rho}}, {}}, mass);
+      describe(mass.first_moment, name + "_h");
+      describe(mass.pseudo_inertia, name + "_S");
     }
     return result;
   }

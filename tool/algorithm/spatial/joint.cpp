@@ -1,5 +1,7 @@
 #include "algorithm/spatial/joint.h"
 
+#include "algorithm/spatial/describe.h"
+
 namespace robcogen::algorithm {
 namespace {
 
@@ -73,7 +75,9 @@ LinkMotion across_joint(
     const Expression& qdd) {
   Vector3 w = to_child(X_PC.rotation, parent.angular.w);
   Vector3 wd = to_child(X_PC.rotation, parent.angular.wd);
-  Vector3 a = to_child(X_PC.rotation, parent.a + multiply_u(parent.angular, X_PC.offset));
+  const Vector3 carried = parent.a + multiply_u(parent.angular, X_PC.offset);
+  if (const Graph* graph = carried[0].graph()) describe(carried, graph->subject() + "_a", "_P");
+  Vector3 a = to_child(X_PC.rotation, carried);
   if (is_revolute(joint)) {
     wd += Vector3{w[1] * qd, -(w[0] * qd), qdd};
     w[z] += qd;

@@ -1,5 +1,7 @@
 #include "algorithm/spatial/link_motion.h"
 
+#include "algorithm/spatial/describe.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -15,7 +17,7 @@ enum class MomentForm {
 
 Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, MomentForm form) {
   const Matrix3& s = m.pseudo_inertia;
-  const auto& [w, wd] = state;
+  const Vector3 &w = state.w, &wd = state.wd;
   const auto u = [&](std::size_t row, std::size_t column) { return state.u(row, column); };
   if (form == MomentForm::euler) {
     const Matrix3 inertia = inertia_tensor(m);
@@ -23,6 +25,11 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
     return euler + cross(w, multiply(inertia, w));
   }
   const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
+  if (!state.link.empty()) {
+    describe(xx, state.link + "_wx2");
+    describe(yy, state.link + "_wy2");
+    describe(zz, state.link + "_wz2");
+  }
   // One term after the other: the order of making is the same with every compiler.
   Expression nx = u(2, 0) * s[0][1];
   nx += u(2, 1) * s[1][1];
@@ -53,14 +60,21 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
 
 // Off the diagonal w_r w_c plus or minus the remaining component of wd; on it minus the squares of the others.
 Expression AngularState::u(std::size_t row, std::size_t column) const {
+  constexpr const char* axes = "xyz";
+  const auto is_called = [&](const Expression& e, const std::string& quantity) {
+    if (!link.empty()) describe(e, link + "_" + quantity);
+    return e;
+  };
+  const std::string element = {'U', axes[row], axes[column]};
   if (row == column) {
     const std::size_t i = (row + 1) % 3, j = (row + 2) % 3;
     const Expression &a = w[std::min(i, j)], &b = w[std::max(i, j)];
-    return -sum_of_products(a, a, b, b);
+    return is_called(-sum_of_products(a, a, b, b), element);
   }
   const std::size_t other = 3 - row - column;
-  const Expression product = w[row] * w[column];
-  return column == (row + 1) % 3 ? product - wd[other] : product + wd[other];
+  const Expression product =
+      is_called(w[row] * w[column], std::string{'w', axes[std::min(row, column)]} + "_w" + axes[std::max(row, column)]);
+  return is_called(column == (row + 1) % 3 ? product - wd[other] : product + wd[other], element);
 }
 
 Vector3 multiply_u(const AngularState& state, const Vector3& v) {

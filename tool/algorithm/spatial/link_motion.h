@@ -14,6 +14,8 @@ namespace robcogen::algorithm {
 struct AngularState {
   Vector3 w;   // angular velocity
   Vector3 wd;  // angular acceleration
+  // What elements of U and products of w are called after (symbolic::Graph::describe); empty: nothing.
+  std::string link = {};
 
   // An element of U, created on demand so that the costs of different forms of the moment can be compared.
   Expression u(std::size_t row, std::size_t column) const;

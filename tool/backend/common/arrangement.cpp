@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "support/index.h"
+#include "symbolic/line_names.h"
 
 namespace robcogen::backend {
 namespace {
@@ -42,9 +43,10 @@ std::vector<Parameter> claim_parameters(const Program& program, const Dialect& d
 
 class Arranging {
  public:
-  Arranging(const Program& program, const Dialect& dialect)
+  Arranging(const Program& program, const Dialect& dialect, const std::vector<std::string>& names)
       : program_(program),
         dialect_(dialect),
+        statement_names_(names),
         arranged_{program, dialect, NameScope(dialect.is_reserved, dialect.used_names)} {
     arranged_.places.resize(program.statements.size(), Place::nowhere);
     arranged_.spellings.resize(program.statements.size());
@@ -71,6 +73,7 @@ class Arranging {
  private:
   const Program& program_;
   const Dialect& dialect_;
+  const std::vector<std::string>& statement_names_;
   Arrangement arranged_;
   std::vector<std::string> input_labels_;  // by flat index
   std::vector<bool> inputs_used_;          // by flat index
@@ -251,15 +254,15 @@ class Arranging {
     for (auto& [key, angle] : arranged_.angles) {
       const auto& [kind, index, lane] = key;
       std::string subject = kind == Operand::Kind::input       ? input_labels_[at(index)]
-                            : kind == Operand::Kind::statement ? statement(at(index)).name
-                                                               : statement(at(angle.first)).name;
+                            : kind == Operand::Kind::statement ? statement_names_[at(index)]
+                                                               : statement_names_[at(angle.first)];
       if (lane >= 0) subject += "_" + std::to_string(lane);
       if (angle.sine) angle.sine_name = arranged_.scope.claim(shortened("s_" + subject));
       if (angle.cosine) angle.cosine_name = arranged_.scope.claim(shortened("c_" + subject));
     }
     std::vector<std::string> wanted;
     wanted.reserve(program_.statements.size());
-    for (const Statement& s : program_.statements) wanted.push_back(shortened(s.name));
+    for (const std::string& name : statement_names_) wanted.push_back(shortened(name));
     arranged_.names = claim_all(arranged_.scope, std::move(wanted));
     for (const symbolic::Block& load : arranged_.blocks.loads)
       arranged_.load_names.push_back(arranged_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
@@ -337,7 +340,10 @@ class Arranging {
     const std::size_t inner = arranged_.spellings[i].text.size() + arranged_.expressions[i].text.size();
     const bool is_definition = arranged_.places[i] == Place::own || arranged_.places[i] == Place::inside;
     if (is_definition && inner + dialect_.around <= dialect_.line_limit) return true;
-    return dialect_.text(line(arranged_, i)).size() <= dialect_.line_limit;
+    const std::string text = dialect_.text(line(arranged_, i));
+    const std::size_t first = std::min(text.find('\n'), text.size());
+    const std::size_t rest = text.size() - std::min(first + 1, text.size());
+    return first <= dialect_.line_limit && rest <= dialect_.line_limit + dialect_.indentation;
   }
 
   // All that the part stood inside of is other text now, up to i.
@@ -356,8 +362,22 @@ std::vector<Parameter> parameters(const Program& program, const Dialect& dialect
   return claim_parameters(program, dialect, scope);
 }
 
+// Names decide how long lines are, and what has to be a line of its own, and so has to have a name: two rounds, seldom
+// more.
 Arrangement arrange(const Program& program, const Dialect& dialect) {
-  return Arranging(program, dialect).run();
+  constexpr int kRounds = 4;
+  std::vector<bool> is_line(program.statements.size(), false);
+  for (int round = 0;; ++round) {
+    const std::vector<std::string> names = symbolic::line_names(program, is_line);
+    Arrangement arranged = Arranging(program, dialect, names).run();
+    bool is_new = false;
+    for (std::size_t i = 0; i < is_line.size(); ++i) {
+      const Place place = arranged.places[i];
+      if (is_line[i] || (place != Place::own && place != Place::sums && place != Place::summed)) continue;
+      is_line[i] = is_new = true;
+    }
+    if (!is_new || round == kRounds) return arranged;
+  }
 }
 
 }  // namespace robcogen::backend

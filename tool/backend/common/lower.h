@@ -59,6 +59,7 @@ struct Dialect {
   IsReserved is_reserved = nullptr;
   std::vector<std::string> used_names;  // that the text itself refers to
   std::size_t line_limit = 118;         // of a line without indentation
+  std::size_t indentation = 2;          // of lines, which those that continue one have in their text
   std::size_t around = 24;  // at most, in the line of a definition: all but its name and the text of its expression
   std::size_t name_limit = 30;
   // One line defines the sine and the cosine of an argument. Otherwise these are two definitions.

@@ -18,15 +18,27 @@ std::string element(const std::string& array, std::size_t k) {
 
 constexpr std::size_t kIndentation = 2;
 
-// A call whose arguments do not fit in one line has them in several.
+// Whether no parenthesis is closed before it is opened: what stands between the parentheses of one call.
+bool is_balanced(const std::string& text) {
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (depth < 0) return false;
+  }
+  return depth == 0;
+}
+
+// A definition that does not fit in one line has its value in the next one, and a call its arguments in several.
 std::string wrapped(std::string line, std::size_t limit) {
   if (line.size() <= limit) return line;
   const std::string margin = "\n      ";
   const std::size_t equals = line.find(" = "), of = line.find("::of(");
   const bool is_definition = equals != std::string::npos;
-  if (is_definition && of == std::string::npos) return line;
   if (is_definition && line.size() - equals - 3 + 4 <= limit)
     return line.substr(0, equals + 2) + margin + line.substr(equals + 3);
+  // The value is this call alone.
+  const bool is_call = of != std::string::npos && line.find_first_of(" (", equals + 3) == of + 4;
+  if (is_definition && !(is_call && is_balanced(line.substr(of + 5, line.size() - of - 7)))) return line;
   const std::size_t begin = (is_definition ? line.find('(', of) : line.find('(')) + 1;
   std::string result = line.substr(0, begin), rest = line.substr(begin);
   for (std::size_t column = limit; !rest.empty();) {

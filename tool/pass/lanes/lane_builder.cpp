@@ -5,11 +5,11 @@
 #include <queue>
 #include <unordered_set>
 
-#include "pass/lanes/lane_names.h"
 #include "pass/statements.h"
 #include "support/index.h"
 #include "support/unique_name.h"
 #include "symbolic/count.h"
+#include "symbolic/lane_names.h"
 
 namespace robcogen::pass {
 
@@ -43,7 +43,7 @@ int LaneBuilder::section_of(const Tuple& lanes, int place) {
     titles.push_back(old_.sections[at(section)].title);
     prefixes.push_back(old_.sections[at(section)].prefix);
   }
-  new_.sections.push_back({common_title(titles), common_name(prefixes)});
+  new_.sections.push_back({symbolic::common_title(titles), symbolic::common_name(prefixes)});
   return known->second;
 }
 
@@ -216,15 +216,19 @@ void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
   Statement& s = made_[at(value.index)].statement;
   if (!s.name.empty()) return;
   std::vector<std::string> names;
-  bool named = true;
+  bool named = true, described = true;
   for (const Operand& o : lanes) {
     const Statement& old = old_.statements[at(o.index)];
     names.push_back(old.name);
     named = named && old.named;
+    described = described && symbolic::has_meaning(old);
   }
-  if (!named && lanes.size() > 1) return;  // numbered anew
-  s.name = common_name(names);
+  if (!described && lanes.size() > 1) return;  // numbered anew
+  s.name = symbolic::common_name(names);
+  if (!named && s.name == "lanes") s.name.clear();
+  if (s.name.empty()) return;
   s.named = named;
+  s.described = described && !named;
 }
 
 // Statements that move numbers into lanes go to their first user.

@@ -1,9 +1,9 @@
 // Names of lanes: the common part of the names of their limbs.
-#include "pass/lanes/lane_names.h"
+#include "symbolic/lane_names.h"
 
 #include <gtest/gtest.h>
 
-namespace robcogen::pass {
+namespace robcogen::symbolic {
 namespace {
 
 TEST(LaneNames, AreWhatNamesHaveInCommon) {
@@ -42,4 +42,4 @@ TEST(LaneNames, OfSectionsListWhatDiffers) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::symbolic

@@ -1,0 +1,35 @@
+// Says what values are (symbolic::Graph::describe): scalars, and elements of vectors and matrices with their axes
+// behind the name. `_P` behind a name: about the origin of the parent and in its axes.
+#pragma once
+
+#include <string>
+
+#include "algorithm/spatial/motion_force.h"
+
+namespace robcogen::algorithm {
+
+inline void describe(const Expression& e, const std::string& name) {
+  if (e.graph()) e.graph()->describe(e, name);
+}
+
+inline void describe(const Vector3& v, const std::string& name, const std::string& suffix = "") {
+  for (std::size_t i = 0; i < 3; ++i) describe(v[i], name + "xyz"[i] + suffix);
+}
+
+inline void describe(const Matrix3& m, const std::string& name, const std::string& suffix = "") {
+  for (std::size_t i = 0; i < 3; ++i) describe(m[i], name + "xyz"[i], suffix);
+}
+
+// `<name>_nx`, …, `<name>_fx`, ….
+inline void describe(const Force& f, const std::string& name, const std::string& suffix = "") {
+  describe(f.moment, name + "_n", suffix);
+  describe(f.linear, name + "_f", suffix);
+}
+
+// `<name>_wx`, …, `<name>_vx`, ….
+inline void describe(const Motion& v, const std::string& name, const std::string& suffix = "") {
+  describe(v.angular, name + "_w", suffix);
+  describe(v.linear, name + "_v", suffix);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,15 @@
+// What the names of corresponding things have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace robcogen::symbolic {
+
+// `upperleg_wx` of LF_upperleg_wx, RF_upperleg_wx_neg, …; `lanes` where they have nothing in common.
+std::string common_name(const std::vector<std::string>& names);
+
+// `link foot of LF, RF: force` of `link LF_foot: force`, `link RF_foot: force`.
+std::string common_title(const std::vector<std::string>& titles);
+
+}  // namespace robcogen::symbolic
