@@ -56,12 +56,13 @@ class Naming {
   }
 
   std::vector<std::string> run() {
+    std::unordered_set<std::string> given;
+    for (const Statement& s : p_.statements)
+      if (has_meaning(s)) given.insert(s.name);
     for (std::size_t i = 0; i < known_.size(); ++i) {
       const Statement& s = p_.statements[i];
-      if (has_meaning(s))
-        known_[i] = called(s.name);
-      else
-        known_[i] = composed(s);
+      known_[i] = has_meaning(s) ? called(s.name) : composed(s);
+      if (!has_meaning(s) && given.contains(text(known_[i]))) known_[i] = {};  // it is something else
     }
     name_parts();
     return distinct();
@@ -254,7 +255,8 @@ class Naming {
     };
     const Parts x = parts_of(a.name), y = parts_of(b.name);
     const char i = axis_of_square(x.quantity), j = axis_of_square(y.quantity);
-    if (!i || !j || x.subject != y.subject || a.negative != b.negative) return std::nullopt;
+    const auto is_axis = [](char c) { return c >= 'x' && c <= 'z'; };
+    if (!is_axis(i) || !is_axis(j) || i == j || x.subject != y.subject || a.negative != b.negative) return std::nullopt;
     const char rest = static_cast<char>('x' + 'y' + 'z' - i - j);
     return Called{x.subject + "_U" + rest + rest, !a.negative};
   }

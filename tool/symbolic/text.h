@@ -4,7 +4,7 @@
 //     output tau joint_force 2 1
 //     section upperleg link upperleg: velocity
 //     in 0
-//     let upperleg_wz = q[0] * 0.35        (let: named by the algorithm; tmp: numbered)
+//     let upperleg_wz = q[0] * 0.35        (let: named by the algorithm; tmp: described, or numbered)
 //     tmp upperleg_t0 = sin q[1]
 //     tmp legs_qd = gather qd[0] qd[3]     (lanes; legs_qd@1 is one of them)
 //     return tau upperleg_wz -upperleg_t0

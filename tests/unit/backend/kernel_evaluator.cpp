@@ -36,7 +36,7 @@ void KernelEvaluator::run(const std::string& line) {
     expect(")");
   } else if (accept("const Scalar ") || accept("const Scalar& ")) {
     const std::string name = word();
-    expect(" = ");
+    if (!accept(" =\n      ")) expect(" = ");
     define(name, sum());
   } else {
     // The last `=` divides the targets from the value.

@@ -10,12 +10,14 @@
 
 namespace robcogen::test {
 
-// Reads a program in text form.
+// Reads a program in text form, whose names all say what the values are.
 inline symbolic::Program program(const std::string& text) {
   std::string error;
   std::optional<symbolic::Program> p = symbolic::parse(text, error);
   EXPECT_TRUE(p) << error;
-  return p.value_or(symbolic::Program());
+  if (!p) return {};
+  for (symbolic::Statement& s : p->statements) s.described = !s.named;
+  return *p;
 }
 
 // A program over q and qd of joints HFE and KFE with one output array `tau`, in sections `hip` and `knee`.

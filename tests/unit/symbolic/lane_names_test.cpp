@@ -22,6 +22,13 @@ TEST(LaneNames, KeepWholeWords) {
   EXPECT_EQ(common_name({"LF_innerleg", "RF_outerleg"}), "lanes");
 }
 
+// Of mirrored limbs some values are kept negated; one limb may share a value with the trunk.
+TEST(LaneNames, HaveNoSignThatLanesDoNotShare) {
+  EXPECT_EQ(common_name({"LF_hip_wx", "RF_hip_wx_neg"}), "hip_wx");
+  EXPECT_EQ(common_name({"LF_hip_wx_neg", "RF_hip_wx_neg"}), "hip_wx_neg");
+  EXPECT_EQ(common_name({"trunk_ay", "RF_hip_ax", "LH_hip_ax", "RH_hip_ax_neg"}), "hip_ax");
+}
+
 // Beginning and end may not overlap in the shortest name.
 TEST(LaneNames, FitIntoEachName) {
   EXPECT_EQ(common_name({"a_a", "a_a_a"}), "a");
@@ -34,9 +41,13 @@ TEST(LaneNames, AreIdentifiers) {
   EXPECT_EQ(common_name({"L_x", "R_y"}), "lanes");
 }
 
-TEST(LaneNames, OfSectionsListWhatDiffers) {
-  EXPECT_EQ(common_title({"link LF_foot: force", "link RF_foot: force"}), "link LF_foot, RF_foot: force");
-  EXPECT_EQ(common_title({"joint LF_HFE", "joint RF_HFE", "joint LH_HFE"}), "joint LF_HFE, RF_HFE, LH_HFE");
+TEST(LaneNames, OfSectionsSayWhichLimbs) {
+  EXPECT_EQ(common_title({"link LF_foot: force", "link RF_foot: force"}), "link foot of LF, RF: force");
+  EXPECT_EQ(common_title({"joint LF_HFE", "joint RF_HFE", "joint LF_HFE"}), "joint HFE of LF, RF");
+  EXPECT_EQ(
+      common_title({"link LF_hip: column of joint LF_HAA", "link RF_hip: column of joint RF_HAA"}),
+      "link hip of LF, RF: column of joint HAA");
+  EXPECT_EQ(common_title({"link hip_left: force", "link foot_right: force"}), "link hip_left, foot_right: force");
   EXPECT_EQ(common_title({"base: acceleration", "base: acceleration"}), "base: acceleration");
   EXPECT_EQ(common_title({"base", "link foot"}), "base, link foot");
 }

@@ -257,8 +257,13 @@ class Arranging {
                             : kind == Operand::Kind::statement ? statement_names_[at(index)]
                                                                : statement_names_[at(angle.first)];
       if (lane >= 0) subject += "_" + std::to_string(lane);
-      if (angle.sine) angle.sine_name = arranged_.scope.claim(shortened("s_" + subject));
-      if (angle.cosine) angle.cosine_name = arranged_.scope.claim(shortened("c_" + subject));
+      // Both names and the argument's stand in one line.
+      const std::size_t limit = kind == Operand::Kind::input ? dialect_.name_limit : dialect_.name_limit * 5 / 6;
+      const auto claim = [&](const std::string& name) {
+        return arranged_.scope.claim(backend::shortened(name, limit, dialect_.is_reserved));
+      };
+      if (angle.sine) angle.sine_name = claim("s_" + subject);
+      if (angle.cosine) angle.cosine_name = claim("c_" + subject);
     }
     std::vector<std::string> wanted;
     wanted.reserve(program_.statements.size());
@@ -373,7 +378,9 @@ Arrangement arrange(const Program& program, const Dialect& dialect) {
     bool is_new = false;
     for (std::size_t i = 0; i < is_line.size(); ++i) {
       const Place place = arranged.places[i];
-      if (is_line[i] || (place != Place::own && place != Place::sums && place != Place::summed)) continue;
+      const bool has_name =
+          place == Place::own || place == Place::sums || place == Place::summed || place == Place::loaded;
+      if (is_line[i] || !has_name) continue;
       is_line[i] = is_new = true;
     }
     if (!is_new || round == kRounds) return arranged;

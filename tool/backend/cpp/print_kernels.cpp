@@ -314,6 +314,21 @@ std::string conventions(const Library& library) {
   return overlap + " Joints: " + numbered(joints) + ".";
 }
 
+// How names of values read, in kernels of the dynamics.
+std::string legend(const std::string& group) {
+  const auto begins = [&](const char* word) { return group.rfind(word, 0) == 0; };
+  for (const char* word : {"transforms", "jacobian", "velocities", "accelerations", kParameters, kTrigonometry})
+    if (begins(word)) return "";
+  return "//\n" +
+         comment(
+             "Names are link, quantity and axis: w, wd angular velocity and acceleration; v velocity; a acceleration "
+             "of "
+             "the link's origin minus gravity; f, n force and moment; h, S first and second moments of mass; A, B, M "
+             "blocks of an articulated inertia; U of [wd]x + [w]x [w]x. _P: in the parent's axes; _neg: minus that; "
+             "_by_J: turned by joint J; s2_J, sc_J, c_2J: sin^2, sin cos, cosine of twice its angle; x_to_y: the sum "
+             "that makes x, up to its term in y.");
+}
+
 std::string explicit_instantiations(const std::string& kernel) {
   std::string result;
   for (const std::string scalar : {"double", "float"}) {
@@ -399,7 +414,8 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   const std::string remark = "// Of known sines and cosines: sin_q and cos_q are those of all angles.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(
-      {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)),
+      {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)) +
+           (api.library->has_robot() ? legend(group) : ""),
        "#pragma once\n", includes({"<cmath>"}), includes(headers), runtime_check(api),
        in_namespace(api.space + "::kernel", paragraphs(kernels))});
 }

@@ -1,0 +1,89 @@
+// What the lines of a program are called.
+#include "symbolic/line_names.h"
+
+#include <gtest/gtest.h>
+
+#include "programs.h"
+
+namespace robcogen::symbolic {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const std::string kHead =
+    "program f\n"
+    "input q joint_position HFE KFE\n"
+    "input qd joint_velocity HFE KFE\n"
+    "output tau joint_force 1 1\n"
+    "section hip link hip: motion\n"
+    "in 0\n";
+
+// Of the last statements, as many as are expected, all statements being lines.
+void expect_last(const std::string& statements, const Names& expected) {
+  Program p = test::program(kHead + statements);
+  for (Statement& s : p.statements) s.described = false;
+  const Names names = line_names(p, std::vector<bool>(p.statements.size(), true));
+  ASSERT_GE(names.size(), expected.size());
+  EXPECT_EQ(Names(names.end() - static_cast<std::ptrdiff_t>(expected.size()), names.end()), expected) << statements;
+}
+
+const std::string kRates = "let hip_wx = qd[0] * 2\nlet hip_wy_neg = qd[1] * 2\nlet hip_wdz = qd[0] * 3\n";
+
+TEST(LineNames, ProductsAndSquaresOfNamedValues) {
+  expect_last(
+      kRates +
+          "tmp a = hip_wx * hip_wx\ntmp b = hip_wx * hip_wy_neg\ntmp c = hip_wx - hip_wdz\ntmp d = a + b\ntmp e = c + "
+          "d\nreturn tau e\n",
+      {"hip_wx2", "hip_wx_wy_neg", "hip_wx_minus_wdz", "hip_t0", "hip_t1"});
+  expect_last("tmp a = qd[0] * qd[1]\nreturn tau a\n", {"qd_HFE_KFE"});
+}
+
+TEST(LineNames, SinesAndCosinesOfTwiceAnAngle) {
+  expect_last(
+      "tmp s = sin q[0]\ntmp c = cos q[0]\ntmp a = s * s\ntmp b = c * s\ntmp d = 2 * b\ntmp e = 2 * a\n"
+      "tmp f = 1 - e\ntmp g = d + f\nreturn tau g\n",
+      {"s2_HFE", "sc_HFE", "s_2HFE", "c_2HFE_of_HFE", "c_2HFE", "hip_t0"});
+}
+
+// U = [wd]x + [w]x [w]x: row y, column x has w_x w_y + wd_z, and row x, column y has wd_z subtracted.
+TEST(LineNames, ElementsOfU) {
+  expect_last(
+      kRates + "tmp a = hip_wx * hip_wy_neg\ntmp b = hip_wdz - a\ntmp c = hip_wdz + a\ntmp d = b * c\nreturn tau d\n",
+      {"hip_Uyx", "hip_Uxy_neg", "hip_Uyx_Uxy_neg"});
+  expect_last(
+      kRates + "tmp a = hip_wx * hip_wx\ntmp b = hip_wy_neg * hip_wy_neg\ntmp c = a + b\nreturn tau c\n",
+      {"hip_Uzz_neg"});
+}
+
+TEST(LineNames, ComponentsOfWhatTurnsAndMoves) {
+  const std::string values = "let hip_fx = qd[0] * 2\nlet hip_fy_neg = qd[1] * 2\nlet hip_nz = qd[0] * 3\n";
+  const std::string angles = "tmp s = sin q[1]\ntmp c = cos q[1]\n";
+  expect_last(
+      values + angles + "tmp a = c * hip_fx\ntmp b = s * hip_fy_neg\ntmp d = a + b\nreturn tau d\n",
+      {"c_KFE_hip_fx", "s_KFE_hip_fy_neg", "hip_fx_by_KFE"});
+  expect_last(
+      values + angles + "tmp a = s * hip_fx\ntmp b = c * hip_fy_neg\ntmp d = a - b\nreturn tau d\n", {"hip_fy_by_KFE"});
+  expect_last(values + "tmp a = 0.4 * hip_fx\ntmp b = hip_nz - a\nreturn tau b\n", {"hip_nz_moved"});
+}
+
+TEST(LineNames, WhatIsLeftIsAPartOfWhatReadsIt) {
+  expect_last(
+      "let hip_ax = qd[0] * 2\ntmp a = 3 * hip_ax\ntmp b = a + 0.5\nlet hip_nz = b * qd[1]\nreturn tau hip_nz\n",
+      {"hip_nz_of_ax", "hip_nz_to_ax", "hip_nz"});
+}
+
+TEST(LineNames, NumbersCountLinesOfTheSectionOnly) {
+  Program p =
+      test::program(kHead + "tmp a = 3 + qd[0]\ntmp b = a + 0.5\ntmp c = b * b\ntmp d = sqrt c\nreturn tau d\n");
+  for (Statement& s : p.statements) s.described = false;
+  EXPECT_EQ(line_names(p, {false, true, false, true}), (Names{"hip_t2", "hip_t0", "hip_t3", "hip_t1"}));
+}
+
+TEST(LineNames, AreDistinctAndKeepWhatTheAlgorithmNamed) {
+  expect_last(
+      kRates + "tmp a = hip_wx * hip_wx\nlet hip_wx2 = hip_wx + 1\ntmp b = a + hip_wx2\nreturn tau b\n",
+      {"hip_t0", "hip_wx2", "hip_t1"});
+}
+
+}  // namespace
+}  // namespace robcogen::symbolic
