@@ -19,7 +19,7 @@ TEST(Solve, SymmetricPositiveDefinite) {
       for (int c = 0; c <= r; ++c) matrix(r, c) = matrix(c, r) = n.expression(a(r, c));
       right.push_back(n.expression(b[r]));
     }
-    const std::vector<double> x = test::evaluate(n.graph, n.inputs, solve(matrix, right));
+    const std::vector<double> x = test::evaluate(n.graph, n.inputs, solve(matrix, right, std::vector<std::string>(right.size(), "x")));
     const Eigen::VectorXd expected = a.ldlt().solve(b);
     const double scale = 1e-13 * a.norm();  // at least the condition number: the smallest eigenvalue is above 1
     EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), size) - expected).norm(), scale) << "seed " << seed;
@@ -33,7 +33,7 @@ TEST(Solve, ZerosCostNothing) {
   std::vector<Expression> b(3);
   for (int i = 0; i < 3; ++i) a(i, i) = n.expression(2.0);
   b[1] = n.expression(3.0);
-  const std::vector<Expression> x = solve(a, b);
+  const std::vector<Expression> x = solve(a, b, {"x", "y", "z"});
   EXPECT_TRUE(x[0].is_zero());
   EXPECT_TRUE(x[2].is_zero());
   EXPECT_EQ(n.value(x[1]), 1.5);
