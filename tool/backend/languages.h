@@ -12,7 +12,7 @@ struct Language {
   std::string name;                      // as on the command line
   std::vector<std::string> groups = {};  // which it offers; empty: all
   Features features = {};
-  bool takes_transforms = false;         // prints libraries with no robot: inputs of role `variables`
+  bool takes_transforms = false;  // prints libraries with no robot: inputs of role `variables`
   std::vector<OutputFile> (*print)(const Library& library) = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// What a back end receives: the constants and the programs of a robot, or of a document of coordinate transforms. No
+// The input of a back end: the constants and the programs of a robot, or of a document of coordinate transforms. No
 // algorithm, no syntax.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace robcogen::backend {
 
-// Infinite where the model says nothing: rad or m, per second, N m or N.
+// rad or m, rad/s or m/s, N m or N; infinite where the model gives no limit.
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -56,12 +56,12 @@ struct FrameData {
 struct ParameterData {
   std::string name;
   double default_value = std::numeric_limits<double>::quiet_NaN();  // not a number: none
-  bool is_kinematics = true;  // stands in the placement of a joint or frame
-  bool is_dynamics = false;   // stands in mass properties
+  bool is_kinematics = true;                                        // stands in the placement of a joint or frame
+  bool is_dynamics = false;                                         // stands in mass properties
 };
 
-// What a user's Rx(a) maps coordinates to: right: from the frame rotated by +a to the original frame; left: the
-// inverse.
+// The convention of a user's Rx(a): right: it maps coordinates from the frame rotated by +a to the original frame;
+// left: the inverse.
 enum class PrimitiveConvention { none, left, right };
 
 struct PrimitiveData {
@@ -90,7 +90,7 @@ struct AmountStep {
   int index = 0;
 };
 
-// A factor of a coordinate transform, as its document says it: m or rad, in the convention `right`.
+// A factor of a coordinate transform as in its document: m or rad, in the convention `right`.
 struct FactorData {
   PrimitiveData primitive;
   std::vector<AmountStep> amount;
@@ -108,24 +108,26 @@ struct Function {
   symbolic::Program program;
   std::string method = {};                            // how it is computed, where there was a choice
   std::optional<symbolic::RoundingError> error = {};  // where it was measured
-  // For languages whose functions take given sines and cosines, where the program reads some.
+  // For languages whose functions take precomputed sines and cosines, if the program reads any.
   std::optional<symbolic::AngleParts> parts = {};
-  // For languages with vectors: the same program where equal limbs share lanes, if some do; and which, a text a class.
+  // For languages with vectors: the same program with congruent limbs in lanes, if there is one; and the limbs, a text
+  // for each class.
   std::optional<symbolic::Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
   // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the
   // program of their amounts, a row each.
   std::vector<PrimitiveData> primitives = {};
   symbolic::Program amounts = {};
-  // With no robot: the product that the transform is, first one leftmost, for checks.
+  // Without a robot: the factors of the transform, the first one leftmost, for checks.
   std::vector<FactorData> factors = {};
 };
 
-// The forms of programs that a language takes.
+// The forms of programs that a language uses.
 struct Features {
-  bool caches_parameters = false;  // functions read what follows from parameters in a cache: Library::updates
-  bool has_lanes = false;          // congruent limbs share the lanes of vectors: Function::in_lanes
-  bool takes_sines = false;        // functions take given sines and cosines: Library::trigonometry
+  bool caches_parameters =
+      false;                 // functions read values that depend on parameters alone from a cache: Library::updates
+  bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
 };
 
 struct Library {
@@ -134,7 +136,7 @@ struct Library {
   std::string robot;              // the name of the robot, or of the model, in the document
   std::string model_file;         // file name without folders
   std::string model_hash;         // of the canonical document
-  std::string generator_version;  // of the tool: stands in one file only, so that a new version recompiles little
+  std::string generator_version;  // of the tool: printed in one file only, so that a new version recompiles little
   bool floating_base = false;
   std::vector<LinkData> links;  // [0] is the base; none: there is no robot, but transforms of `variables`
   std::vector<JointData> joints;
@@ -143,14 +145,14 @@ struct Library {
   std::vector<std::string> variables;     // with no robot: in the document's order of their first use
   std::vector<std::string> groups;        // which groups were asked for, in canonical order
   std::vector<Function> functions;
-  // For languages that cache what follows from parameters alone (`functions` then read the cache as their parameters),
-  // of robots that have some. Each update computes a part of the cache from the parameters: what depends on kinematics
-  // parameters alone, on dynamics parameters alone, on parameters of both or on one that is both; the parts stand one after another.
+  // Of robots with parameters, for languages that cache the values that depend on parameters alone (`functions` then
+  // read the cache as their parameters). Each update computes a part of the cache from the parameters: the values that
+  // depend on kinematics parameters alone, on dynamics parameters alone, and on both; the parts follow one another.
   std::vector<Function> updates;
   // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
   std::vector<Function> numbers;
-  // Of a robot, for languages whose functions take given sines and cosines: those of all angles, first an angle for
-  // each joint, its position, then sums. Empty otherwise.
+  // Of a robot, for languages whose functions take precomputed sines and cosines: those of all angles, first the
+  // position of each joint, then sums.
   struct Trigonometry {
     int angle_count = 0;
     symbolic::Program angles;  // [parameters,] q -> all of them

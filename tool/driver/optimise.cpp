@@ -52,14 +52,15 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
   }
   functions = run_passes(std::move(functions), passes);
   const auto add_update = [&](symbolic::Program& program, const std::string& what) {
-    functions.updates.push_back(
-        function_of("parameters", pass::run(std::move(program), passes), {"What follows from " + what + "."}));
+    functions.updates.push_back(function_of(
+        "parameters", pass::run(std::move(program), passes), {"The part of the cache that depends on " + what + "."}));
   };
   add_update(split.kinematics, "kinematics parameters alone");
   add_update(split.dynamics, "dynamics parameters alone");
   add_update(split.both, "kinematics and dynamics parameters together");
-  functions.numbers.push_back(
-      function_of("parameters", algorithm::model_numbers(robot.tree), {"The numbers of the model, a column each."}));
+  functions.numbers.push_back(function_of(
+      "parameters", algorithm::model_numbers(robot.tree),
+      {"The numbers of the model, a column for each link, joint and frame."}));
   return functions;
 }
 
@@ -97,7 +98,7 @@ Functions split_angles(const Robot& robot, Functions functions) {
       split.angle_count, std::move(split.angles),
       function_of(
           "trigonometry", std::move(split.addition),
-          {"Sines and cosines of all angles from those of the joints: of sums by the addition theorems."})};
+          {"Sines and cosines of all angles from those of the joints; those of sums by the addition theorems."})};
   return functions;
 }
 

@@ -48,9 +48,10 @@ std::string prefix_of(const InputArray& array) {
   return is_labelled ? "" : array.name + "_";
 }
 
-class Naming {
+class LineNamer {
  public:
-  Naming(const Program& p, const std::vector<bool>& is_line) : p_(p), is_line_(is_line), known_(p.statements.size()) {
+  LineNamer(const Program& p, const std::vector<bool>& is_line)
+      : p_(p), is_line_(is_line), known_(p.statements.size()) {
     for (const InputArray& array : p.inputs)
       for (const std::string& label : array.elements) inputs_.push_back(prefix_of(array) + label);
   }
@@ -342,7 +343,7 @@ class Naming {
 }  // namespace
 
 std::vector<std::string> line_names(const Program& program, const std::vector<bool>& is_line) {
-  return Naming(program, is_line).run();
+  return LineNamer(program, is_line).run();
 }
 
 }  // namespace robcogen::symbolic

@@ -1,5 +1,5 @@
-// Names for the statements of a finished program that become lines of their own: what the algorithm called them, or what
-// follows from the names of what they are made of, or what they are a part of. What is left is numbered within its
+// Names for the statements of a finished program that become lines of their own: what the algorithm called them, or
+// what follows from the names of what they are made of, or what they are a part of. What is left is numbered within its
 // section, without gaps.
 #pragma once
 

@@ -41,9 +41,9 @@ std::vector<Parameter> claim_parameters(const Program& program, const Dialect& d
   return result;
 }
 
-class Arranging {
+class ArrangementBuilder {
  public:
-  Arranging(const Program& program, const Dialect& dialect, const std::vector<std::string>& names)
+  ArrangementBuilder(const Program& program, const Dialect& dialect, const std::vector<std::string>& names)
       : program_(program),
         dialect_(dialect),
         statement_names_(names),
@@ -374,7 +374,7 @@ Arrangement arrange(const Program& program, const Dialect& dialect) {
   std::vector<bool> is_line(program.statements.size(), false);
   for (int round = 0;; ++round) {
     const std::vector<std::string> names = symbolic::line_names(program, is_line);
-    Arrangement arranged = Arranging(program, dialect, names).run();
+    Arrangement arranged = ArrangementBuilder(program, dialect, names).run();
     bool is_new = false;
     for (std::size_t i = 0; i < is_line.size(); ++i) {
       const Place place = arranged.places[i];

@@ -7,14 +7,14 @@
 
 namespace robcogen::backend {
 
-// Whether a language keeps the name to itself.
+// Whether the language reserves the name.
 using IsReserved = bool (*)(const std::string& name);
 
 // The nearest legal identifier: illegal characters become '_', leading and double underscores vanish, a reserved word
 // gets a final '_'. A name that is legal already comes back unchanged.
 std::string identifier(const std::string& wanted, IsReserved is_reserved);
 
-// At most `limit` characters: the middle gives way, for the ends say what the name means.
+// At most `limit` characters: the middle is cut, because the ends tell most about the meaning.
 std::string shortened(const std::string& name, std::size_t limit, IsReserved is_reserved);
 
 // Identifiers taken in one scope. Never iterated: the map decides no order.
@@ -22,7 +22,7 @@ class NameScope {
  public:
   explicit NameScope(IsReserved reserved, const std::vector<std::string>& taken = {});
 
-  // Marks the name as taken; true when it was free.
+  // Marks the name as taken; true if it was free.
   bool take(const std::string& name);
   // The identifier for `wanted`, numbered (`foot_2`) when it is taken.
   std::string claim(const std::string& wanted);

@@ -12,7 +12,7 @@
 namespace robcogen::backend {
 namespace {
 
-// What a part costs beside its lines, in values handed on: the call.
+// The cost of a call, in values passed on.
 constexpr std::size_t kCall = 8;
 
 // The lines of one section, or of several.
@@ -89,9 +89,9 @@ struct Value {
 // Ascending indices of values.
 using Values = std::vector<std::size_t>;
 
-class Cutting {
+class KernelSplitter {
  public:
-  Cutting(const Kernel& kernel, std::size_t longest, const Dialect& dialect)
+  KernelSplitter(const Kernel& kernel, std::size_t longest, const Dialect& dialect)
       : kernel_(kernel), longest_(longest), dialect_(dialect) {
     for (const Line& line : kernel.lines) {
       using Kind = Line::Kind;
@@ -154,7 +154,7 @@ class Cutting {
     return result;
   }
 
-  // The stretches that hand on least in sum, by dynamic programming over their ends.
+  // The runs that pass on the fewest values in sum, by dynamic programming over their ends.
   std::vector<Stretch> cut() const {
     const std::vector<Stretch> all = sections(lines_);
     std::vector<Values> read;
@@ -162,7 +162,7 @@ class Cutting {
     std::vector<std::size_t> cost(all.size() + 1, std::numeric_limits<std::size_t>::max()), from(all.size() + 1, 0);
     cost[0] = 0;
     for (std::size_t end = 1; end <= all.size(); ++end) {
-      std::vector<bool> is_read(values_.size(), false);  // from before the stretch
+      std::vector<bool> is_read(values_.size(), false);  // from before the run
       std::size_t count = 0;
       const auto set = [&](std::size_t value, bool to) {
         if (is_read[value] == to) return;
@@ -270,7 +270,7 @@ class Cutting {
 }  // namespace
 
 Parts in_parts(const Kernel& kernel, std::size_t longest, const Dialect& dialect) {
-  return Cutting(kernel, longest, dialect).run();
+  return KernelSplitter(kernel, longest, dialect).run();
 }
 
 }  // namespace robcogen::backend

@@ -1,5 +1,5 @@
-// Long kernels in parts, functions of their own that compute it one after the other: compilers take time that grows
-// faster than the length of a function, and keep fewer values in registers the longer it is.
+// Splits long kernels into functions that are called one after the other: the time of compilers grows faster than the
+// length of a function, and long functions keep fewer values in registers.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace robcogen::backend {
 
-// Values that parts hand on: an array of so many, each of this width.
+// An array of values of one width that parts pass on.
 struct Handed {
   Parameter array;
   std::size_t size = 0;
 };
 
 struct Parts {
-  std::vector<Kernel> kernels;  // in their order; parameters: those that are used, then arrays of `handed`
+  std::vector<Kernel> kernels;  // in order of the calls; parameters: those that are used, then arrays of `handed`
   std::vector<Handed> handed;   // by ascending width
 };
 

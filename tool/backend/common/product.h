@@ -8,7 +8,7 @@
 
 namespace robcogen::backend {
 
-// The lines that the amounts need, and the product with this sign between its factors. An empty product is Tx(0).
+// The lines that compute the amounts, and the product with this sign between its factors. An empty product is Tx(0).
 struct Product {
   Kernel kernel;
   std::string text;
@@ -16,7 +16,7 @@ struct Product {
 
 Product product_of_primitives(const Function& function, const std::string& sign, const Dialect& dialect);
 
-// What the primitives must mean, for the documentation: which convention.
+// The convention of the primitives, for the documentation.
 std::string convention_of_primitives(const Library& library);
 
 }  // namespace robcogen::backend

@@ -11,8 +11,8 @@ namespace robcogen::backend {
 
 enum class Precedence { sum, product, atom };
 
-// A value `text`, or its negative. The sign stays apart from the text as long as it can: a sum turns it into an
-// addition or a subtraction, a product moves it outwards. Refers to texts that must live as long.
+// A value `text`, or its negative. The sign is kept apart from the text as long as possible: a sum turns it into an
+// addition or a subtraction, a product moves it outwards. Refers to texts that must outlive it.
 struct Spelling {
   std::string_view text;
   Precedence precedence = Precedence::atom;

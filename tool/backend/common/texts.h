@@ -1,4 +1,4 @@
-// Memory of many short texts that end together.
+// Storage for many short texts with one lifetime.
 #pragma once
 
 #include <initializer_list>
@@ -8,12 +8,12 @@
 
 namespace robcogen::backend {
 
-// Texts that stay where they are as long as this lives, and when it is moved: side by side in long strings, for to get
-// and to free memory for each would take longer than to write it.
+// Texts that keep their addresses as long as this object lives, also when it is moved. They are stored in long strings,
+// because allocating memory for each takes longer than writing it.
 class Texts {
  public:
   Texts() = default;
-  Texts(Texts&&) = default;  // texts of a copy would be others
+  Texts(Texts&&) = default;  // the texts of a copy would have other addresses
 
   // The pieces one after another.
   std::string_view add(std::initializer_list<std::string_view> pieces);

@@ -1,4 +1,4 @@
-// The C++ interface of a library: every identifier settled, and the overloads that its functions make.
+// The C++ interface of a library: all identifiers, and the overloads of its functions.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace robcogen::backend::cpp {
 
-// What functions of robots with parameters take first: of namespace hyl and of hyl::f32 alike.
+// The first argument of functions of robots with parameters, in namespace hyl and in hyl::f32.
 inline constexpr const char* kParametersType = "Parameters<Scalar>";
 
-// What takes the place of joint positions, in either precision, and the argument's name.
+// The type that replaces joint positions, in either precision, and the argument's name.
 inline constexpr const char* kTrigonometryType = "JointTrigonometry";
 inline constexpr const char* kTrigonometryName = "at";
 
 // A function of the library under its C++ names.
 struct Callable {
   const Function* function = nullptr;
-  std::string kernel;                      // in namespace `kernel`
-  std::string name;                        // in the function's scope
-  std::string columns;                     // Jacobians: the constant beside it that lists the joints of its columns
-  std::string owner;                       // the type whose member it is; empty: a free function
-  std::vector<Parameter> parameters = {};  // of the kernel: inputs, then outputs
+  std::string kernel;                           // in namespace `kernel`
+  std::string name;                             // in the function's scope
+  std::string columns;                          // Jacobians: the constant that lists the joints of its columns
+  std::string owner;                            // the type whose member it is; empty: a free function
+  std::vector<Parameter> parameters = {};       // of the kernel: inputs, then outputs
   std::vector<Parameter> core_parameters = {};  // of its core, where it has one
   symbolic::OperationCount count = {};          // of the function's program
 };
@@ -39,14 +39,15 @@ struct Api {
   // Of robots with parameters, whose functions take these first:
   std::vector<std::string> fields, getters;  // by parameter
   std::vector<Callable> updates, numbers;
-  // Of robots whose functions take given sines and cosines: how those of all angles follow from those of the joints.
+  // Of robots whose functions take precomputed sines and cosines: computes those of all angles from those of the
+  // joints.
   std::vector<Callable> trigonometry;
 
   bool is_parametric() const { return !updates.empty(); }
   bool takes_sines() const { return !trigonometry.empty(); }
 };
 
-// Refers to the library, which must live as long.
+// Refers to the library, which must outlive it.
 Api api(const Library& library);
 
 struct Argument {
@@ -65,24 +66,24 @@ struct Overload {
   std::string result;
   std::vector<Argument> arguments;
   bool adds_standard_gravity = false;    // has no argument for it, and calls the overload that has one
-  bool takes_sines = false;              // JointTrigonometry in the place of joint positions
-  std::vector<Packed> packed = {};       // parameters and variables, where there is no robot
+  bool takes_sines = false;              // JointTrigonometry instead of joint positions
+  std::vector<Packed> packed = {};       // parameters and variables, without a robot
   std::vector<std::string> inputs = {};  // what the kernel gets, unless adds_standard_gravity
 };
 
-// The overloads that these functions make, all of one scope and name. With a fixed base gravity may be left out
-// wherever no function of its own does without it: an overload of its own then adds standard gravity. With a floating
-// base it says how the base is oriented, and no overload does without it. Behind those that take joint positions come
-// those that take JointTrigonometry, where there is one.
+// The overloads of these functions, which have one scope and name. With a fixed base, gravity may be left out: where no
+// function has standard gravity folded, an additional overload passes it. With a floating base gravity is required,
+// because it says how the base is oriented. The overloads for joint positions come first, then those for
+// JointTrigonometry.
 std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables);
 
 // The overloads of a group's free functions in this scope, in order.
 std::vector<Overload> overloads(const Api& api, const std::string& group, const std::string& scope);
 
-// The members of a type, but those that it is made by, in order.
+// The members of a type in order, without its constructors.
 std::vector<Overload> members(const Api& api, const std::string& type);
 
-// The overload that takes JointTrigonometry in the place of joint positions; the same, where there are none.
+// The overload with JointTrigonometry instead of joint positions; the same overload where it takes none.
 Overload with_sines(const Api& api, const Overload& overload);
 
 // The scopes of a group's free functions in the order of their first function.
@@ -93,8 +94,8 @@ std::string matrix_type(int rows, int columns);
 std::string type_of(const symbolic::InputArray& input);
 std::string type_of(const symbolic::OutputArray& output);
 std::string result_type(const symbolic::Program& program);
-// What such outputs make together is a type of the library's own, printed where its functions are: they are kept, and
-// functions that read them are its members.
+// Whether the outputs are members of a result type of the library, which also has the functions that read them as
+// members.
 bool is_kept(symbolic::Role role);
 std::string kept_name(const std::string& array);  // the data member that holds the array
 bool returns_object(const symbolic::Program& program);

@@ -12,8 +12,8 @@ namespace robcogen::backend::cpp {
 // one name in different namespaces go into one program.
 std::string folder(const std::string& name, const std::string& enclosing);
 
-// The names of the files that `print` makes in this folder, relative to the output directory: a function of the keywords
-// only.
+// The names of the files that `print` makes in this folder, relative to the output directory: a function of the
+// keywords only.
 std::vector<std::string> outputs(
     const std::string& folder,
     const std::vector<std::string>& groups,

@@ -18,7 +18,7 @@ using symbolic::OutputArray;
 using symbolic::Program;
 using symbolic::Role;
 
-// An array of a function: what a state has of it. Parameters belong to all states.
+// An array of a function, of one state. Parameters are the same for all states.
 struct Array {
   std::string name;
   std::string type;  // of one state
@@ -53,7 +53,7 @@ std::vector<Array> arrays(const Program& program) {
   return result;
 }
 
-// What compiled functions take of an array.
+// The type in which compiled functions take an array.
 std::string strided(const Array& array, const std::string& scalar) {
   if (array.is_parameters) return "const " + scalar + "*";
   return "const robcogen::batch::Strided<" + std::string(array.is_output ? "" : "const ") + scalar + ">&";
@@ -127,7 +127,7 @@ std::string chooser(const Callable& callable) {
 
 // What the library is compiled for: BATCH_LEVELS of robcogen_add_robot.
 std::string compiled_levels() {
-  std::string text = "// Processors that the library is compiled for, beside the baseline.\n";
+  std::string text = "// Processor levels that the library is compiled for in addition to the baseline.\n";
   for (const std::string level : {"AVX512", "AVX2"})
     text += "#ifdef ROBCOGEN_WITHOUT_" + level + "\n[[maybe_unused]] constexpr bool " + constant_of(level) +
             " = false;\n#else\n[[maybe_unused]] constexpr bool " + constant_of(level) +
@@ -203,7 +203,7 @@ std::string function(const Api& api, const Callable& callable, bool single_preci
     if (with_gravity)
       for (const std::string& line : callable.function->summary) text += comment(line);
     else
-      text += comment("As above, under standard gravity.");
+      text += comment("The same under standard gravity.");
     text += comment("Elements of a state: " + sizes + ".");
   }
   return text + declaration("inline void " + callable.name, list, " noexcept {") +
@@ -260,18 +260,17 @@ std::string print_batch(const Api& api, const std::string& path) {
   return paragraphs(
       {banner(library, path, "functions over n states at once, in double and (namespace f32) single precision") +
            "//\n"
-           "// Arguments say how states are laid out: robcogen::batch::by_element(data, stride), by_state(data), or "
-           "one "
-           "value for\n"
-           "// all states. Matrices stand column by column. Units and frames are those of the functions of one state. "
-           "Results must\n"
-           "// not overlap arguments. n may be any number; nothing beyond n states is read or written.\n"
+           "// The arguments say how the states are stored: robcogen::batch::by_element(data, stride), by_state(data), "
+           "or one\n"
+           "// value for all states. Matrices are stored by columns. Units and frames are those of the functions of "
+           "one state.\n"
+           "// Results must not overlap arguments. n may be any number; nothing beyond n states is read or written.\n"
            "//\n"
-           "// Results are those of single calls up to rounding: products are fused into sums where the processor can. "
-           "A state\n"
-           "// never has to do with another. To share the work between threads, give each a range of the states.\n"
+           "// Results agree with single calls up to rounding: processors fuse products into sums where they can. No "
+           "state\n"
+           "// affects another. To share the work between threads, give each thread a range of the states.\n"
            "//\n"
-           "// `most` is the best processor to make use of; more than the machine has is never used.\n",
+           "// `most` is the highest processor level to use; a level that the machine lacks is never used.\n",
        "#pragma once\n", includes({"<cstddef>"}), includes(headers),
        in_namespace(
            api.space, paragraphs({batch_kernel_declarations(api), interface(api, false), interface(api, true)}))});

@@ -26,7 +26,7 @@ std::vector<std::string> parameter_list(const Overload& overload) {
   return list;
 }
 
-// Returned as a plain number, where all else is an Eigen matrix or has its `data()`.
+// Returned as a plain number; all other results are Eigen matrices or have `data()`.
 bool is_scalar(const symbolic::OutputArray& output) {
   return output.role == symbolic::Role::energy || output.role == symbolic::Role::mass;
 }
@@ -123,7 +123,7 @@ std::string declarations(const Api& api, const std::vector<Overload>& set) {
   for (const Overload& o : set) {
     std::string remark;
     if (o.takes_sines) {
-      if (!has_sines && !alone) remark = comment("The same with known sines and cosines.");
+      if (!has_sines && !alone) remark = comment("The same with precomputed sines and cosines.");
       has_sines = true;
     } else if (o.adds_standard_gravity) {
       remark = comment("Under standard gravity.");
@@ -226,7 +226,7 @@ std::string robot_type(const Api& api) {
   return "// The robot as a type, for code that is generic over robots.\nstruct Robot {\n" + paragraphs(parts) + "};\n";
 }
 
-// What holds for all functions.
+// The conventions of all functions.
 std::string conventions(const Api& api) {
   const Library& library = *api.library;
   std::string text = "They are pure functions: no state, no allocation, no exceptions. Units are SI, angles in rad.";
@@ -266,7 +266,7 @@ std::string factor_type(const Api& api) {
     if (const Overload other = with_sines(api, maker); other.takes_sines) constructors += constructor(other);
     std::vector<std::string> parts = {constructors, getters};
     for (const Overload& member : members(api, maker.result)) parts.push_back(method(member));
-    return comment("What " + c.name + " returns.") + "template <class Scalar>\nclass Basic" + maker.result + " {\n" +
+    return comment("The result of " + c.name + ".") + "template <class Scalar>\nclass Basic" + maker.result + " {\n" +
            types_of_members(api) + "\n public:\n" + paragraphs(parts) + "\n private:\n" + data + "};\n";
   }
   return "";

@@ -135,18 +135,18 @@ std::string summary(const Callable& callable) {
   return result;
 }
 
-// What is compiled into its caller.
+// Functions that are compiled into their caller.
 constexpr const char* kInline = "[[gnu::always_inline]] inline ";
 
 // Of a kernel whose limbs share lanes.
 std::string comments_in_lanes(const Callable& callable) {
   std::string text;
   for (const std::string& limbs : callable.function->limbs_in_lanes)
-    text += comment("In lanes: the limbs from " + limbs + ".");
+    text += comment("In lanes: the limbs that start with joints " + limbs + ".");
   return text + comment("Where limbs are mirrored, some lanes of a value are negated.");
 }
 
-// Chooses between the two ways of computing the same.
+// Chooses between the two kernels of a function.
 std::string print_chooser(
     const Callable& callable,
     const std::vector<Parameter>& parameters,
@@ -238,11 +238,12 @@ bool has_own_lanes(const Function& function) {
 // A kernel that computes sines and cosines and calls its core.
 std::string print_caller(const Library& library, const Callable& callable) {
   const symbolic::AngleParts& parts = *callable.function->parts;
-  std::string text = comment("As core::" + callable.kernel + ", of positions alone.") + comment(counts(callable.count));
+  std::string text = comment("core::" + callable.kernel + ", with sines and cosines computed from the positions.") +
+                     comment(counts(callable.count));
   const bool is_in_lanes = callable.function->in_lanes && !has_own_lanes(*callable.function);
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
   if (const int sums = symbolic::count(parts.angles).add; sums > 0)
-    text += comment("Of the additions " + std::to_string(sums) + " make angles.");
+    text += comment("Additions that compute angles: " + std::to_string(sums) + ".");
   text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);
   // Stored as vectors and read one by one: a vector across two cache lines would be waited for.
@@ -364,7 +365,8 @@ std::vector<const Callable*> callables_of(const Api& api, const std::string& gro
 // The three updates in one.
 std::string whole_update(const Api& api) {
   std::string result =
-      "// All of the cache, from values in the order of kParameterNames: for scalars that Parameters does not know.\n"
+      "// The whole cache, from values in the order of kParameterNames, for scalar types that Parameters does not "
+      "support.\n"
       "template <class Scalar>\nvoid update(const Scalar* parameters, Scalar* cache) noexcept {\n";
   int begin = 0;
   for (const Callable& c : api.updates) {
@@ -411,7 +413,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
-  const std::string remark = "// Of known sines and cosines: sin_q and cos_q are those of all angles.\n";
+  const std::string remark = "// Kernels that take precomputed sin(q) and cos(q), of all angles.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)) +

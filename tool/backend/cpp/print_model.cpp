@@ -99,7 +99,7 @@ std::string joint_tables(const Api& api) {
        array("robcogen::JointType", "kDof", "kJointTypes", types, api.joints),
        array("Link", "kDof", "kJointParents", parents, api.joints),
        array("Link", "kDof", "kJointChildren", children, api.joints),
-       "// Lower and upper position, velocity, effort; unlimited where the model says nothing.\n" +
+       "// Lower and upper position, velocity, effort; unlimited where the model gives no limit.\n" +
            array("robcogen::JointLimits", "kDof", "kJointLimits", all_limits, api.joints)});
 }
 

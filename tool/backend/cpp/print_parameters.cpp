@@ -165,13 +165,15 @@ std::string shared_names(const Api& api) {
 }
 
 std::string shared_remark(const Api& api) {
-  return has_shared(*api.library) ? comment("Asks `kinematics` for what stands in both: " + shared_names(api) + ".", 2)
-                                  : "";
+  return has_shared(*api.library)
+             ? comment("Parameters of both kinds are taken from `kinematics`: " + shared_names(api) + ".", 2)
+             : "";
 }
 
 std::string last_remark(const Api& api) {
   return has_shared(*api.library)
-             ? comment("What stands in both has one value, that of the last update: " + shared_names(api) + ".", 2)
+             ? comment(
+                   "Parameters of both kinds have one value, that of the last update: " + shared_names(api) + ".", 2)
              : "";
 }
 
@@ -235,12 +237,13 @@ std::string parameters_type(const Api& api) {
       "> values_;\n"
       "  std::array<Scalar, " +
       std::to_string(size) + "> cache_;\n";
-  return "// What the functions of the robot read: all that follows from parameters alone, computed when these "
-         "change.\n"
+  return "// The parameters as the functions of the robot read them, with all values that depend on them alone, "
+         "computed "
+         "when they\n// change.\n"
          "//\n"
          "// Functions only read it, so any number of threads may share one object, as long as none updates it. To "
          "change\n"
-         "// values meanwhile, update a copy and hand that on.\n"
+         "// values meanwhile, update a copy and pass that on.\n"
          "template <class Scalar = double>\nclass Parameters {\n public:\n" +
          paragraphs(parts) + "\n" + privates + "};\n";
 }
@@ -251,7 +254,7 @@ std::string print_parameters(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   const std::string head = banner(library, path, "values of its parameters");
   if (!api.is_parametric())
-    return paragraphs({head + "// It has none: all its quantities are constants.\n", "#pragma once\n"});
+    return paragraphs({head + "// The robot has none: all its quantities are constants.\n", "#pragma once\n"});
   std::vector<std::string> parts;
   for (const Kind& kind : kKinds) parts.push_back(interface_type(api, kind));
   parts.push_back(shared_values_type(api));

@@ -333,7 +333,7 @@ std::string print_reflection(const Api& api, const std::string& path) {
     const Table t = batch_functions(api);
     parts.insert(parts.end(), {"using robcogen::reflection::kFlatBatch;\n", t.definition});
     parts.push_back(
-        comment("Apart from `robot`: a program that does not look here links none of these functions.") +
+        comment("Apart from `robot`: a program that does not use this table links none of these functions.") +
         "inline constexpr robcogen::reflection::BatchFunctions batch_functions = " + t.reference + ";\n");
   }
   return paragraphs(

@@ -21,7 +21,7 @@ std::string parameters_struct(const Api& api, const std::string& scalar) {
     members += "  Scalar " + api.parameters[i] + " = " +
                (std::isnan(value) ? none : "Scalar(" + print_double(value) + ")") + ";\n";
   }
-  return comment("Values of the model's parameters, m or rad. What has no default is not a number until it is given.") +
+  return comment("Values of the model's parameters, m or rad. A parameter without default is NaN until it is set.") +
          "struct Parameters {\n  using Scalar = " + scalar + ";\n\n" + members + "};\n";
 }
 

@@ -18,13 +18,13 @@ std::string folder(const Library& library);
 // umbrella header (a robot called `robot` or `Model`; not all file systems know case), it gets a final '_'.
 std::string header_path(const std::string& folder, const std::string& stem);
 std::string umbrella_path(const std::string& folder);
-// What no user includes: the declarations of all kernels, and the definitions of the functions over them.
+// The files that no user includes: the declarations of all kernels, and the definitions of the functions over them.
 std::string kernels_path(const std::string& folder);
 std::string functions_path(const std::string& folder);
 std::string kernel_path(const std::string& folder, const std::string& group);
 std::string source_path(const std::string& folder, const std::string& group);
 
-// The file stem, and the group, of what only robots with parameters have.
+// The file stem, and the group, of the updates of robots with parameters.
 inline constexpr const char* kParameters = "parameters";
 // The same of sines and cosines of all joints.
 inline constexpr const char* kTrigonometry = "trigonometry";
@@ -39,7 +39,7 @@ std::string batch_source_path(const std::string& folder, const std::string& grou
 // First lines of every file: what it is, from which model. Without the model's hash, which stands in model.h alone: a
 // changed mass changes the files whose numbers it changes.
 std::string banner(const Library& library, const std::string& path, const std::string& what);
-// Refuses a runtime that the text was not made for.
+// Refuses a runtime of another version.
 std::string runtime_check(const Api& api);
 // `#include` lines; names with their quotes or angle brackets.
 std::string includes(std::vector<std::string> names);
@@ -56,7 +56,7 @@ std::string print_kernel_declarations(const Api& api, const std::string& path);
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
 std::string print_reflection(const Api& api, const std::string& path);
-// In the place of print_reflection, where there is no robot.
+// Replaces print_reflection for libraries without a robot.
 std::string print_factors(const Api& api, const std::string& path);
 // Functions over many states: the interface, the choice of a processor's bodies, the bodies.
 std::string print_batch(const Api& api, const std::string& path);
@@ -67,7 +67,7 @@ std::string print_batch_level(
     const std::string& group,
     const std::string& level,
     const std::string& path);
-// What the table of them in <name>/reflection.h refers to: their declarations, within the robot's namespace.
+// Their declarations within the robot's namespace, for the table in <name>/reflection.h.
 std::string batch_kernel_declarations(const Api& api);
 std::string print_umbrella(const Api& api, const std::string& path);
 std::string print_definitions(const Api& api, const std::string& path);

@@ -18,7 +18,7 @@ bool is_reserved(const std::string& name);
 
 const Dialect& dialect();
 
-// The fields of the struct of parameters, by the names of all parameters. No function has to do with a field.
+// The fields of the struct of parameters, by the names of all parameters. No function has the name of a field.
 std::vector<std::string> fields(const std::vector<std::string>& parameters);
 
 std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ");
@@ -42,7 +42,7 @@ std::string wrapped(
     const std::string& tail,
     const std::string& separator = ",");
 
-// `  target = [rows];`: a row a line, unless it is a row or a column, and continued where it is too long.
+// `  target = [rows];`: one row in a line, unless it is a row or a column, and continued where it is too long.
 std::string matrix(const std::string& target, const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace robcogen::backend::matlab

@@ -78,7 +78,7 @@ std::string print_model(const Library& library) {
   std::string text = "function model = model()\n";
   text += comment("MODEL  Constants of robot " + library.robot + ".");
   text += comment("  Units are SI; indices count from 1, parent_joint of the base is 0. The base is the first link.");
-  text += comment("  A row each, or a column each where an item has several numbers:");
+  text += comment("  One row for each item, or one column where an item has several numbers:");
   text += comment(
       "  joints: is_revolute, parent_link, child_link, limits of position, velocity and effort, and the placement of "
       "the joint frame in the frame of the parent link: translation, then rotation about the axes x, y', z''.");
@@ -87,7 +87,8 @@ std::string print_model(const Library& library) {
       "products xy, xz, yz of positive sign.");
   text += comment("  frames: frame_link, the link that it moves with, and its placement in the frame of this link.");
   if (!library.parameters.empty())
-    text += comment("  What depends on parameters is for their declared values; NaN where one has none.");
+    text +=
+        comment("  Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");
   text += "\n" + origin(library) + "\n";
   text += "  model.name = " + quoted(library.robot) + ";\n";
   text += "  model.dof = " + std::to_string(library.joints.size()) + ";\n";

@@ -19,7 +19,7 @@ struct Callable {
   const Function& longest() const { return *overloads.back(); }
 };
 
-// The packages that functions of a scope stand in, from the outermost one: hyl, transforms, homogeneous.
+// The packages of a scope's functions, from the outermost one: hyl, transforms, homogeneous.
 std::vector<std::string> packages(const Library& library, const std::string& scope);
 
 // How many of the arguments must be given. Gravity, when it is the last of them, need not, unless the base floats.
@@ -56,7 +56,7 @@ std::string assemble(
     const std::vector<std::string>& columns);
 
 std::string print_function(const Library& library, const Callable& callable);
-// The transform as the user's own primitives make it.
+// The transform as a product of the user's primitives.
 std::string print_product(const Library& library, const Callable& callable);
 std::string print_model(const Library& library);
 std::string print_parameters(const Library& library);
