@@ -118,8 +118,8 @@ TEST(FrameCandidates, FeetOfCommonNormalsCountWithinTheRobot) {
   // z' = (0, -sin, cos) through (0, 0.5, 0) meets the first axis at z = 0.5 / tan.
   const auto is_foot = [](double tilt) { return [=](double s) { return std::abs(s - 0.5 / std::tan(tilt)) < 1e-12; }; };
   EXPECT_TRUE(any_of(feet(1.0), is_foot(1.0)));
-  EXPECT_FALSE(any_of(feet(0.1), is_foot(0.1)));  // 5 m, of a robot of half a metre
-  EXPECT_FALSE(any_of(feet(0.1), [](double s) { return std::abs(s) > 0.5; }));
+  EXPECT_FALSE(any_of(feet(0.5), is_foot(0.5)));  // 0.9 m, of a robot of half a metre
+  EXPECT_FALSE(any_of(feet(0.01), is_foot(0.01)));
 }
 
 TEST(FrameCandidates, ParallelAxesOfferTheirOffset) {
