@@ -9,7 +9,7 @@
 #include <random>
 
 #include "algorithm/catalogue/transform_functions.h"
-#include "algorithm/spatial/pose.h"
+#include "algorithm/kinematics/joint_poses.h"
 #include "export/frames.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
