@@ -15,10 +15,13 @@ namespace robcogen::driver::test {
 
 namespace fs = std::filesystem;
 
-// A folder of its own for each test, empty at first.
+// A folder of its own, empty at first; gone in the end.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / ("robcogen-driver-" + std::to_string(::getpid()))) {
+  Folder() {
+    static int count = 0;
+    path_ =
+        fs::temp_directory_path() / ("robcogen-driver-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
     fs::remove_all(path_);
     fs::create_directories(path_);
   }
