@@ -82,7 +82,7 @@ class SearchOf : public testing::TestWithParam<int> {
   }
 };
 
-// The whole chain is what each of its joints has to do with: no step makes it dearer.
+// The whole chain is what each of its joints has to do with: no step of the search raises its cost.
 TEST_P(SearchOf, FramesCostNoMoreThanTheModels) {
   for (const TraceOf& trace : {TraceOf(inertia), TraceOf(inverse_dynamics)}) {
     const LinkFrames frames = cheap_frames(tree, {.effort = 1}, trace);

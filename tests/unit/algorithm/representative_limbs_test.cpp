@@ -1,4 +1,4 @@
-// Congruent limbs that differ in zeros: numbers that fold alike, and keep their values.
+// Congruent limbs that differ in zeros: numbers that fold in the same way, and keep their values.
 #include "algorithm/formulation/representative_limbs.h"
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(RepresentativeLimbs, EqualLimbsNeedNone) {
 }
 
 // Other numbers, but no zero that the other limb does not have.
-TEST(RepresentativeLimbs, LimbsThatFoldAlikeNeedNone) {
+TEST(RepresentativeLimbs, LimbsThatFoldInTheSameWayNeedNone) {
   EXPECT_TRUE(Representatives(two_legs(0.1, -0.25)).links.empty());
 }
 

@@ -1,4 +1,4 @@
-// The whole way from a file to the text of a library, as a program that embeds the generator goes it.
+// From a file to the text of a library, by the calls of a program that embeds the generator.
 #include "driver/driver.h"
 
 #include <cmath>
@@ -79,7 +79,7 @@ TEST(Driver, ProgramsAreTheSameFunctionsWithoutALibrary) {
 }
 
 // The groups of robots do not matter there.
-TEST(Driver, TransformsGoTheSameWay) {
+TEST(Driver, TransformsTakeTheSamePath) {
   const Folder folder;
   for (const fs::path& file : {folder.file("arm.motdsl", kMotions), folder.file("arm.ctdsl", kTransforms)}) {
     LibraryOptions options;

@@ -64,7 +64,7 @@ Model two_arms(const std::string& second_com) {
   return loaded(folder.file("arms.kindsl", text + "}\n"));
 }
 
-TEST(Trace, ForLanesLimbsFoldAlike) {
+TEST(Trace, ForLanesLimbsFoldInTheSameWay) {
   const Steps plain_steps{{}, 0};  // in the frames of the document
   const auto congruent = [&](const Model& model, bool for_lanes) {
     return trace(model, {"inverse_dynamics"}, plain_steps, for_lanes).list.at(0).congruent;
