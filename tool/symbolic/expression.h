@@ -91,6 +91,7 @@ class Graph {
 
   // For programs that are only counted: no sections and names from now on, and statements without names.
   void forget_names() { names_matter_ = false; }
+  bool keeps_names() const { return names_matter_; }
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);
   // Gives the value a name unless it has one, or is a constant or an input. Where only the negated value is computed,

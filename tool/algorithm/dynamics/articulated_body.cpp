@@ -85,7 +85,7 @@ class ArticulatedBodies {
     const std::string& name = robot_.link_name(joint.child);
     robot_.trace.section(name, "link " + name + ": velocity and bias acceleration");
     LinkMotion child = across_joint(joint, X_PC, motion, in_.qd[at(joint.index)], Expression());
-    child.angular.link = name;
+    if (robot_.trace.graph.keeps_names()) child.angular.link = name;
     algorithm::name(graph(), child.angular.w, name + "_w");
     algorithm::name(graph(), child.angular.wd, name + "_wd");
     algorithm::name(graph(), child.a, name + "_a");
@@ -130,7 +130,7 @@ ForwardMotion by_articulated_bodies(const TracedRobot& robot, const StateInputs&
   SpatialInertia inertia;
   Force bias;
   LinkMotion base = base_motion(in.base_velocity, {}, load.gravity);
-  base.angular.link = robot.link_name(0);
+  if (robot.trace.graph.keeps_names()) base.angular.link = robot.link_name(0);
   describe(base.a, robot.link_name(0) + "_a");
   bodies.collect(0, base, inertia, bias);
   Motion acceleration;

@@ -27,7 +27,7 @@ class Recursion {
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link " + name + ": velocity and acceleration");
       LinkMotion child = across_joint(joint, X_PC, motion, qd_[at(joint.index)], qdd_[at(joint.index)]);
-      child.angular.link = name;
+      if (robot_.trace.graph.keeps_names()) child.angular.link = name;
       name_motion(name, child);
       const Force wrench = wrench_of(joint.child, child);
       tau[at(joint.index)] = project(joint, wrench);
@@ -82,7 +82,7 @@ Forces newton_euler_forces(
     const LoadInputs* loads) {
   Recursion recursion(robot, qd, qdd, loads);
   LinkMotion motion = base;
-  motion.angular.link = robot.link_name(0);
+  if (robot.trace.graph.keeps_names()) motion.angular.link = robot.link_name(0);
   describe(motion.a, robot.link_name(0) + "_a");
   const Force base_wrench = recursion.wrench_of(0, motion);
   return {recursion.tau, base_wrench};

@@ -8,15 +8,25 @@
 
 namespace robcogen::algorithm {
 
+// Whether anything is said: text for graphs that keep no names would cost more than the rest of a trace.
+inline bool keeps_names(const Expression& e) {
+  return e.graph() && e.graph()->keeps_names();
+}
+inline bool keeps_names(const Vector3& v) {
+  return keeps_names(v[0]) || keeps_names(v[1]) || keeps_names(v[2]);
+}
+
 inline void describe(const Expression& e, const std::string& name) {
   if (e.graph()) e.graph()->describe(e, name);
 }
 
 inline void describe(const Vector3& v, const std::string& name, const std::string& suffix = "") {
+  if (!keeps_names(v)) return;
   for (std::size_t i = 0; i < 3; ++i) describe(v[i], name + "xyz"[i] + suffix);
 }
 
 inline void describe(const Matrix3& m, const std::string& name, const std::string& suffix = "") {
+  if (!keeps_names(m[0]) && !keeps_names(m[1]) && !keeps_names(m[2])) return;
   for (std::size_t i = 0; i < 3; ++i) describe(m[i], name + "xyz"[i], suffix);
 }
 

@@ -61,20 +61,20 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
 // Off the diagonal w_r w_c plus or minus the remaining component of wd; on it minus the squares of the others.
 Expression AngularState::u(std::size_t row, std::size_t column) const {
   constexpr const char* axes = "xyz";
-  const auto is_called = [&](const Expression& e, const std::string& quantity) {
-    if (!link.empty()) describe(e, link + "_" + quantity);
+  const bool is_named = !link.empty();
+  const auto named = [&](const Expression& e) {
+    if (is_named) describe(e, link + "_U" + axes[row] + axes[column]);
     return e;
   };
-  const std::string element = {'U', axes[row], axes[column]};
   if (row == column) {
     const std::size_t i = (row + 1) % 3, j = (row + 2) % 3;
     const Expression &a = w[std::min(i, j)], &b = w[std::max(i, j)];
-    return is_called(-sum_of_products(a, a, b, b), element);
+    return named(-sum_of_products(a, a, b, b));
   }
   const std::size_t other = 3 - row - column;
-  const Expression product =
-      is_called(w[row] * w[column], std::string{'w', axes[std::min(row, column)]} + "_w" + axes[std::max(row, column)]);
-  return is_called(column == (row + 1) % 3 ? product - wd[other] : product + wd[other], element);
+  const Expression product = w[row] * w[column];
+  if (is_named) describe(product, link + "_w" + axes[std::min(row, column)] + "_w" + axes[std::max(row, column)]);
+  return named(column == (row + 1) % 3 ? product - wd[other] : product + wd[other]);
 }
 
 Vector3 multiply_u(const AngularState& state, const Vector3& v) {
