@@ -54,8 +54,8 @@ TEST(Availability, AFloatingRodHasItsInertiaMatrixAndItsWrench) {
   EXPECT_EQ(H(0, 0), 0.0);
   EXPECT_EQ(H(1, 1), 0.5);
   EXPECT_EQ(H(3, 3), 2.0);
-  const auto result = satellite::inverse_dynamics_fully_actuated(
-      q, still, still, Twist(), SpatialAcceleration(), Gravity(0, 0, -9.81));
+  const auto result =
+      satellite::inverse_dynamics_fully_actuated(q, still, still, Twist(), SpatialAcceleration(), Gravity(0, 0, -9.81));
   EXPECT_NEAR(result.base_wrench.linear()[2], 2 * 9.81, 1e-14);
 }
 

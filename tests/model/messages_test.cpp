@@ -101,7 +101,8 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
 
 // Codes are the string literals in kebab case, and whatever is given literally to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
-  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([a-z]+(?:-[a-z]+)*)")re");
+  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"),
+      reported(R"re((?:error|warning|note)\(\s*"([a-z]+(?:-[a-z]+)*)")re");
   std::set<std::string> codes;
   for (const char* phase : {"model", "import"}) {
     for (const auto& entry : std::filesystem::directory_iterator(path(ROBCOGEN_SOURCE_DIR) / "tool" / phase)) {

@@ -32,10 +32,11 @@ struct Operand {
 struct Statement {
   Op op = Op::add;
   Operand a;
-  Operand b;           // unused by unary operations
-  std::string name;    // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
-  int section = 0;     // into Program::sections
-  bool named = false;  // the algorithm gave it a name of its own: passes and back ends keep it as a statement of its own
+  Operand b;         // unused by unary operations
+  std::string name;  // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
+  int section = 0;   // into Program::sections
+  bool named =
+      false;  // the algorithm gave it a name of its own: passes and back ends keep it as a statement of its own
   bool described = false;  // the name says what the value is, and nothing else follows from it
   // Lanes: how many numbers the value is; what is done to it is done to each. A scalar operand is the same in all.
   int width = 1;

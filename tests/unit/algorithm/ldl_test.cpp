@@ -19,7 +19,8 @@ TEST(Solve, SymmetricPositiveDefinite) {
       for (int c = 0; c <= r; ++c) matrix(r, c) = matrix(c, r) = n.expression(a(r, c));
       right.push_back(n.expression(b[r]));
     }
-    const std::vector<double> x = test::evaluate(n.graph, n.inputs, solve(matrix, right, std::vector<std::string>(right.size(), "x")));
+    const std::vector<double> x =
+        test::evaluate(n.graph, n.inputs, solve(matrix, right, std::vector<std::string>(right.size(), "x")));
     const Eigen::VectorXd expected = a.ldlt().solve(b);
     const double scale = 1e-13 * a.norm();  // at least the condition number: the smallest eigenvalue is above 1
     EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), size) - expected).norm(), scale) << "seed " << seed;
