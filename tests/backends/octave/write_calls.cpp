@@ -9,7 +9,7 @@
 
 #include "algorithm/catalogue/catalogue.h"
 #include "backend/cpp/api.h"
-#include "backend/cpp/printers.h"
+#include "backend/cpp/cpp.h"
 #include "functions.h"
 
 namespace robcogen::octave {
@@ -39,9 +39,9 @@ std::string row(const backend::cpp::Api& api, const backend::cpp::Callable& call
 
 std::string header(const backend::Library& library) {
   const backend::cpp::Api api = backend::cpp::api(library);
-  std::string text = "#pragma once\n#include \"calls.h\"\n\nnamespace " + api.space + "::kernel {\n";
-  for (const backend::cpp::Callable& callable : api.callables) text += backend::cpp::kernel_declaration(callable);
-  text += "}\n\ninline const std::vector<robcogen::octave::Call> kCalls = {\n";
+  const std::string folder = backend::cpp::folder(library.name, library.enclosing);
+  std::string text = "#pragma once\n#include \"calls.h\"\n#include \"" + folder +
+                     "/detail/kernels.h\"\n\ninline const std::vector<robcogen::octave::Call> kCalls = {\n";
   for (const backend::cpp::Callable& callable : api.callables) {
     text += row(api, callable, false);
     if (may_omit_gravity(library, *callable.function)) text += row(api, callable, true);

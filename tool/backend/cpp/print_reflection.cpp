@@ -127,7 +127,7 @@ std::size_t positions_of(const symbolic::Program& program) {
 }
 
 // `At<0, 3>`: where the arrays begin.
-std::string at(const std::vector<std::size_t>& offsets) {
+std::string offset_list(const std::vector<std::size_t>& offsets) {
   std::string list;
   for (const std::size_t offset : offsets) list += (list.empty() ? "" : ", ") + std::to_string(offset);
   return "At<" + list + ">";
@@ -152,7 +152,7 @@ std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program) {
 // The kernel under the signature that all functions of the table have.
 Field flat(const Callable& c) {
   const symbolic::Program& program = c.function->program;
-  return {"kFlat", {address(c), at(offsets_of_inputs(program)), at(offsets_of_outputs(program))}};
+  return {"kFlat", {address(c), offset_list(offsets_of_inputs(program)), offset_list(offsets_of_outputs(program))}};
 }
 
 // And its core, which takes sines and cosines behind q.
@@ -166,7 +166,8 @@ Field flat_core(const Callable& c) {
   }
   return {
       "kFlatCore",
-      {"&kernel::core::" + c.kernel + "<double>", at(before), at(behind), at(offsets_of_outputs(program))}};
+      {"&kernel::core::" + c.kernel + "<double>", offset_list(before), offset_list(behind),
+       offset_list(offsets_of_outputs(program))}};
 }
 
 // And the function over many states.
@@ -184,8 +185,8 @@ Field flat_batch(const Callable& c) {
   }
   return {
       "kFlatBatch",
-      {"&batch::kernel::" + c.kernel + "<double>", has_parameters ? "true" : "false", at(read),
-       at(offsets_of_outputs(c.function->program))}};
+      {"&batch::kernel::" + c.kernel + "<double>", has_parameters ? "true" : "false", offset_list(read),
+       offset_list(offsets_of_outputs(c.function->program))}};
 }
 
 // Functions that the table of FrameFunction is about.
