@@ -64,7 +64,8 @@ std::optional<Model> load_robot(
   std::optional<Model> model = load_tree(source, is_urdf, options.urdf, diagnostics);
   if (!model) return std::nullopt;
   if (options.strict) promote_strict_warnings(diagnostics);
-  auto& [tree, desired] = std::get<Robot>(model->content);
+  auto& robot = std::get<Robot>(model->content);
+  const model::KinematicTree& tree = robot.tree;
   const auto is_missing = [&](const std::string& group) { return !algorithm::is_available(tree, group); };
   if (std::any_of(options.groups.begin(), options.groups.end(), is_missing)) {
     diagnostics.promote_warnings(model::inertia_defect_codes());
@@ -73,12 +74,12 @@ std::optional<Model> load_robot(
   if (diagnostics.has_errors()) return std::nullopt;
   if (options.lists_parameters) list_parameters(tree.parameters, diagnostics);
   if (!options.desired) {
-    desired = model::default_desired(tree);
+    robot.desired = model::default_desired(tree);
     return model;
   }
   const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  desired = import::desired_transforms(list, tree, diagnostics);
+  robot.desired = import::desired_transforms(list, tree, diagnostics);
   return model;
 }
 
