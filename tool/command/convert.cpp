@@ -168,13 +168,12 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
 }
 
 std::optional<std::string> convert_motions(const ConvertOptions& options, Diagnostics& diagnostics) {
-  const std::optional<driver::Model> model = driver::load(options.from, load_options(options), diagnostics);
-  if (!model) return std::nullopt;
   const std::optional<model::RigidMotions> motions = driver::load_motions_of(options.from, diagnostics);
-  std::vector<model::FrameNames> pairs;
-  for (const model::CoordinateTransform& t : model->transforms()->document.transforms)
-    pairs.emplace_back(t.left, t.right);
-  return transforms_document(options, *motions, pairs);
+  if (!motions) return std::nullopt;
+  const auto pairs = driver::load_pairs(*motions, load_options(options), diagnostics);
+  if (options.strict) driver::promote_strict_warnings(diagnostics);
+  if (!pairs || diagnostics.has_errors()) return std::nullopt;
+  return transforms_document(options, *motions, *pairs);
 }
 
 }  // namespace

@@ -116,8 +116,7 @@ std::optional<Model> load_motions(
     Diagnostics& diagnostics) {
   const std::optional<model::RigidMotions> motions = read_motions(source, diagnostics);
   if (!motions) return std::nullopt;
-  std::optional<std::vector<FrameNames>> pairs = model::default_transforms(*motions);
-  if (options.desired) pairs = desired_pairs(options, *motions, diagnostics);
+  const std::optional<std::vector<FrameNames>> pairs = load_pairs(*motions, options, diagnostics);
   if (!pairs) return std::nullopt;
   return Model{
       Transforms{model::transforms_of(*motions, *pairs)},
@@ -165,6 +164,7 @@ std::optional<Model> load_content(
                                                              : load_transforms(source, options, diagnostics);
   if (!model) return std::nullopt;
   refuse_one_name_for_two(*model->transforms(), diagnostics, {source, {}});
+  if (options.strict) promote_strict_warnings(diagnostics);
   if (options.lists_parameters && !diagnostics.has_errors()) list_parameters(model->parameters(), diagnostics);
   return model;
 }
@@ -194,6 +194,13 @@ std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& 
   if (language_of(file) == Language::motions) return read_motions(source, diagnostics);
   const std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
   return transforms ? std::optional(model::motions_of(*transforms)) : std::nullopt;
+}
+
+std::optional<std::vector<FrameNames>> load_pairs(
+    const model::RigidMotions& motions,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  return options.desired ? desired_pairs(options, motions, diagnostics) : model::default_transforms(motions);
 }
 
 void promote_strict_warnings(Diagnostics& diagnostics) {

@@ -53,6 +53,13 @@ std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& 
 // The frames of a document of motions or of transforms, and the paths between them. nullopt when an error was reported.
 std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics);
 
+// The pairs of frames that the list of the options asks for; without a list, each motion and its inverse. nullopt when
+// an error was reported.
+std::optional<std::vector<model::FrameNames>> load_pairs(
+    const model::RigidMotions& motions,
+    const LoadOptions& options,
+    Diagnostics& diagnostics);
+
 // Makes errors of the warnings that the original tool refused in desired-transforms documents, and of those about names
 // and angles that may be accidents.
 void promote_strict_warnings(Diagnostics& diagnostics);

@@ -59,6 +59,21 @@ TEST(Convert, MakesMotionsOfARobotAndTransformsOfBoth) {
   EXPECT_NE(read_text(transforms).find("{fr_HFE}_X_{fr_upperleg} = Rz(-q_HFE)\n"), std::string::npos);
 }
 
+// A document is read once. Names that would collide in generated code are not a fault of a document of motions.
+TEST(Convert, SaysOnceWhatIsOddAboutMotions) {
+  const Scratch scratch("odd_motions");
+  const fs::path motions = scratch.path / "arm.motdsl", transforms = scratch.path / "arm.ctdsl";
+  write_text(
+      motions, "Model Arm Convention = local base -> elbow : rotz(400.0) [hand_X_elbow] elbow -> hand : roty(bend)");
+  const Outcome run = run_tool("convert " + quoted(motions) + " " + quoted(transforms));
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const std::size_t first = run.errors.find("[large-angle]");
+  ASSERT_NE(first, std::string::npos) << run.errors;
+  EXPECT_EQ(run.errors.find("[large-angle]", first + 1), std::string::npos) << run.errors;
+  EXPECT_NE(read_text(transforms).find("Ry(bend)"), std::string::npos);
+  EXPECT_EQ(run_tool("convert --strict " + quoted(motions) + " " + quoted(transforms)).status, 1);
+}
+
 TEST(Convert, RefusesWhatALanguageCannotSay) {
   const Scratch scratch("parametric");
   const fs::path model = scratch.path / "arm.kindsl", urdf = scratch.path / "arm.urdf";
