@@ -154,7 +154,7 @@ std::string fault_of_stores(const Program& p) {
 
 struct Tally {
   int programs = 0, with_lanes = 0;
-  int alike = 0;  // programs of limbs that fold in the same way, when there are others
+  int congruent = 0;  // programs of limbs that fold in the same way, when there are others
 };
 
 // The part of a program in lanes with given sines and cosines: it computes the same, to the last bit, for it
@@ -200,9 +200,9 @@ void expect_same_results(
   auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
   for (const std::string& group : algorithm::groups()) {
     const std::vector<algorithm::RobotFunction> functions = algorithm::functions(tree, {}, group, formulations);
-    std::vector<std::optional<Program>> alike;
-    if (tree.parameters.empty()) alike = algorithm::congruent_programs(tree, group, for_congruent_limbs);
-    alike.resize(functions.size());
+    std::vector<std::optional<Program>> congruent;
+    if (tree.parameters.empty()) congruent = algorithm::congruent_programs(tree, group, for_congruent_limbs);
+    congruent.resize(functions.size());
     for (std::size_t i = 0; i < functions.size(); ++i) {
       const Program program = pass::run(functions[i].program, passes);
       const std::vector<pass::InputTuples> classes = classes_of(tree, program);
@@ -211,9 +211,9 @@ void expect_same_results(
       if (packed.has_lanes()) ++tally.with_lanes;
       expect_same_program(program, packed);
       expect_same_of_given_sines(tree, program, packed);
-      if (alike[i]) {
-        ++tally.alike;
-        const Program plain = pass::with_plain_numbers(pass::run(std::move(*alike[i]), passes));
+      if (congruent[i]) {
+        ++tally.congruent;
+        const Program plain = pass::with_plain_numbers(pass::run(std::move(*congruent[i]), passes));
         for (const Number& n : plain.constants) ASSERT_EQ(n, n.plain());
         expect_same_program(program, plain);
         packed = pass::packed(plain, classes);
@@ -251,7 +251,7 @@ TEST(Lanes, OfRandomRobotsComputeTheSame) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(tally.with_lanes, tally.programs / 2);
-  EXPECT_GT(tally.alike, tally.programs / 10);
+  EXPECT_GT(tally.congruent, tally.programs / 10);
 }
 
 // The programs of two legs one of which has zeros where the other has none, and those of two legs without zeros.
@@ -285,17 +285,17 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
   auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
   auto for_others = algorithm::FormulationChoices::for_congruent_limbs(of_others);
   for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
-    const auto alike = algorithm::congruent_programs(with_zeros, group, for_congruent_limbs);
+    const auto congruent = algorithm::congruent_programs(with_zeros, group, for_congruent_limbs);
     for (const auto& program : algorithm::congruent_programs(without, group, for_others))
       EXPECT_FALSE(program) << "nothing differs";
     const auto others = algorithm::functions(without, {}, group, of_others);
-    ASSERT_EQ(alike.size(), others.size()) << group;
+    ASSERT_EQ(congruent.size(), others.size()) << group;
     for (std::size_t i = 0; i < others.size(); ++i) {
-      ASSERT_TRUE(alike[i]);
+      ASSERT_TRUE(congruent[i]);
       const auto count = [](const KinematicTree& tree, const Program& program) {
         return symbolic::count(pass::packed(program, classes_of(tree, program)));
       };
-      const auto found = count(with_zeros, pass::with_plain_numbers(*alike[i])),
+      const auto found = count(with_zeros, pass::with_plain_numbers(*congruent[i])),
                  wanted = count(without, others[i].program);
       EXPECT_EQ(found.mul, wanted.mul) << others[i].name;
       EXPECT_EQ(found.add, wanted.add) << others[i].name;
@@ -316,7 +316,7 @@ TEST(Lanes, OfLegsWithOtherZerosAgreeWithTheReference) {
     Tally tally;
     expect_same_results(tree, all_steps(), tally, effort, &checked);
     if (HasFatalFailure()) return;
-    EXPECT_GT(tally.alike, 0);
+    EXPECT_GT(tally.congruent, 0);
     constexpr std::uint64_t kSeed = 5;
     EXPECT_EQ(check_all(checked, kSeed, 5).failure_report(), "");
   }

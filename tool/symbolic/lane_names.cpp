@@ -67,11 +67,11 @@ std::vector<std::string> without(std::vector<std::string> list, std::size_t k) {
   return list;
 }
 
+}  // namespace
+
 std::string without_sign(const std::string& name) {
   return name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name;
 }
-
-}  // namespace
 
 std::string common_name(const std::vector<std::string>& names) {
   if (all_equal(names)) return names.front();
@@ -93,9 +93,9 @@ namespace {
 std::string title_of_limbs(const std::vector<std::string>& titles) {
   std::vector<std::vector<std::string>> words;
   for (const std::string& title : titles) words.push_back(words_of(title));
-  const auto is_alike = [&](const std::vector<std::string>& w) { return w.size() == words.front().size(); };
+  const auto has_as_many = [&](const std::vector<std::string>& w) { return w.size() == words.front().size(); };
   std::string result, of;
-  bool is_shared = std::all_of(words.begin(), words.end(), is_alike);
+  bool is_shared = std::all_of(words.begin(), words.end(), has_as_many);
   for (std::size_t k = 0; is_shared && k < words.front().size(); ++k) {
     std::vector<std::string> here;
     for (const auto& w : words) here.push_back(w[k]);

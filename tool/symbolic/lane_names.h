@@ -12,4 +12,7 @@ std::string common_name(const std::vector<std::string>& names);
 // `link foot of LF, RF: force` of `link LF_foot: force`, `link RF_foot: force`.
 std::string common_title(const std::vector<std::string>& titles);
 
+// `hip_wx` of `hip_wx_neg`.
+std::string without_sign(const std::string& name);
+
 }  // namespace robcogen::symbolic

@@ -21,8 +21,8 @@ struct Called {
 };
 
 Called called(const std::string& name) {
-  const bool negative = name.ends_with("_neg");
-  return {negative ? name.substr(0, name.size() - 4) : name, negative};
+  const std::string plain = without_sign(name);
+  return {plain, plain.size() < name.size()};
 }
 
 std::string text(const Called& c) {
@@ -72,8 +72,9 @@ class LineNamer {
  private:
   const Program& p_;
   const std::vector<bool>& is_line_;
-  std::vector<Called> known_;        // by statement
-  std::vector<std::string> inputs_;  // by flat index
+  std::vector<Called> known_;                 // by statement
+  std::vector<std::string> inputs_;           // by flat index
+  std::map<std::size_t, std::string> parts_;  // by statement: names as a part of another value
 
   const Statement* statement(const Operand& o) const { return is_statement(o) ? &p_.statements[at(o.index)] : nullptr; }
 
@@ -152,14 +153,15 @@ class LineNamer {
         return {"s_2" + value.name.substr(3), value.negative != number.negative};
     if (a.name.empty() || b.name.empty()) return {};
     const bool negative = a.negative != b.negative;
-    const auto is_of_angle = [](const Called& c, const char* prefix) { return c.name.starts_with(prefix); };
+    const bool a_is_sine = a.name.starts_with("s_"), a_is_cosine = a.name.starts_with("c_");
     if (a.name == b.name) {
-      if (is_of_angle(a, "s_") || is_of_angle(a, "c_")) return {a.name.substr(0, 1) + "2" + a.name.substr(1), negative};
+      if (a_is_sine || a_is_cosine) return {a.name.substr(0, 1) + "2" + a.name.substr(1), negative};
       return {a.name + "2", negative};
     }
-    if (is_of_angle(b, "s_") && is_of_angle(a, "c_")) std::swap(a, b);
-    if (is_of_angle(a, "s_") && is_of_angle(b, "c_") && a.name.substr(1) == b.name.substr(1))
-      return {"sc" + a.name.substr(1), negative};
+    const bool b_is_sine = b.name.starts_with("s_"), b_is_cosine = b.name.starts_with("c_");
+    const bool are_both = (a_is_sine && b_is_cosine) || (a_is_cosine && b_is_sine);
+    if (are_both && a.name.substr(1) == b.name.substr(1)) return {"sc" + a.name.substr(1), negative};
+    if (a_is_cosine && b_is_sine) std::swap(a, b);
     return {joined(a.name, "_", b.name), negative};
   }
 
@@ -190,7 +192,7 @@ class LineNamer {
     const bool swaps = a.negative && !b.negative;
     const bool differ = a.negative != b.negative;
     const std::string& first = swaps ? b.name : a.name;
-    const std::string& second = swaps ? y.subject.empty() ? b.name : a.name : b.name;
+    const std::string& second = swaps ? a.name : b.name;
     return {joined(first, differ ? "_minus_" : "_plus_", second), a.negative && b.negative};
   }
 
@@ -282,7 +284,6 @@ class LineNamer {
       if (whole[i].size() + word.size() <= kLongest + 4) parts_.insert({i, whole[i] + word});
     }
   }
-  std::map<std::size_t, std::string> parts_;
 
   // The running sum up to a term, a term of a quantity: `_to_az`, `_of_az`.
   std::string part_of_whole(const Statement& s) const {

@@ -12,6 +12,13 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
+// The path with the segment of the target first.
+Path path_from_target(const model::KinematicTree& tree, const model::FramePair& frames) {
+  Path path = path_between(tree, frames);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
 // A joint's rate or acceleration, the way that the path passes it.
 Expression along(const JointOnPath& passed, const std::vector<Expression>& values) {
   const Expression& value = values[at(passed.joint.index)];
@@ -57,8 +64,7 @@ Program frame_velocity(const model::KinematicTree& tree, const model::FramePair&
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
-  Path path = path_between(tree, frames);
-  std::reverse(path.begin(), path.end());
+  const Path path = path_from_target(tree, frames);
   Motion twist;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
@@ -74,8 +80,7 @@ Program frame_acceleration(const model::KinematicTree& tree, const model::FrameP
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   const auto qdd = trace.joint_input("qdd", Role::joint_acceleration);
-  Path path = path_between(tree, frames);
-  std::reverse(path.begin(), path.end());
+  const Path path = path_from_target(tree, frames);
   Motion twist, acceleration;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
@@ -99,8 +104,7 @@ Program jacobian_derivative_times_velocity(
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
-  Path path = path_between(tree, frames);
-  std::reverse(path.begin(), path.end());
+  const Path path = path_from_target(tree, frames);
   Seen target;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
