@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "backend/cpp/lower.h"
 #include "kernel_evaluator.h"
@@ -181,6 +184,44 @@ TEST(Parts, LoadBlocksWhereTheyAreReadAndStoreThem) {
                                    "robcogen::store_lanes<2>(&out[0], x, y);",
                                }));
   EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"q", "out", "kept_2"}));
+}
+
+// The words of the texts are the judge: a name among them of a value, a parameter or a function is listed, and no
+// other.
+std::set<std::string> words(const std::string& text) {
+  std::set<std::string> result;
+  std::string word;
+  for (const char c : text + ' ') {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+    } else if (!word.empty()) {
+      result.insert(std::exchange(word, ""));
+    }
+  }
+  return result;
+}
+
+// The words of the texts are the judge: a name among them of a value, a parameter or a function is listed, and no
+// other.
+TEST(PartsProperty, FollowTheNamesThatTheTextOfALineRefersTo) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Kernel kernel = lower(test::RandomProgram(seed).make(), "leg");
+    std::set<std::string> known(kernel.functions.begin(), kernel.functions.end());
+    for (const Parameter& p : kernel.parameters) known.insert(p.name);
+    for (const Line& line : kernel.lines)
+      for (const std::string& target : line.targets)
+        if (target.find('[') == std::string::npos) known.insert(target);
+    for (const Line& line : kernel.lines) {
+      if (line.kind == Line::Kind::section) continue;
+      std::set<std::string> in_text;
+      for (const std::string& word : words(text(line)))
+        if (known.count(word) > 0) in_text.insert(word);
+      for (const std::string& target : line.targets) in_text.erase(target);
+      if (line.kind == Line::Kind::sincos) in_text.erase("sincos");
+      EXPECT_EQ(std::set(line.names.begin(), line.names.end()), in_text) << text(line);
+    }
+  }
 }
 
 TEST(PartsProperty, ComputeWhatTheProgramComputes) {

@@ -45,6 +45,16 @@ Spelling sum_of_lanes(Arrangement& arranged, std::size_t i) {
   return call("sum_lanes", first, spell_checked(arranged, next, next.a, lanes), arranged.texts);
 }
 
+void add_names_of_expression(const Arrangement& arranged, std::size_t i, std::vector<std::string>& names) {
+  const Statement& s = arranged.program.statements[i];
+  if (s.op == Op::square_root) names.emplace_back("sqrt");
+  if (s.op == Op::gather) names.push_back(arranged.dialect.type(s.width));
+  for_each_operand(s, [&](const Operand& o) {
+    const bool is_apart = s.op == Op::gather || s.op == Op::sum_lanes;
+    add_names(arranged, o, is_apart ? width_of(arranged.program, o) : s.width, names);
+  });
+}
+
 }  // namespace
 
 Spelling expression(Arrangement& arranged, std::size_t i) {
@@ -121,6 +131,36 @@ Line line(const Arrangement& arranged, std::size_t i) {
   Line result{Line::Kind::store, {}, text(value)};
   for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
   return result;
+}
+
+void add_names(const Arrangement& arranged, const Operand& o, int lanes, std::vector<std::string>& names) {
+  if (width_of(arranged.program, o) != lanes) names.push_back(arranged.dialect.type(lanes));
+  if (is_constant(o)) return;
+  if (o.kind == Operand::Kind::input) {
+    names.push_back(arranged.input_sources[at(o.index)]);
+    return;
+  }
+  const std::size_t i = at(o.index);
+  const Statement& s = arranged.program.statements[i];
+  if (arranged.places[i] == Place::inside) {
+    add_names_of_expression(arranged, i, names);
+  } else if (arranged.places[i] == Place::loaded) {
+    names.push_back(arranged.load_names[arranged.blocks.loaded.at(i).first]);
+  } else if (is_angle_function(s.op)) {
+    const Angle& angle = arranged.angles.at(supplier(arranged, s.a));
+    names.push_back(s.op == Op::sine ? angle.sine_name : angle.cosine_name);
+  } else {
+    names.push_back(arranged.names[i]);
+  }
+}
+
+std::vector<std::string> names_in_line(const Arrangement& arranged, std::size_t i) {
+  std::vector<std::string> names;
+  add_names_of_expression(arranged, i, names);
+  if (arranged.places[i] == Place::sums) add_names_of_expression(arranged, i + 1, names);
+  if (arranged.places[i] != Place::output) return names;
+  for (const Store& store : arranged.stores[i]) names.push_back(output_parameter(arranged, store.output).name);
+  return names;
 }
 
 const Parameter& output_parameter(const Arrangement& arranged, std::size_t output) {

@@ -88,6 +88,7 @@ class ArrangementBuilder {
       const std::vector<std::string>& labels = program_.inputs[p].elements;
       const std::vector<std::string> names = element_names(program_.inputs[p], arranged_.parameters[p]);
       arranged_.input_names.insert(arranged_.input_names.end(), names.begin(), names.end());
+      arranged_.input_sources.resize(arranged_.input_names.size(), arranged_.parameters[p].name);
       input_labels_.insert(input_labels_.end(), labels.begin(), labels.end());
     }
     for (std::size_t p = 0; p < program_.outputs.size(); ++p)
@@ -131,7 +132,7 @@ class ArrangementBuilder {
         const Operand& o = values[k];
         if (o.kind == Operand::Kind::input) inputs_used[at(o.index)] = true;
         if (is_statement(o) && !is_in_block(arranged_, p, k))
-          arranged_.stores[at(o.index)].push_back({element(output_parameter(arranged_, p), k), o.negative, o.lane});
+          arranged_.stores[at(o.index)].push_back({element(output_parameter(arranged_, p), k), p, o.negative, o.lane});
       }
     }
     for (std::size_t i = arranged_.places.size(); i-- > 0;) {
@@ -184,8 +185,10 @@ class ArrangementBuilder {
       for (std::size_t k = 0; k < input.elements.size(); ++k, ++index) {
         if (!is_bound(input.role) || !inputs_used_[index]) continue;
         std::string name = arranged_.scope.claim(shortened(input_labels_[index]));
-        arranged_.bindings.push_back({Line::Kind::binding, {name}, arranged_.input_names[index]});
-        arranged_.input_names[index] = std::move(name);
+        Line binding{Line::Kind::binding, {name}, arranged_.input_names[index]};
+        binding.names = {arranged_.input_sources[index]};
+        arranged_.bindings.push_back(std::move(binding));
+        arranged_.input_names[index] = arranged_.input_sources[index] = std::move(name);
       }
     }
   }

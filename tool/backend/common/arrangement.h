@@ -16,6 +16,7 @@ namespace robcogen::backend {
 // An element of an output that a statement supplies.
 struct Store {
   std::string target;
+  std::size_t output = 0;
   bool negative = false;
   int lane = -1;  // -1: of a scalar
 };
@@ -56,10 +57,11 @@ struct Arrangement {
   const Dialect& dialect;
   NameScope scope;
   std::vector<Parameter> parameters = {};
-  std::vector<int> widths = {};               // of values with lanes, ascending
-  std::vector<Line> bindings = {};            // by Dialect::binds_parameters
-  std::vector<std::string> input_names = {};  // by flat index: `q[1]`
-  Texts texts = {};                           // of spellings; those of names are where these are
+  std::vector<int> widths = {};                 // of values with lanes, ascending
+  std::vector<Line> bindings = {};              // by Dialect::binds_parameters
+  std::vector<std::string> input_names = {};    // by flat index: `q[1]`
+  std::vector<std::string> input_sources = {};  // by flat index: what this text refers to: the array, or a binding
+  Texts texts = {};                             // of spellings; those of names are where these are
   std::vector<Spelling> constants = {};
   // By statement.
   std::vector<Place> places = {};
@@ -86,6 +88,10 @@ Spelling lane_of(Arrangement& arranged, Spelling value, int lane);
 
 // The line of a statement that is not inside another; of one that is, the line that it would have by itself.
 Line line(const Arrangement& arranged, std::size_t statement);
+
+// What the text of an operand in so many lanes, and that of a statement's line, refers to: Line::names.
+void add_names(const Arrangement& arranged, const symbolic::Operand& o, int lanes, std::vector<std::string>& names);
+std::vector<std::string> names_in_line(const Arrangement& arranged, std::size_t statement);
 
 // The array of an output.
 const Parameter& output_parameter(const Arrangement& arranged, std::size_t output);

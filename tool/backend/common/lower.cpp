@@ -67,31 +67,60 @@ class Emission {
     if (place == list.end() || *place != function) list.insert(place, function);
   }
 
-  void emit_angle(const AngleKey& key, const Angle& angle) {
-    const Operand operand{key.kind, key.index, false, key.lane};
-    const std::string argument = text(spell(arranged_, operand));
-    if (angle.sine && angle.cosine && dialect_.pairs_angles) {
-      add({Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, argument, 0, width_of(program_, operand)});
-      return;
-    }
-    if (angle.sine) define("sin", argument, angle.sine_name);
-    if (angle.cosine) define("cos", argument, angle.cosine_name);
+  // Of an operand as it is.
+  std::vector<std::string> names_of(const Operand& o) const {
+    std::vector<std::string> names;
+    add_names(arranged_, o, width_of(program_, o), names);
+    return names;
   }
 
-  void define(const std::string& function, const std::string& argument, const std::string& name) {
+  void emit_angle(const AngleKey& key, const Angle& angle) {
+    const Operand operand{key.kind, key.index, false, key.lane};
+    if (angle.sine && angle.cosine && dialect_.pairs_angles) {
+      Line line{Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, text(spell(arranged_, operand))};
+      line.width = width_of(program_, operand);
+      line.names = names_of(operand);
+      add(std::move(line));
+      return;
+    }
+    if (angle.sine) define("sin", operand, angle.sine_name);
+    if (angle.cosine) define("cos", operand, angle.cosine_name);
+  }
+
+  void define(const std::string& function, const Operand& argument, const std::string& name) {
     need(function);
-    add({Line::Kind::definition, {name}, function + "(" + argument + ")"});
+    Line line{Line::Kind::definition, {name}, function + "(" + text(spell(arranged_, argument)) + ")"};
+    line.names = names_of(argument);
+    line.names.push_back(function);
+    add(std::move(line));
+  }
+
+  // The sines and cosines of `count` values; the first one is an element of `array`.
+  void compute_together(
+      const std::string& all,
+      const std::string& first,
+      const std::string& array,
+      std::size_t count,
+      int width) {
+    Line line{Line::Kind::sincos_of, {all}, first, count, width};
+    line.names = {array};
+    add(std::move(line));
+  }
+
+  // Those of one of them.
+  void pick(const Angle& angle, const std::string& all, std::size_t k, int width) {
+    Line line{Line::Kind::pick, {angle.sine_name, angle.cosine_name}, dialect_.element(all, k), 0, width};
+    line.names = {all};
+    add(std::move(line));
   }
 
   void emit_input_angles() {
     if (arranged_.together > 0) {
       const std::string all = arranged_.scope.claim("trig");
-      add({Line::Kind::sincos_of, {all}, arranged_.input_names[at(arranged_.first_together)], arranged_.together});
-      for (const auto& [key, angle] : arranged_.angles) {
-        if (key.kind != Operand::Kind::input) continue;
-        const std::string element = dialect_.element(all, at(key.index - arranged_.first_together));
-        add({Line::Kind::pick, {angle.sine_name, angle.cosine_name}, element});
-      }
+      const std::size_t first = at(arranged_.first_together);
+      compute_together(all, arranged_.input_names[first], arranged_.input_sources[first], arranged_.together, 1);
+      for (const auto& [key, angle] : arranged_.angles)
+        if (key.kind == Operand::Kind::input) pick(angle, all, at(key.index) - first, 1);
       return;
     }
     for (const auto& [key, angle] : arranged_.angles)
@@ -102,15 +131,21 @@ class Emission {
   void emit_fills() {
     for (const symbolic::Fill& fill : arranged_.blocks.stores.fills) {
       Line line{Line::Kind::fill, {}, text(spell(arranged_, fill.value)), at(fill.count)};
-      line.targets = {element(output_parameter(arranged_, at(fill.array)), at(fill.first))};
+      const Parameter& output = output_parameter(arranged_, at(fill.array));
+      line.targets = {element(output, at(fill.first))};
+      line.names = {output.name};
       add(std::move(line));
     }
   }
 
   void emit_load(std::size_t k) {
     const symbolic::Block& block = arranged_.blocks.loads[k];
-    const std::string first = element(arranged_.parameters[at(block.array)], at(block.first));
-    add({Line::Kind::load_block, {arranged_.load_names[k]}, first, block.columns.size(), block.width, block.stride});
+    const Parameter& input = arranged_.parameters[at(block.array)];
+    Line line{Line::Kind::load_block, {arranged_.load_names[k]}, element(input, at(block.first)), block.columns.size()};
+    line.width = block.width;
+    line.stride = block.stride;
+    line.names = {input.name};
+    add(std::move(line));
     emit_angles_of_load(k);
   }
 
@@ -126,19 +161,23 @@ class Emission {
     }
     if (angles.size() < 2 || block.columns.size() > 2 * angles.size()) return;
     const std::string all = arranged_.scope.claim("trig");
-    const std::string first = dialect_.element(arranged_.load_names[k], 0);
-    add({Line::Kind::sincos_of, {all}, first, block.columns.size(), block.width});
+    const std::string& load = arranged_.load_names[k];
+    compute_together(all, dialect_.element(load, 0), load, block.columns.size(), block.width);
     for (const auto& [column, angle] : angles) {
-      const std::string element = dialect_.element(all, column);
-      add({Line::Kind::pick, {angle->sine_name, angle->cosine_name}, element, 0, block.width});
+      pick(*angle, all, column, block.width);
       angles_done_.insert(block.columns[column].index);
     }
   }
 
   void emit_block(const symbolic::Block& block) {
     Line line{Line::Kind::store_block, {}, "", block.columns.size(), block.width, block.stride};
-    line.targets = {element(output_parameter(arranged_, at(block.array)), at(block.first))};
-    for (const Operand& o : block.columns) line.values.push_back(text(spell(arranged_, o, block.width)));
+    const Parameter& output = output_parameter(arranged_, at(block.array));
+    line.targets = {element(output, at(block.first))};
+    line.names = {output.name};
+    for (const Operand& o : block.columns) {
+      line.values.push_back(text(spell(arranged_, o, block.width)));
+      add_names(arranged_, o, block.width, line.names);
+    }
     add(std::move(line));
   }
 
@@ -166,34 +205,47 @@ class Emission {
       if (computed) emit_angle(key, angle);
     } else if (arranged_.places[i] != Place::summed) {
       enter_section(i);
-      add(line(arranged_, i));
+      Line line = backend::line(arranged_, i);
+      line.names = names_in_line(arranged_, i);
+      add(std::move(line));
       if (arranged_.places[i] == Place::output) return;
     }
     if (!dialect_.stores || arranged_.stores[i].empty()) return;
     for (int lane = s.width > 1 ? 0 : -1; lane < (s.width > 1 ? s.width : 0); ++lane) {
       for (bool negative : {false, true}) {
-        std::vector<std::string> targets;
+        std::vector<Target> targets;
         for (const Store& store : arranged_.stores[i])
-          if (store.negative == negative && store.lane == lane) targets.push_back(store.target);
-        Spelling value = arranged_.spellings[i];
-        if (lane >= 0) value = lane_of(arranged_, value, lane);
-        value.negative = value.negative != negative;
-        store(targets, text(value));
+          if (store.negative == negative && store.lane == lane) targets.push_back({store.target, store.output});
+        const Operand value = {Operand::Kind::statement, static_cast<int>(i), negative, lane};
+        store(targets, value);
       }
     }
   }
 
+  // An element of an output.
+  struct Target {
+    std::string text;
+    std::size_t output = 0;
+  };
+
   // Equal elements at once, as many as a line holds.
-  void store(const std::vector<std::string>& targets, const std::string& value) {
-    Line line{Line::Kind::store, {}, value};
-    for (const std::string& target : targets) {
-      line.targets.push_back(target);
-      if (text(line).size() <= dialect_.line_limit) continue;
-      line.targets.pop_back();
-      add(line);
-      line.targets = {target};
+  void store(const std::vector<Target>& targets, const Operand& value) {
+    const Line empty{Line::Kind::store, {}, text(spell(arranged_, value))};
+    Line line = empty;
+    const auto put = [&] {
+      for (const std::string& name : names_of(value)) line.names.push_back(name);
+      add(std::exchange(line, empty));
+    };
+    for (const Target& target : targets) {
+      line.targets.push_back(target.text);
+      if (text(line).size() > dialect_.line_limit) {
+        line.targets.pop_back();
+        put();
+        line.targets = {target.text};
+      }
+      line.names.push_back(output_parameter(arranged_, target.output).name);
     }
-    if (!line.targets.empty()) add(std::move(line));
+    if (!line.targets.empty()) put();
   }
 
   void list_results() {
@@ -206,21 +258,21 @@ class Emission {
   // Elements that are inputs or constants: each value once, in the order of the elements.
   void emit_plain_outputs() {
     for (const Operand::Kind kind : {Operand::Kind::input, Operand::Kind::constant}) {
-      std::vector<std::string> values;
-      std::map<std::string, std::vector<std::string>> targets;
+      std::vector<Operand> values;
+      std::map<std::string, std::vector<Target>> targets;  // by the text of the value
       for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
         for (std::size_t k = 0; k < program_.outputs[p].values.size(); ++k) {
           const Operand& o = program_.outputs[p].values[k];
           if (o.kind != kind || is_in_block(arranged_, p, k)) continue;
-          const std::string value = text(spell(arranged_, o));
-          if (targets[value].empty()) values.push_back(value);
-          targets[value].push_back(element(output_parameter(arranged_, p), k));
+          std::vector<Target>& same = targets[text(spell(arranged_, o))];
+          if (same.empty()) values.push_back(o);
+          same.push_back({element(output_parameter(arranged_, p), k), p});
         }
       }
       if (values.empty()) continue;
       if (!kernel_.lines.empty())
         add({Line::Kind::section, {}, kind == Operand::Kind::input ? "elements that are inputs" : "constant elements"});
-      for (const std::string& value : values) store(targets[value], value);
+      for (const Operand& value : values) store(targets[text(spell(arranged_, value))], value);
     }
   }
 };

@@ -43,6 +43,8 @@ struct Line {
   int stride = 0;         // of blocks: from lane to lane
   std::vector<std::string> values = {};
   bool is_small = false;  // of sincos: the angle is known to be small
+  // What the text refers to: values of other lines, parameters, functions and types, each by its name.
+  std::vector<std::string> names = {};
 };
 
 struct Kernel {

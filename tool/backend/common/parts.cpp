@@ -26,14 +26,14 @@ bool is_definition(const Line& line) {
          line.kind == Kind::pick;
 }
 
-// Numbers of words. Never iterated: the map decides no order.
+// Numbers of names. Never iterated: the map decides no order.
 class Vocabulary {
  public:
   static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 
-  std::size_t add(std::string_view word) { return numbers_.try_emplace(word, numbers_.size()).first->second; }
-  std::size_t find(std::string_view word) const {
-    const auto found = numbers_.find(word);
+  std::size_t add(std::string_view name) { return numbers_.try_emplace(name, numbers_.size()).first->second; }
+  std::size_t find(std::string_view name) const {
+    const auto found = numbers_.find(name);
     return found == numbers_.end() ? kUnknown : found->second;
   }
   std::size_t size() const { return numbers_.size(); }
@@ -42,35 +42,19 @@ class Vocabulary {
   std::unordered_map<std::string_view, std::size_t> numbers_;
 };
 
-// A line of the kernel, and the numbers of its words: what it reads, calls and stores to.
-struct Sentence {
+// A line of the kernel, and the numbers of the names that it refers to.
+struct NumberedLine {
   const Line* line = nullptr;
-  std::vector<std::size_t> words = {};
+  std::vector<std::size_t> names = {};
 };
 
-void add_words(std::string_view text, Vocabulary& vocabulary, std::vector<std::size_t>& words) {
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = begin;
-    while (end < text.size() && is_letter(text[end])) ++end;
-    if (end > begin) words.push_back(vocabulary.add(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-}
-
-Sentence sentence(const Line& line, Vocabulary& vocabulary) {
-  Sentence result{&line};
-  if (line.kind == Line::Kind::section) return result;
-  add_words(line.expression, vocabulary, result.words);
-  for (const std::string& value : line.values) add_words(value, vocabulary, result.words);
-  if (is_definition(line) || line.kind == Line::Kind::binding || line.kind == Line::Kind::load_block) return result;
-  for (const std::string& target : line.targets) add_words(target, vocabulary, result.words);
+NumberedLine numbered(const Line& line, Vocabulary& vocabulary) {
+  NumberedLine result{&line};
+  for (const std::string& name : line.names) result.names.push_back(vocabulary.add(name));
   return result;
 }
 
-std::vector<Stretch> sections(const std::vector<Sentence>& lines) {
+std::vector<Stretch> sections(const std::vector<NumberedLine>& lines) {
   std::vector<Stretch> result;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (result.empty() || lines[i].line->kind == Line::Kind::section) result.push_back({i, i});
@@ -98,18 +82,18 @@ class KernelSplitter {
       (line.kind == Kind::binding      ? bindings_
        : line.kind == Kind::load_block ? blocks_
                                        : lines_)
-          .push_back(sentence(line, vocabulary_));
+          .push_back(numbered(line, vocabulary_));
     }
-    for (const Sentence& s : lines_) {
+    for (const NumberedLine& l : lines_) {
       first_value_.push_back(values_.size());
-      if (!is_definition(*s.line)) continue;
-      for (const std::string& name : s.line->targets) values_.push_back({name, s.line->width});
+      if (!is_definition(*l.line)) continue;
+      for (const std::string& name : l.line->targets) values_.push_back({name, l.line->width});
     }
     first_value_.push_back(values_.size());
-    value_of_word_.resize(vocabulary_.size(), values_.size());
+    value_of_name_.resize(vocabulary_.size(), values_.size());
     for (std::size_t v = 0; v < values_.size(); ++v)
-      if (const std::size_t word = vocabulary_.find(values_[v].name); word != Vocabulary::kUnknown)
-        value_of_word_[word] = v;
+      if (const std::size_t number = vocabulary_.find(values_[v].name); number != Vocabulary::kUnknown)
+        value_of_name_[number] = v;
   }
 
   Parts run() {
@@ -131,12 +115,12 @@ class KernelSplitter {
   std::size_t longest_;
   const Dialect& dialect_;
   Vocabulary vocabulary_;
-  std::vector<Sentence> bindings_, blocks_;  // of inputs: in each part that reads them
-  std::vector<Sentence> lines_;              // all others
-  std::vector<Value> values_;                // in the order of the lines
-  std::vector<std::size_t> first_value_;     // by line, and behind the last: how many values are defined before
-  std::vector<std::size_t> value_of_word_;   // values_.size(): none
-  std::map<int, std::size_t> sizes_;         // of the arrays, by width
+  std::vector<NumberedLine> bindings_, blocks_;  // of inputs: in each part that reads them
+  std::vector<NumberedLine> lines_;              // all others
+  std::vector<Value> values_;                    // in the order of the lines
+  std::vector<std::size_t> first_value_;         // by line, and behind the last: how many values are defined before
+  std::vector<std::size_t> value_of_name_;       // values_.size(): none
+  std::map<int, std::size_t> sizes_;             // of the arrays, by width
 
   static Parameter array(int width) {
     Parameter p{width == 1 ? "kept" : "kept_" + std::to_string(width), true};
@@ -147,8 +131,8 @@ class KernelSplitter {
   Values read_from_before(const Stretch& s) const {
     Values result;
     for (std::size_t i = s.begin; i < s.end; ++i)
-      for (const std::size_t word : lines_[i].words)
-        if (value_of_word_[word] < first_value_[s.begin]) result.push_back(value_of_word_[word]);
+      for (const std::size_t name : lines_[i].names)
+        if (value_of_name_[name] < first_value_[s.begin]) result.push_back(value_of_name_[name]);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -210,13 +194,13 @@ class KernelSplitter {
 
   Kernel part(const Stretch& s, const Values& read, const std::vector<Handed>& handed) const {
     Kernel part;
-    std::vector<bool> is_read(vocabulary_.size(), false);  // by word
+    std::vector<bool> is_read(vocabulary_.size(), false);  // by name
     std::set<int> widths_handed;
-    const auto note = [&](const Sentence& sentence) {
-      for (const std::size_t word : sentence.words) is_read[word] = true;
+    const auto note = [&](const NumberedLine& line) {
+      for (const std::size_t name : line.names) is_read[name] = true;
     };
-    const auto is_used = [&](const std::string& word) {
-      const std::size_t number = vocabulary_.find(word);
+    const auto is_used = [&](const std::string& name) {
+      const std::size_t number = vocabulary_.find(name);
       return number != Vocabulary::kUnknown && is_read[number];
     };
     for (const std::size_t v : read) {
@@ -224,11 +208,11 @@ class KernelSplitter {
       part.lines.push_back({Line::Kind::binding, {value.name}, value.element, 0, value.width});
       widths_handed.insert(value.width);
     }
-    std::vector<const Sentence*> blocks;
-    for (const Sentence& block : blocks_) blocks.push_back(&block);
+    std::vector<const NumberedLine*> blocks;
+    for (const NumberedLine& block : blocks_) blocks.push_back(&block);
     for (std::size_t i = s.begin; i < s.end; ++i) {
       note(lines_[i]);
-      std::erase_if(blocks, [&](const Sentence* block) {
+      std::erase_if(blocks, [&](const NumberedLine* block) {
         if (!is_used(block->line->targets.front())) return false;
         note(*block);
         part.lines.push_back(*block->line);
@@ -243,7 +227,7 @@ class KernelSplitter {
       }
     }
     std::vector<Line> elements;
-    for (const Sentence& binding : bindings_) {
+    for (const NumberedLine& binding : bindings_) {
       if (!is_used(binding.line->targets.front())) continue;
       elements.push_back(*binding.line);
       note(binding);

@@ -109,7 +109,7 @@ Spelling literal(double value, Texts& texts) {
 }
 
 std::string text(const Line& line) {
-  const auto& [kind, targets, expression, count, width, stride, values, is_small] = line;
+  const auto& [kind, targets, expression, count, width, stride, values, is_small, names] = line;
   const auto number = [](auto n) { return std::to_string(n); };
   switch (kind) {
     case Line::Kind::section:
