@@ -8,18 +8,25 @@
 namespace robcogen::reference {
 namespace {
 
-using reflection::AmountStep;
+using reflection::Amount;
 using reflection::Factor;
 using reflection::ProductOfFactors;
 
 // S_X_E = Rz(-2 q) Tx(l), and its inverse.
-constexpr AmountStep kSteps[] = {{AmountStep::variable, 0, 0},  {AmountStep::constant, 2, 0},
-                                 {AmountStep::multiply, 0, 0},  {AmountStep::negate, 0, 0},
-                                 {AmountStep::parameter, 0, 0}, {AmountStep::variable, 0, 0},
-                                 {AmountStep::constant, 2, 0},  {AmountStep::multiply, 0, 0},
-                                 {AmountStep::parameter, 0, 0}, {AmountStep::negate, 0, 0}};
-constexpr Factor kThere[] = {{true, 2, {kSteps, 4}}, {false, 0, {kSteps + 4, 1}}};
-constexpr Factor kBack[] = {{false, 0, {kSteps + 8, 2}}, {true, 2, {kSteps + 5, 3}}};
+constexpr Factor kThere[] = {{true, 2}, {false, 0}};
+constexpr Factor kBack[] = {{false, 0}, {true, 2}};
+
+void amounts_there(const Amount* p, const Amount* v, Amount* amounts) noexcept {
+  amounts[0] = -(Amount(2.0) * v[0]);
+  amounts[1] = p[0];
+}
+void amount_of_turn(const Amount*, const Amount* v, Amount* amounts) noexcept {
+  amounts[0] = -(Amount(2.0) * v[0]);
+}
+void amounts_back(const Amount* p, const Amount* v, Amount* amounts) noexcept {
+  amounts[0] = -p[0];
+  amounts[1] = Amount(2.0) * v[0];
+}
 
 Eigen::Matrix4d pose(double angle, double length) {
   return (Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(length, 0, 0)).matrix();
@@ -53,8 +60,10 @@ Eigen::Matrix<double, 6, 6> form(const double* p, const double* v) noexcept {
   return spatial(X(p, v), motion);
 }
 
-constexpr ProductOfFactors kRight = {"S_X_E", 0, 1, {kThere, 2}, there, form<there, true>, form<there, false>};
-constexpr ProductOfFactors kInverse = {"E_X_S", 1, 0, {kBack, 2}, back, form<back, true>, form<back, false>};
+constexpr ProductOfFactors kRight = {"S_X_E",           0, 1, {kThere, 2}, amounts_there, there, form<there, true>,
+                                     form<there, false>};
+constexpr ProductOfFactors kInverse = {"E_X_S",          1, 0, {kBack, 2}, amounts_back, back, form<back, true>,
+                                       form<back, false>};
 
 // Failures of a table of these two.
 int failures(const ProductOfFactors& first, const ProductOfFactors& second) {
@@ -79,27 +88,28 @@ TEST(ReferenceTransforms, FindOneSlip) {
   wrong.force = form<there, true>;
   EXPECT_GT(failures(wrong, kInverse), 0);
   // A function of the other transform.
-  EXPECT_GT(failures({"S_X_E", 0, 1, {kThere, 2}, back, form<back, true>, form<back, false>}, kInverse), 0);
+  EXPECT_GT(
+      failures({"S_X_E", 0, 1, {kThere, 2}, amounts_there, back, form<back, true>, form<back, false>}, kInverse), 0);
   // A factor left out.
-  EXPECT_GT(failures({"S_X_E", 0, 1, {kThere, 1}, there, form<there, true>, form<there, false>}, kInverse), 0);
+  EXPECT_GT(
+      failures({"S_X_E", 0, 1, {kThere, 1}, amount_of_turn, there, form<there, true>, form<there, false>}, kInverse), 0);
 }
 
 TEST(ReferenceTransforms, FindTransformsThatNothingWasComparedFor) {
   // The root of a negative length: no sample gives a number.
-  static constexpr AmountStep kRoot[] = {
-      {AmountStep::parameter, 0, 0}, {AmountStep::negate, 0, 0}, {AmountStep::square_root, 0, 0}};
-  static constexpr Factor kFactor[] = {{false, 0, {kRoot, 3}}};
-  EXPECT_GT(failures({"S_X_E", 0, 1, {kFactor, 1}, there, form<there, true>, form<there, false>}, kInverse), 0);
+  const auto root = [](const Amount* p, const Amount*, Amount* amounts) noexcept { amounts[0] = sqrt(-p[0]); };
+  static constexpr Factor kFactor[] = {{false, 0}};
+  EXPECT_GT(failures({"S_X_E", 0, 1, {kFactor, 1}, root, there, form<there, true>, form<there, false>}, kInverse), 0);
 }
 
-TEST(ReferenceTransforms, EvaluateEveryStep) {
-  constexpr AmountStep kAll[] = {
-      {AmountStep::constant, 0.5, 0},  {AmountStep::sine, 0, 0},     {AmountStep::constant, 0.25, 0},
-      {AmountStep::cosine, 0, 0},      {AmountStep::add, 0, 0},      {AmountStep::constant, 0.75, 0},
-      {AmountStep::tangent, 0, 0},     {AmountStep::subtract, 0, 0}, {AmountStep::constant, 9, 0},
-      {AmountStep::square_root, 0, 0}, {AmountStep::divide, 0, 0}};
-  const double expected = (std::sin(0.5) + std::cos(0.25) - std::tan(0.75)) / 3;
-  EXPECT_NEAR(static_cast<double>(amount({kAll, 11}, {}).value), expected, 1e-15);
+TEST(ReferenceTransforms, AmountsKnowTheLargestMagnitudeOnTheWay) {
+  const Amount difference = Amount(1e6) - Amount(999999.0);
+  EXPECT_EQ(difference.value, 1.0L);
+  EXPECT_EQ(difference.size, 1e6L);
+  const Amount all = (sin(Amount(0.5)) + cos(Amount(0.25)) - Amount(0.75)) / sqrt(Amount(9.0)) * Amount(2.0);
+  EXPECT_NEAR(static_cast<double>(all.value), (std::sin(0.5) + std::cos(0.25) - 0.75) / 3 * 2, 1e-15);
+  EXPECT_EQ(all.size, 9.0L);
+  EXPECT_TRUE(std::isnan(static_cast<double>(sqrt(Amount(-1.0)).size)));
 }
 
 }  // namespace

@@ -69,31 +69,11 @@ struct PrimitiveData {
   int axis = 0;  // 0 x, 1 y, 2 z
 };
 
-// A step of the computation of an amount, in postfix order: operands come before their operator.
-struct AmountStep {
-  enum class Kind {
-    constant,   // `value`
-    parameter,  // `index` into Library::parameters
-    variable,   // `index` into Library::variables
-    negate,
-    add,
-    subtract,
-    multiply,
-    divide,
-    sine,
-    cosine,
-    tangent,
-    square_root,
-  };
-  Kind kind = Kind::constant;
-  double value = 0;
-  int index = 0;
-};
-
-// A factor of a coordinate transform as in its document: m or rad, in the convention `right`.
-struct FactorData {
-  PrimitiveData primitive;
-  std::vector<AmountStep> amount;
+// A coordinate transform as a product: its factors, the first one leftmost, and the program of their amounts (m, rad),
+// a row each.
+struct ProductData {
+  std::vector<PrimitiveData> primitives;
+  symbolic::Program amounts;
 };
 
 // One callable. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
@@ -114,12 +94,10 @@ struct Function {
   // for each class.
   std::optional<symbolic::Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
-  // Transforms, where Library::primitives is a convention: the product of primitives, first one leftmost, and the
-  // program of their amounts, a row each.
-  std::vector<PrimitiveData> primitives = {};
-  symbolic::Program amounts = {};
-  // Without a robot: the factors of the transform, the first one leftmost, for checks.
-  std::vector<FactorData> factors = {};
+  // Homogeneous transforms, where Library::primitives is a convention: in this convention.
+  std::optional<ProductData> product = {};
+  // The same without a robot, for checks: in the convention `right`, from all parameters and all variables.
+  std::optional<ProductData> factors = {};
 };
 
 // The forms of programs that a language uses.

@@ -12,75 +12,6 @@
 namespace robcogen::driver {
 namespace {
 
-using backend::AmountStep;
-using model::Quantity;
-
-AmountStep::Kind kind_of(Quantity::Op op) {
-  switch (op) {
-    case Quantity::Op::constant:
-      return AmountStep::Kind::constant;
-    case Quantity::Op::parameter:
-      return AmountStep::Kind::parameter;
-    case Quantity::Op::variable:
-      return AmountStep::Kind::variable;
-    case Quantity::Op::negate:
-      return AmountStep::Kind::negate;
-    case Quantity::Op::add:
-      return AmountStep::Kind::add;
-    case Quantity::Op::subtract:
-      return AmountStep::Kind::subtract;
-    case Quantity::Op::multiply:
-      return AmountStep::Kind::multiply;
-    case Quantity::Op::divide:
-      return AmountStep::Kind::divide;
-    case Quantity::Op::sine:
-      return AmountStep::Kind::sine;
-    case Quantity::Op::cosine:
-      return AmountStep::Kind::cosine;
-    case Quantity::Op::tangent:
-      return AmountStep::Kind::tangent;
-    case Quantity::Op::square_root:
-      break;
-  }
-  return AmountStep::Kind::square_root;
-}
-
-// Appends the steps that compute a quantity.
-void append_steps(const Quantity& q, std::vector<AmountStep>& steps) {
-  const AmountStep::Kind kind = kind_of(q.op());
-  switch (q.op()) {
-    case Quantity::Op::constant:
-      steps.push_back({kind, q.number().value(), 0});
-      return;
-    case Quantity::Op::parameter:
-    case Quantity::Op::variable:
-      steps.push_back({kind, 0, q.index()});
-      return;
-    case Quantity::Op::add:
-    case Quantity::Op::subtract:
-    case Quantity::Op::multiply:
-    case Quantity::Op::divide:
-      append_steps(q.left(), steps);
-      append_steps(q.right(), steps);
-      break;
-    default:
-      append_steps(q.left(), steps);
-  }
-  steps.push_back({kind, 0, 0});
-}
-
-std::vector<backend::FactorData> factors_of(
-    const model::CoordinateTransforms& document,
-    const model::CoordinateTransform& transform) {
-  std::vector<backend::FactorData> factors;
-  for (const model::PrimitiveTransform& p : transform.primitives) {
-    backend::FactorData factor = {{p.rotation, static_cast<int>(p.axis)}, {}};
-    append_steps(document.position == model::MovedFramePosition::left ? -p.amount : p.amount, factor.amount);
-    factors.push_back(std::move(factor));
-  }
-  return factors;
-}
-
 // The frames of all transforms, each once.
 std::vector<backend::FrameData> frames_of(const model::CoordinateTransforms& document) {
   std::vector<backend::FrameData> frames;
@@ -98,10 +29,12 @@ backend::PrimitiveConvention convention_of(Primitives primitives) {
                                                         : backend::PrimitiveConvention::right;
 }
 
-void add_product(algorithm::PrimitiveProduct product, backend::Function& function) {
+backend::ProductData data_of(algorithm::PrimitiveProduct product) {
+  backend::ProductData data;
   for (const model::PrimitiveTransform& p : product.primitives)
-    function.primitives.push_back({p.rotation, static_cast<int>(p.axis)});
-  function.amounts = std::move(product.amounts);
+    data.primitives.push_back({p.rotation, static_cast<int>(p.axis)});
+  data.amounts = std::move(product.amounts);
+  return data;
 }
 
 // -1: none of that name.
@@ -137,19 +70,24 @@ backend::Function library_function(
   function.parts = std::move(f.parts);
   function.in_lanes = std::move(f.in_lanes);
   function.limbs_in_lanes = std::move(f.limbs_in_lanes);
-  const bool has_product = primitives && function.scope == "transforms::homogeneous";
+  const bool is_homogeneous = function.scope == "transforms::homogeneous";
   if (const Robot* robot = model.robot()) {
     function.left_frame = index_of(library.frames, traced.frames.left.name);
     function.right_frame = index_of(library.frames, traced.frames.right.name);
-    if (has_product) add_product(algorithm::primitive_product(robot->tree, traced.frames, *primitives), function);
+    if (is_homogeneous && primitives)
+      function.product = data_of(algorithm::primitive_product(robot->tree, traced.frames, *primitives));
     return function;
   }
   const model::CoordinateTransforms& document = model.transforms()->document;
   const model::CoordinateTransform& transform = document.transforms[at(f.transform)];
   function.left_frame = index_of(library.frames, transform.left);
   function.right_frame = index_of(library.frames, transform.right);
-  function.factors = factors_of(document, transform);
-  if (has_product) add_product(algorithm::primitive_product(document, transform, *primitives), function);
+  if (!is_homogeneous) return function;
+  if (primitives)
+    function.product = data_of(
+        algorithm::primitive_product(document, transform, *primitives, algorithm::arguments_of(document, transform)));
+  function.factors = data_of(algorithm::primitive_product(
+      document, transform, model::MovedFramePosition::right, algorithm::all_arguments(document)));
   return function;
 }
 

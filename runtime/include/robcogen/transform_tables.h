@@ -4,37 +4,36 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 #include "robcogen/reflection.h"
 
 namespace robcogen::reflection {
 
-// A step of the computation of an amount, in postfix order: operands come before their operator.
-struct AmountStep {
-  enum Kind {
-    constant,
-    parameter,
-    variable,
-    negate,
-    add,
-    subtract,
-    multiply,
-    divide,
-    sine,
-    cosine,
-    tangent,
-    square_root,
-  };
-  Kind kind;
-  double value;  // constant
-  int index;     // parameter, variable
+// A number on the way to an amount, and the largest magnitude that the way has met: the scale of rounding errors.
+struct Amount {
+  long double value = 0;
+  long double size = 0;
+
+  Amount() = default;
+  explicit Amount(double number) : Amount(number, 0) {}
+  Amount(long double result, long double met) : value(result), size(std::max(std::abs(result), met)) {}
+
+  friend Amount operator-(const Amount& a) { return {-a.value, a.size}; }
+  friend Amount operator+(const Amount& a, const Amount& b) { return {a.value + b.value, std::max(a.size, b.size)}; }
+  friend Amount operator-(const Amount& a, const Amount& b) { return {a.value - b.value, std::max(a.size, b.size)}; }
+  friend Amount operator*(const Amount& a, const Amount& b) { return {a.value * b.value, std::max(a.size, b.size)}; }
+  friend Amount operator/(const Amount& a, const Amount& b) { return {a.value / b.value, std::max(a.size, b.size)}; }
+  friend Amount sin(const Amount& a) { return {std::sin(a.value), a.size}; }
+  friend Amount cos(const Amount& a) { return {std::cos(a.value), a.size}; }
+  friend Amount sqrt(const Amount& a) { return {std::sqrt(a.value), a.size}; }
 };
 
 // Coordinates of a frame turned about (rotation), or moved along, an axis to those of the original frame.
 struct Factor {
   bool rotation;
-  int axis;                  // 0 x, 1 y, 2 z
-  Table<AmountStep> amount;  // rad or m
+  int axis;  // 0 x, 1 y, 2 z
 };
 
 // left_X_right in three forms, as functions of all parameters and variables of the model.
@@ -46,6 +45,7 @@ struct ProductOfFactors {
   int left;  // frame indices
   int right;
   Table<Factor> factors;  // the first one leftmost
+  void (*amounts)(const Amount* parameters, const Amount* variables, Amount* amounts) noexcept;  // rad or m, of each
   Function<4> homogeneous;
   Function<6> motion;  // angular first
   Function<6> force;   // moment first

@@ -8,6 +8,7 @@
 #include "documents.h"
 #include "driver/model_data.h"
 #include "driver/trace.h"
+#include "symbolic/interpret.h"
 
 namespace robcogen::driver {
 namespace {
@@ -87,17 +88,18 @@ TEST(Library, HomogeneousTransformsCanBeProducts) {
   const Model model = rods();
   const backend::Library none = assembled(model, {"transforms"});
   EXPECT_EQ(none.primitives, backend::PrimitiveConvention::none);
-  EXPECT_TRUE(function(none, "transforms::homogeneous", "fr_base_X_fr_lower").primitives.empty());
+  EXPECT_FALSE(function(none, "transforms::homogeneous", "fr_base_X_fr_lower").product);
   const backend::Library right = assembled(model, {"transforms"}, MovedFramePosition::right);
   EXPECT_EQ(right.primitives, backend::PrimitiveConvention::right);
   EXPECT_EQ(assembled(model, {"transforms"}, MovedFramePosition::left).primitives, backend::PrimitiveConvention::left);
   // Rx(PI/2) Rz(q0) Tx(0.75) Rz(q1)
-  const backend::Function& f = function(right, "transforms::homogeneous", "fr_base_X_fr_lower");
-  ASSERT_EQ(f.primitives.size(), 4U);
-  EXPECT_TRUE(f.primitives[0].rotation && f.primitives[1].rotation && !f.primitives[2].rotation);
-  EXPECT_EQ(f.primitives[0].axis, 0);
-  EXPECT_EQ(f.primitives[1].axis, 2);
-  EXPECT_TRUE(function(right, "transforms::motion", "fr_base_X_fr_lower").primitives.empty());
+  const std::vector<backend::PrimitiveData> primitives =
+      function(right, "transforms::homogeneous", "fr_base_X_fr_lower").product.value().primitives;
+  ASSERT_EQ(primitives.size(), 4U);
+  EXPECT_TRUE(primitives[0].rotation && primitives[1].rotation && !primitives[2].rotation);
+  EXPECT_EQ(primitives[0].axis, 0);
+  EXPECT_EQ(primitives[1].axis, 2);
+  EXPECT_FALSE(function(right, "transforms::motion", "fr_base_X_fr_lower").product);
 }
 
 TEST(Library, OfADocumentOfTransformsHasNoRobot) {
@@ -110,10 +112,11 @@ TEST(Library, OfADocumentOfTransformsHasNoRobot) {
   EXPECT_EQ(library.frames[0].link, -1);
   // The product of the document, for checks: Rx(a) Ty(0.5).
   const backend::Function& f = function(library, "transforms::homogeneous", "base_X_hand");
-  ASSERT_EQ(f.factors.size(), 2U);
-  EXPECT_TRUE(f.factors[0].primitive.rotation);
-  ASSERT_EQ(f.factors[1].amount.size(), 1U);
-  EXPECT_EQ(f.factors[1].amount[0].value, 0.5);
+  ASSERT_EQ(f.factors.value().primitives.size(), 2U);
+  EXPECT_TRUE(f.factors->primitives[0].rotation);
+  EXPECT_EQ(
+      symbolic::interpret(f.factors->amounts, symbolic::Arrays<double>{{"variables", {0.75}}}).at("amounts"),
+      (std::vector<double>{0.75, 0.5}));
   EXPECT_EQ(library.frames[static_cast<std::size_t>(f.left_frame)].name, "base");
 }
 

@@ -93,6 +93,13 @@ Arguments arguments_of(const CoordinateTransforms& document, const CoordinateTra
   return arguments;
 }
 
+Arguments all_arguments(const CoordinateTransforms& document) {
+  Arguments arguments;
+  arguments.parameters = !document.parameters.empty();
+  for (std::size_t i = 0; i < document.variables.size(); ++i) arguments.variables.push_back(static_cast<int>(i));
+  return arguments;
+}
+
 namespace {
 
 // Declares what the transform depends on: parameters, variables. Returns a value for each variable of the document;
@@ -129,10 +136,11 @@ Program transform_program(
 PrimitiveProduct primitive_product(
     const CoordinateTransforms& document,
     const CoordinateTransform& transform,
-    model::MovedFramePosition position) {
+    model::MovedFramePosition position,
+    const Arguments& arguments) {
   PrimitiveProduct product{transform.primitives, {}};
   ProgramTrace trace;
-  const std::vector<Expression> variables = declare(trace, document, arguments_of(document, transform));
+  const std::vector<Expression> variables = declare(trace, document, arguments);
   std::vector<Expression> amounts;
   for (PrimitiveTransform& p : product.primitives) {
     if (document.position != position) p.amount = -p.amount;

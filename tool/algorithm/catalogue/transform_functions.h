@@ -17,6 +17,8 @@ struct Arguments {
   bool parameters = false;     // all of the document's, or none
 };
 Arguments arguments_of(const model::CoordinateTransforms& document, const model::CoordinateTransform& transform);
+// All of the document's.
+Arguments all_arguments(const model::CoordinateTransforms& document);
 
 // parameters, variables -> X. An array that would be empty is left out.
 symbolic::Program transform_program(
@@ -29,7 +31,8 @@ symbolic::Program transform_program(
 PrimitiveProduct primitive_product(
     const model::CoordinateTransforms& document,
     const model::CoordinateTransform& transform,
-    model::MovedFramePosition position);
+    model::MovedFramePosition position,
+    const Arguments& arguments);
 
 // The user's name, or `A_X_B`.
 std::string name_of(const model::CoordinateTransform& transform);

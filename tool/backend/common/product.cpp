@@ -2,10 +2,14 @@
 
 namespace robcogen::backend {
 
-Product product_of_primitives(const Function& function, const std::string& sign, const Dialect& dialect) {
-  Product product{lower(function.amounts, function.kernel, dialect), ""};
-  for (std::size_t i = 0; i < function.primitives.size(); ++i) {
-    const PrimitiveData& primitive = function.primitives[i];
+Product product_of_primitives(
+    const ProductData& data,
+    const std::string& name,
+    const std::string& sign,
+    const Dialect& dialect) {
+  Product product{lower(data.amounts, name, dialect), ""};
+  for (std::size_t i = 0; i < data.primitives.size(); ++i) {
+    const PrimitiveData& primitive = data.primitives[i];
     product.text += (i > 0 ? sign : "") + (primitive.rotation ? "R" : "T") + "xyz"[primitive.axis] + "(" +
                     product.kernel.results.front()[i] + ")";
   }

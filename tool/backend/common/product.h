@@ -14,7 +14,11 @@ struct Product {
   std::string text;
 };
 
-Product product_of_primitives(const Function& function, const std::string& sign, const Dialect& dialect);
+Product product_of_primitives(
+    const ProductData& data,
+    const std::string& name,
+    const std::string& sign,
+    const Dialect& dialect);
 
 // The convention of the primitives, for the documentation.
 std::string convention_of_primitives(const Library& library);

@@ -42,4 +42,7 @@ Spelling literal(double value, Texts& texts);
 // The line without indentation, ready to be printed.
 std::string text(const Line& line);
 
+// What stands between the braces of a function template over `Scalar`.
+std::string body(const Kernel& kernel);
+
 }  // namespace robcogen::backend::cpp

@@ -1,5 +1,6 @@
 // <name>/reflection.h of a library with no robot: its transforms as products of primitives, for the self-check.
 #include "backend/cpp/layout.h"
+#include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
 #include "support/number.h"
 #include "symbolic/count.h"
@@ -8,36 +9,6 @@ namespace robcogen::backend::cpp {
 namespace {
 
 using symbolic::Role;
-
-std::string name_of(AmountStep::Kind kind) {
-  switch (kind) {
-    case AmountStep::Kind::constant:
-      return "constant";
-    case AmountStep::Kind::parameter:
-      return "parameter";
-    case AmountStep::Kind::variable:
-      return "variable";
-    case AmountStep::Kind::negate:
-      return "negate";
-    case AmountStep::Kind::add:
-      return "add";
-    case AmountStep::Kind::subtract:
-      return "subtract";
-    case AmountStep::Kind::multiply:
-      return "multiply";
-    case AmountStep::Kind::divide:
-      return "divide";
-    case AmountStep::Kind::sine:
-      return "sine";
-    case AmountStep::Kind::cosine:
-      return "cosine";
-    case AmountStep::Kind::tangent:
-      return "tangent";
-    case AmountStep::Kind::square_root:
-      break;
-  }
-  return "square_root";
-}
 
 // A run of a table that others refer to.
 std::string span(const std::string& table, std::size_t first, std::size_t size) {
@@ -71,12 +42,28 @@ std::string caller(const Api& api, const Callable& callable) {
          call("return " + callable.function->scope + "::" + callable.name, arguments, 2) + "}\n";
 }
 
-// Tables of steps, factors and transforms; a row of one refers to a run of the one before.
+// The function of the amounts of a transform's factors, from all parameters and all variables.
+std::string amounts_of(const Callable& homogeneous) {
+  const symbolic::Program& program = homogeneous.function->factors->amounts;
+  const Kernel kernel = lower(program, "amounts_" + homogeneous.kernel);
+  std::vector<std::string> list;
+  for (const Role role : {Role::parameters, Role::variables}) {
+    std::string name = role == Role::parameters ? "/*parameters*/" : "/*variables*/";
+    for (std::size_t p = 0; p < program.inputs.size(); ++p)
+      if (program.inputs[p].role == role && kernel.parameters[p].used) name = kernel.parameters[p].name;
+    list.push_back("const Scalar* " + name);
+  }
+  const Parameter& amounts = kernel.parameters.back();
+  list.push_back("Scalar* " + (amounts.used ? amounts.name : "/*" + amounts.name + "*/"));
+  return "template <class Scalar>\n" + declaration("void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
+}
+
+// Tables of factors and transforms; a row of the latter refers to a run of the former.
 class Tables {
  public:
   explicit Tables(const Api& api) : api_(api) {
     for (const Callable& c : api.callables) {
-      callers_.push_back(caller(api, c));
+      functions_.push_back(caller(api, c));
       if (c.function->program.outputs.front().role == Role::homogeneous) add(c);
     }
   }
@@ -84,12 +71,11 @@ class Tables {
   std::string text() const {
     const Library& library = *api_.library;
     const std::string space = "robcogen::reflection::";
-    std::vector<std::string> parts = callers_;
+    std::vector<std::string> parts = functions_;
     const auto add = [&](const std::string& type, const std::string& name,
                          const std::vector<std::vector<Field>>& rows) {
       if (!rows.empty()) parts.push_back(table("inline constexpr " + space + type + " " + name + "[]", rows));
     };
-    add("AmountStep", "kSteps", steps_);
     add("Factor", "kFactors", factors_);
     add("ProductOfFactors", "kTransforms", transforms_);
     parts.push_back(remarked_list(
@@ -103,17 +89,12 @@ class Tables {
  private:
   void add(const Callable& homogeneous) {
     const std::size_t first = factors_.size();
-    for (const FactorData& factor : homogeneous.function->factors) {
-      const std::size_t first_step = steps_.size();
-      for (const AmountStep& s : factor.amount)
-        steps_.push_back({"robcogen::reflection::AmountStep::" + name_of(s.kind), print_double(s.value), s.index});
-      factors_.push_back(
-          {factor.primitive.rotation ? "true" : "false", factor.primitive.axis,
-           span("kSteps", first_step, factor.amount.size())});
-    }
+    const ProductData& product = homogeneous.function->factors.value();
+    for (const PrimitiveData& p : product.primitives) factors_.push_back({p.rotation ? "true" : "false", p.axis});
+    functions_.push_back(amounts_of(homogeneous));
     std::vector<Field> row = {
         quoted(homogeneous.function->name), homogeneous.function->left_frame, homogeneous.function->right_frame,
-        span("kFactors", first, factors_.size() - first)};
+        span("kFactors", first, factors_.size() - first), "&amounts_" + homogeneous.kernel};
     for (const Role form : {Role::homogeneous, Role::spatial_motion, Role::spatial_force})
       row.emplace_back("&" + caller_of(homogeneous, form));
     transforms_.push_back(std::move(row));
@@ -128,8 +109,8 @@ class Tables {
   }
 
   const Api& api_;
-  std::vector<std::string> callers_;
-  std::vector<std::vector<Field>> steps_, factors_, transforms_;
+  std::vector<std::string> functions_;
+  std::vector<std::vector<Field>> factors_, transforms_;
 };
 
 }  // namespace

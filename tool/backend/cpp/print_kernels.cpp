@@ -51,7 +51,9 @@ std::string signature(const std::string& head, const std::vector<Parameter>& par
   return "template <class Scalar>\n" + declaration(head, list, tail);
 }
 
-std::string lines(const Kernel& kernel) {
+}  // namespace
+
+std::string body(const Kernel& kernel) {
   std::string result;
   for (const int width : kernel.widths) result += "  using " + type(width) + " = " + lanes(width) + ";\n";
   if (!kernel.widths.empty() && kernel.functions.empty()) result += "\n";
@@ -67,10 +69,12 @@ std::string lines(const Kernel& kernel) {
   return result;
 }
 
+namespace {
+
 std::string definition(const Kernel& kernel, const std::string& specifiers = "") {
   const std::string head = specifiers + "void " + kernel.name;
   if (kernel.lines.empty()) return signature(head, kernel.parameters, " noexcept {}");
-  return signature(head, kernel.parameters, " noexcept {") + lines(kernel) + "}\n";
+  return signature(head, kernel.parameters, " noexcept {") + body(kernel) + "}\n";
 }
 
 // Where the parts of long kernels stand.
@@ -213,7 +217,7 @@ std::string sines_and_cosines(const Library& library, const std::vector<int>& re
   for (const int k : read) places.push_back(std::to_string(k));
   if (read.back() >= static_cast<int>(library.joints.size())) {
     const Kernel kernel = lower_values(angles);
-    return lines(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
+    return body(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
            template_call("robcogen::sincos_to", places, "(angles, sin_q, cos_q)", 2);
   }
   const int first = read.front(), count = read.back() - first + 1;

@@ -67,20 +67,20 @@ std::string print_function(const Library& library, const Callable& callable) {
 }
 
 std::string print_product(const Library& library, const Callable& callable) {
-  Function function = callable.longest();
-  function.amounts.outputs.front().name = "X";
-  const Product product = product_of_primitives(function, " * ", dialect());
+  ProductData data = callable.longest().product.value();
+  data.amounts.outputs.front().name = "X";
+  const Product product = product_of_primitives(data, callable.longest().kernel, " * ", dialect());
   std::vector<std::string> factors;
   for (std::size_t begin = 0; begin < product.text.size();) {
     const std::size_t end = std::min(product.text.find(" * ", begin), product.text.size());
     factors.push_back(product.text.substr(begin, end - begin));
     begin = end + 3;
   }
-  const std::vector<InputArray>& inputs = function.amounts.inputs;
+  const std::vector<InputArray>& inputs = data.amounts.inputs;
   const std::string result = "  " + product.kernel.parameters.back().name + " =";
   const std::string checks =
       print_checks(whole_name(library, "transforms::product", callable), inputs, product.kernel, inputs.size());
-  return signature(function.amounts, product.kernel, callable.name) +
+  return signature(data.amounts, product.kernel, callable.name) +
          heading(callable.name, {convention_of_primitives(library)}) +
          describe_arguments(inputs, product.kernel, inputs.size()) + "\n" +
          blocks({origin(library), checks, lines(product.kernel), wrapped(result, factors, ";", " *")}) + "end\n";

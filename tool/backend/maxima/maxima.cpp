@@ -180,10 +180,11 @@ std::string print_function(const Library& library, const Function& f, const std:
 }
 
 std::string print_product(const Library& library, const Function& f, const std::string& name) {
-  const Product product = product_of_primitives(f, " . ", dialect());
+  const ProductData& data = f.product.value();
+  const Product product = product_of_primitives(data, f.kernel, " . ", dialect());
   std::string value = wrapped(product.text, "  ");
   value.pop_back();
-  return "\n" + comment({convention_of_primitives(library)}) + definition(name, f.amounts, product.kernel, value);
+  return "\n" + comment({convention_of_primitives(library)}) + definition(name, data.amounts, product.kernel, value);
 }
 
 // Those that have no default stay symbols.

@@ -24,71 +24,17 @@ inline ModelValues random_values(std::mt19937_64& engine, const reflection::Tran
   return values;
 }
 
-// An amount, and the largest intermediate magnitude: the scale of its rounding errors.
-struct Amount {
-  Real value = 0;
-  Real size = 0;
-};
-
-inline Amount amount(const reflection::Table<reflection::AmountStep>& steps, const ModelValues& values) {
-  using reflection::AmountStep;
-  std::vector<Real> stack;
-  Amount result;
-  const auto pop = [&] {
-    const Real top = stack.back();
-    stack.pop_back();
-    return top;
+// The amounts of the factors of a transform.
+inline std::vector<reflection::Amount> amounts(
+    const reflection::ProductOfFactors& transform,
+    const ModelValues& values) {
+  const auto all = [](const std::vector<double>& numbers) {
+    std::vector<reflection::Amount> result;
+    for (const double number : numbers) result.emplace_back(number);
+    return result;
   };
-  const auto push = [&](Real value) {
-    stack.push_back(value);
-    result.size = worst_of({result.size, std::abs(value)});
-  };
-  const auto with_operands = [&](const auto& f) {
-    const Real b = pop(), a = pop();
-    push(f(a, b));
-  };
-  for (const AmountStep& step : steps) {
-    const auto index = static_cast<std::size_t>(step.index);
-    switch (step.kind) {
-      case AmountStep::constant:
-        push(step.value);
-        break;
-      case AmountStep::parameter:
-        push(values.parameters[index]);
-        break;
-      case AmountStep::variable:
-        push(values.variables[index]);
-        break;
-      case AmountStep::negate:
-        push(-pop());
-        break;
-      case AmountStep::add:
-        with_operands([](Real a, Real b) { return a + b; });
-        break;
-      case AmountStep::subtract:
-        with_operands([](Real a, Real b) { return a - b; });
-        break;
-      case AmountStep::multiply:
-        with_operands([](Real a, Real b) { return a * b; });
-        break;
-      case AmountStep::divide:
-        with_operands([](Real a, Real b) { return a / b; });
-        break;
-      case AmountStep::sine:
-        push(std::sin(pop()));
-        break;
-      case AmountStep::cosine:
-        push(std::cos(pop()));
-        break;
-      case AmountStep::tangent:
-        push(std::tan(pop()));
-        break;
-      case AmountStep::square_root:
-        push(std::sqrt(pop()));
-        break;
-    }
-  }
-  result.value = stack.back();
+  std::vector<reflection::Amount> result(static_cast<std::size_t>(transform.factors.size));
+  transform.amounts(all(values.parameters).data(), all(values.variables).data(), result.data());
   return result;
 }
 
@@ -114,9 +60,10 @@ struct MultipliedOut {
 
 inline MultipliedOut multiplied_out(const reflection::ProductOfFactors& transform, const ModelValues& values) {
   MultipliedOut expected;
-  for (const reflection::Factor& factor : transform.factors) {
-    const Amount a = amount(factor.amount, values);
-    expected.pose = expected.pose * primitive(factor, a.value);
+  const std::vector<reflection::Amount> all = amounts(transform, values);
+  for (int i = 0; i < transform.factors.size; ++i) {
+    const reflection::Amount& a = all[static_cast<std::size_t>(i)];
+    expected.pose = expected.pose * primitive(transform.factors[i], a.value);
     expected.size = worst_of({expected.size, a.size, largest(expected.pose)});
   }
   return expected;
