@@ -1,6 +1,9 @@
 #include "symbolic/double_double.h"
 
 #include <array>
+#include <functional>
+#include <unordered_map>
+#include <utility>
 
 namespace robcogen::symbolic {
 namespace {
@@ -23,9 +26,7 @@ DoubleDouble series(const DoubleDouble& square, std::size_t first) {
   return sum;
 }
 
-}  // namespace
-
-SineCosine sine_cosine(const DoubleDouble& angle) {
+SineCosine computed(const DoubleDouble& angle) {
   // Quarter turns in three parts; their products with the number of turns are exact enough up to 1e5.
   constexpr std::array<double, 3> kQuarter = {
       1.570796326794896558e+00, 6.123233995736766036e-17, -1.497384904859169777e-33};
@@ -39,6 +40,25 @@ SineCosine sine_cosine(const DoubleDouble& angle) {
   if (quarter == 1.0) return {cosine, -sine};
   if (quarter == 2.0) return {-sine, -cosine};
   return {-cosine, sine};
+}
+
+struct Hash {
+  std::size_t operator()(const std::pair<double, double>& angle) const {
+    const std::hash<double> hash;
+    return hash(angle.first) * 31 + hash(angle.second);
+  }
+};
+
+}  // namespace
+
+// The programs of a robot turn by the same angles in the same states: a thread computes each once.
+SineCosine sine_cosine(const DoubleDouble& angle) {
+  constexpr std::size_t kMost = 1 << 16;
+  thread_local std::unordered_map<std::pair<double, double>, SineCosine, Hash> known;
+  if (known.size() >= kMost) known.clear();
+  const auto [place, is_new] = known.try_emplace({angle.high, angle.low});
+  if (is_new) place->second = computed(angle);
+  return place->second;
 }
 
 }  // namespace robcogen::symbolic
