@@ -98,7 +98,8 @@ class Reader {
 
   NodePtr sequence() {
     std::vector<NodePtr> of;
-    while (peek() == '\'' || peek() == '(' || (std::isalpha(static_cast<unsigned char>(peek())) && !at_rule()))
+    while (peek() == '\'' || peek() == '"' || peek() == '(' ||
+           (std::isalpha(static_cast<unsigned char>(peek())) && !at_rule()))
       of.push_back(repetition());
     if (of.empty()) throw std::runtime_error("nothing to match at: " + text_.substr(at_, 40));
     return node(Node::Kind::sequence, of);
@@ -119,10 +120,12 @@ class Reader {
       expect(")");
       return inner;
     }
-    if (!accept('\'')) return std::make_shared<const Node>(Node{Node::Kind::name, word(), {}});
-    const std::size_t end = text_.find('\'', at_);
+    const char quote = peek();
+    if (quote != '\'' && quote != '"') return std::make_shared<const Node>(Node{Node::Kind::name, word(), {}});
+    const std::size_t end = text_.find(quote, ++at_);
     if (end == std::string::npos) throw std::runtime_error("a word does not end");
     Node literal{Node::Kind::literal, text_.substr(at_, end - at_), {}};
+    literal.is_reserved = quote == '\'';
     at_ = end + 1;
     return std::make_shared<const Node>(std::move(literal));
   }
@@ -303,7 +306,7 @@ std::set<std::string> Grammar::words(const std::string& without) const {
     left.pop_back();
     if (!visited.insert(rule).second) continue;
     walk(*rules_.at(rule), [&](const Node& node) {
-      if (node.kind == Node::Kind::literal && is_word(node.text)) found.insert(node.text);
+      if (node.kind == Node::Kind::literal && node.is_reserved && is_word(node.text)) found.insert(node.text);
       if (node.kind == Node::Kind::name && !is_token(node.text)) left.push_back(node.text);
     });
   }

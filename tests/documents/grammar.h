@@ -1,6 +1,7 @@
 // Grammars of the guide to the languages: read, derived from at random, and matched with documents.
 //
-// `'word'` literal, NAME in capitals a token, Name a rule; ? * + | ( ) as usual, & any order, tighter than |.
+// `'word'` literal, `"word"` one that is not reserved, NAME in capitals a token, Name a rule; ? * + | ( ) as usual, &
+// any order, tighter than |.
 #pragma once
 
 #include <map>
@@ -20,6 +21,7 @@ struct Node {
   std::string text;                             // of a literal, or a name
   std::vector<std::shared_ptr<const Node>> of;  // parts; one of a repetition
   int least = 0, most = 0;                      // of a repetition
+  bool is_reserved = true;                      // a literal: `'word'`
 };
 
 class Grammar {
@@ -30,7 +32,7 @@ class Grammar {
 
   const std::string& first_rule() const { return first_; }
 
-  // Literals that are words, of all rules that can be reached from the first one but not through `without`.
+  // Reserved literals that are words, of all rules that can be reached from the first one but not through `without`.
   std::set<std::string> words(const std::string& without) const;
   // Names of rules that are used and not defined, but for tokens.
   std::vector<std::string> undefined() const;

@@ -211,7 +211,9 @@ TEST_F(Models, KeepTheirLimits) {
   for (const path& file : files_) {
     const Read original = read_urdf(test::source_of(file));
     ASSERT_TRUE(original.tree.has_value()) << original.diagnostics.render();
-    const Read back = through_urdf(*original.tree);
+    const Read document = through_document(*original.tree);
+    ASSERT_TRUE(document.tree.has_value()) << document.diagnostics.render();
+    const Read back = through_urdf(*document.tree);
     ASSERT_TRUE(back.tree.has_value()) << back.diagnostics.render();
     for (std::size_t j = 0; j < original.tree->joints.size(); ++j) {
       SCOPED_TRACE(file.filename().string() + ": " + original.tree->joints[j].name);

@@ -207,13 +207,36 @@ rc::Gen<kinematics::Link> link(bool is_base) {
       rc::gen::set(&Link::frames, rc::gen::resize(3, frames)), rc::gen::set(&Link::comments, comments()));
 }
 
+// A value that may be left out.
+rc::Gen<ExpressionPtr> maybe_expression() {
+  return rc::gen::oneOf(rc::gen::just(ExpressionPtr()), expression(2));
+}
+
+rc::Gen<kinematics::Drive> drive() {
+  using kinematics::Drive;
+  return rc::gen::build<Drive>(
+      rc::gen::set(&Drive::damping, maybe_expression()), rc::gen::set(&Drive::armature, maybe_expression()));
+}
+
+rc::Gen<kinematics::Limits> limits() {
+  using kinematics::Limits;
+  using Bounds = std::array<ExpressionPtr, 2>;
+  const auto bounds = rc::gen::map(
+      rc::gen::maybe(rc::gen::container<Bounds>(expression(2))),
+      [](const rc::Maybe<Bounds>& maybe) { return maybe ? std::optional(*maybe) : std::nullopt; });
+  return rc::gen::build<Limits>(
+      rc::gen::set(&Limits::position, bounds), rc::gen::set(&Limits::velocity, maybe_expression()),
+      rc::gen::set(&Limits::effort, maybe_expression()));
+}
+
 rc::Gen<kinematics::Joint> joint() {
   using kinematics::Joint;
   return rc::gen::build<Joint>(
       rc::gen::set(&Joint::name, robot_name()),
       rc::gen::set(&Joint::type, rc::gen::element(Joint::Type::revolute, Joint::Type::prismatic)),
       rc::gen::set(&Joint::id, rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()))),
-      rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::comments, comments()));
+      rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::drive, drive()),
+      rc::gen::set(&Joint::limits, limits()), rc::gen::set(&Joint::comments, comments()));
 }
 
 rc::Gen<kinematics::Document> robot() {
@@ -349,7 +372,7 @@ TEST(RandomDocuments, OfTransformsSurvivePrinting) {
 // The documents are worth the name: all that the syntax has does occur.
 TEST(RandomDocuments, HaveEveryPartOfTheLanguage) {
   std::set<Kind> kinds;
-  int references = 0, massless = 0, floating = 0, defaults = 0, escaped = 0;
+  int references = 0, massless = 0, floating = 0, defaults = 0, escaped = 0, drives = 0;
   const std::function<void(const ExpressionPtr&)> count = [&](const ExpressionPtr& e) {
     if (!e) return;
     kinds.insert(e->kind);
@@ -369,10 +392,13 @@ TEST(RandomDocuments, HaveEveryPartOfTheLanguage) {
       references += l.inertia->reference ? 1 : 0;
       count(l.inertia->mass);
     }
-    for (const kinematics::Joint& j : d.joints) count(j.placement.rotation[1]);
+    for (const kinematics::Joint& j : d.joints) {
+      count(j.placement.rotation[1]);
+      drives += j.drive.damping && j.limits.position ? 1 : 0;
+    }
   }
   EXPECT_EQ(kinds.size(), 13u);
-  for (const int occurrences : {references, massless, floating, defaults, escaped}) EXPECT_GT(occurrences, 5);
+  for (const int occurrences : {references, massless, floating, defaults, escaped, drives}) EXPECT_GT(occurrences, 5);
 }
 
 }  // namespace

@@ -61,6 +61,14 @@ reference::Tables::Body body(const model::Inertia& inertia, std::span<const doub
   return result;
 }
 
+JointDrive drive(const model::Drive& drive, std::span<const double> parameters) {
+  const auto value = [&](const model::Quantity& q) { return model::evaluate(q, parameters); };
+  JointDrive result;
+  result.damping = value(drive.damping);
+  result.armature = value(drive.armature);
+  return result;
+}
+
 }  // namespace
 
 reference::Tables reference_tables(const model::KinematicTree& robot, std::span<const double> parameters) {
@@ -71,6 +79,8 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     tables.add_joint(
         joint.name, joint.type == model::JointType::revolute, joint.parent, joint.child,
         values(joint.placement.translation, parameters), values(joint.placement.rotation, parameters));
+  for (std::size_t j = 0; j < robot.joints.size(); ++j)
+    tables.set_drive(static_cast<int>(j), drive(robot.joints[j].drive, parameters));
   for (const model::Frame& frame : robot.frames()) {
     const auto index = static_cast<std::size_t>(frame.index);
     model::Placement placement;

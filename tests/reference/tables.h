@@ -54,6 +54,8 @@ class Tables {
     return static_cast<int>(joints_.size()) - 1;
   }
 
+  void set_drive(int joint, const JointDrive& drive) { joints_[static_cast<std::size_t>(joint)].drive = drive; }
+
   // Returns the frame's index.
   int add_frame(const std::string& name, int link, const Triple& translation = {}, const Triple& rotation = {}) {
     frames_.push_back({stored(name), link, {}, {}});

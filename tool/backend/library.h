@@ -2,6 +2,7 @@
 // algorithm, no syntax.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -24,6 +25,14 @@ struct JointLimits {
   double effort = std::numeric_limits<double>::infinity();
 };
 
+// As robcogen::JointDrive of the runtime.
+struct DriveData {
+  double damping = 0, friction = 0, friction_velocity = 0, armature = 0, stiffness = 0, rest = 0;
+  double rotor_inertia = 0, rotor_ratio = 0;
+  std::array<double, 3> rotor_axis{};
+  int rotor_carrier = -1;
+};
+
 // Constants of the model in SI units, for traits and for the self-check's independent recursion.
 struct JointData {
   std::string name;
@@ -34,6 +43,7 @@ struct JointData {
   std::array<double, 3> translation{};
   std::array<double, 3> rotation{};
   JointLimits limits{};
+  std::optional<DriveData> drive = {};
 };
 
 struct LinkData {
@@ -141,6 +151,9 @@ struct Library {
   bool has_batches = false;  // each function also over many states at once: C++, robots
 
   bool has_robot() const { return !links.empty(); }
+  bool has_drives() const {
+    return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) { return joint.drive.has_value(); });
+  }
 };
 
 }  // namespace robcogen::backend

@@ -212,6 +212,8 @@ Action declare_print(CLI::App& application) {
   auto options = std::make_shared<PrintOptions>();
   declare_model(*subcommand, options->model);
   subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
+  subcommand->add_flag(
+      "--original", options->original, "Refuse what the first RobCoGen does not read, and name it (robots)");
   return [options] { return print(*options); };
 }
 

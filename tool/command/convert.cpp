@@ -67,16 +67,6 @@ std::vector<std::string> origin(const ConvertOptions& options) {
   return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
 }
 
-// The robot language has no joint limits: one warning.
-void mention_lost_limits(const Robot& robot, Diagnostics& diagnostics) {
-  for (const model::Joint& joint : robot.tree.joints) {
-    if (joint.limits == model::JointLimits()) continue;
-    diagnostics.note(
-        "limits-lost", joint.place, "a robot document cannot hold joint limits: those of the model are left out");
-    return;
-  }
-}
-
 // The document declares joints in another order than the model, which changes the order of q: one note.
 void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<int> order = exporting::joints_parents_first(robot.tree);
@@ -148,7 +138,6 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
   const Robot& robot = *model->robot();
   switch (language_to_write(options.to)) {
     case Language::robot:
-      mention_lost_limits(robot, diagnostics);
       mention_order(model->file, robot, diagnostics);
       return robot_document(options, robot);
     case Language::urdf: {

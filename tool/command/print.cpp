@@ -4,7 +4,7 @@
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "language/desired/document.h"
-#include "language/kinematics/document.h"
+#include "language/kinematics/original.h"
 #include "language/motion/document.h"
 #include "language/transforms/document.h"
 #include "symbolic/text.h"
@@ -12,7 +12,14 @@
 namespace robcogen::command {
 namespace {
 
-std::string canonical_text(const std::filesystem::path& file, Diagnostics& diagnostics) {
+std::string canonical_robot(const std::shared_ptr<const Source>& source, bool original, Diagnostics& diagnostics) {
+  const language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
+  if (original && !diagnostics.has_errors()) language::kinematics::is_original(document, diagnostics);
+  return language::kinematics::print(document);
+}
+
+std::string canonical_text(const PrintOptions& options, Diagnostics& diagnostics) {
+  const std::filesystem::path file = options.model.file;
   const std::shared_ptr<const Source> source = driver::read_source(file);
   switch (driver::language_of(file)) {
     case driver::Language::desired:
@@ -22,7 +29,7 @@ std::string canonical_text(const std::filesystem::path& file, Diagnostics& diagn
     case driver::Language::transforms:
       return language::transforms::print(language::transforms::parse(source, diagnostics));
     default:
-      return language::kinematics::print(language::kinematics::parse(source, diagnostics));
+      return canonical_robot(source, options.original, diagnostics);
   }
 }
 
@@ -34,8 +41,10 @@ Status print_document(const PrintOptions& options) {
                          "robcogen: error: '{}' is not a document in a language of robcogen\nhint: 'robcogen convert' "
                          "makes it one",
                          file.string())};
+  if (options.original && driver::language_of(file) != driver::Language::robot)
+    throw Failure{wrong_usage, "robcogen: error: --original is for robots: a .kindsl file"};
   Diagnostics diagnostics;
-  const std::string text = canonical_text(file, diagnostics);
+  const std::string text = canonical_text(options, diagnostics);
   report(diagnostics.render(options.model.error_format));
   if (diagnostics.has_errors()) return wrong_input;
   write_output(text);

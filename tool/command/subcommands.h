@@ -34,6 +34,7 @@ Status check(const CheckOptions& options);
 struct PrintOptions {
   ModelOptions model;
   std::string program;
+  bool original = false;  // refuse what the first RobCoGen does not read
 };
 Status print(const PrintOptions& options);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,16 @@ class Constants {
         joint.child,
         values(joint.placement.translation),
         values(joint.placement.rotation),
-        {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort}};
+        {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
+        of(joint.drive)};
+  }
+
+  std::optional<backend::DriveData> of(const model::Drive& drive) const {
+    if (drive.is_absent()) return std::nullopt;
+    backend::DriveData data;
+    data.damping = value(drive.damping);
+    data.armature = value(drive.armature);
+    return data;
   }
 
   backend::FrameData of(const model::Frame& frame) const {

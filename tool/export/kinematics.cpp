@@ -1,6 +1,7 @@
 #include "export/kinematics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "export/expression.h"
@@ -110,7 +111,25 @@ class Writer {
     joint.type = from.type == model::JointType::revolute ? kinematics::Joint::Type::revolute
                                                          : kinematics::Joint::Type::prismatic;
     joint.placement = write(from.placement);
+    joint.drive.damping = given(from.drive.damping);
+    joint.drive.armature = given(from.drive.armature);
+    joint.limits = write(from.limits);
     return joint;
+  }
+
+  // Zeros are what a document does not write.
+  ExpressionPtr given(const Quantity& quantity) const { return quantity.is_zero() ? nullptr : write(quantity); }
+
+  kinematics::Limits write(const model::JointLimits& limits) const {
+    // A document gives both bounds of the position: one that is missing is as wide as in a URDF.
+    constexpr double kWide = 1e9;
+    const auto number = [&](double value) { return write(Quantity(value)); };
+    kinematics::Limits written;
+    if (std::isfinite(limits.lower) || std::isfinite(limits.upper))
+      written.position = {number(std::max(limits.lower, -kWide)), number(std::min(limits.upper, kWide))};
+    if (std::isfinite(limits.velocity)) written.velocity = number(limits.velocity);
+    if (std::isfinite(limits.effort)) written.effort = number(limits.effort);
+    return written;
   }
 
   const model::KinematicTree& tree_;

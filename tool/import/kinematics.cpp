@@ -1,5 +1,6 @@
 #include "import/kinematics.h"
 
+#include "import/drive.h"
 #include "import/parameters.h"
 
 namespace robcogen::import {
@@ -28,14 +29,17 @@ std::vector<const Expression*> expressions_of(const kinematics::Document& docume
     }
     for (const kinematics::Frame& frame : link.frames) add_placement(frame.placement);
   }
-  for (const kinematics::Joint& joint : document.joints) add_placement(joint.placement);
+  for (const kinematics::Joint& joint : document.joints) {
+    add_placement(joint.placement);
+    for (const language::ExpressionPtr& e : expressions_of_drive(joint)) add(e);
+  }
   return all;
 }
 
 class Describer {
  public:
   Describer(const kinematics::Document& document, Diagnostics& diagnostics)
-      : document_(document), reader_(document.source, diagnostics) {
+      : document_(document), diagnostics_(diagnostics), reader_(document.source, diagnostics) {
     for (const Expression* expression : expressions_of(document)) reader_.declare_names_in(*expression);
   }
 
@@ -107,12 +111,15 @@ class Describer {
 
   model::DescribedJoint describe(const kinematics::Joint& joint) {
     const bool revolute = joint.type == kinematics::Joint::Type::revolute;
-    return {
+    model::DescribedJoint result = {
         joint.name.text, place(joint.name.span), revolute ? model::JointType::revolute : model::JointType::prismatic,
         read(joint.placement)};
+    describe_drive(joint, reader_, diagnostics_, result);
+    return result;
   }
 
   const kinematics::Document& document_;
+  Diagnostics& diagnostics_;
   QuantityReader reader_;
 };
 

@@ -42,6 +42,8 @@ class QuantityReader {
   // Warns of names that may be parameters by accident. To be called after all expressions were read.
   void report_accidents() const { uses_.report(diagnostics_); }
 
+  Place place(const language::Expression& expression) const { return {source_, expression.span}; }
+
   // First those of groups, as declared; then the others in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
   // In the order of their first use.
@@ -64,7 +66,6 @@ class QuantityReader {
   double least_magnitude(const model::Quantity& q) const;
   // The value of an expression after an error in it was reported.
   model::Quantity fault(const Diagnostic& reported);
-  Place place(const language::Expression& expression) const { return {source_, expression.span}; }
 
   struct Constant {
     model::Quantity value;

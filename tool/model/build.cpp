@@ -76,7 +76,7 @@ void declare_elements(Assembly& a) {
   for (const DescribedJoint& joint : a.description.joints) {
     if (!declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics))
       a.joints_repeat = true;
-    a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits});
+    a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits, joint.drive});
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
           .error(
@@ -298,6 +298,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   check_connected(a);
   check_link_ids(description, diagnostics);
   check_mass_properties(description, diagnostics);
+  check_drives(description, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
 
   a.tree.inertia_defects = inertia_defects(a.tree);

@@ -36,12 +36,23 @@ struct DescribedLink {
   std::vector<DescribedFrame> frames;
 };
 
+// Where a document gives the values of a drive and the limits.
+struct DrivePlaces {
+  Place damping;
+  Place armature;
+  Place position_limits;
+  Place velocity_limit;
+  Place effort_limit;
+};
+
 struct DescribedJoint {
   std::string name;
   Place place;
   JointType type = JointType::revolute;
   Placement placement;
   JointLimits limits = {};
+  Drive drive = {};
+  DrivePlaces drive_places = {};
 };
 
 struct Description {

@@ -109,11 +109,11 @@ void add_in_proportion(Matrix6& a, double part) {
   for (std::size_t i = 0; i < 3; ++i) a[i][i] += part * rotation, a[i + 3][i + 3] += part * translation;
 }
 
-// Makes one direction free: leaves the inertia that the others meet. Without any inertia, leaves all as it is. Returns
-// the pivot.
-double eliminate(Matrix6& a, std::size_t direction) {
+// Makes one direction free: leaves the inertia that the others meet. Without any inertia, leaves all as it is. `own` is
+// inertia that motion in this direction alone meets. Returns the pivot.
+double eliminate(Matrix6& a, std::size_t direction, double own = 0.0) {
   const std::array<double, 6> column = a[direction];
-  const double pivot = column[direction];
+  const double pivot = column[direction] + own;
   if (pivot == 0.0) return pivot;
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) a[i][j] -= column[i] * column[j] / pivot;
@@ -144,7 +144,8 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
     Matrix6& inertia = articulated[at(joint.child)];
     add_in_proportion(inertia, addition);
     Matrix6 projected = inertia;
-    pivots.joints[at(*it)] = eliminate(projected, joint.type == JointType::revolute ? 2 : 5);
+    const double own = evaluate(joint.drive.armature, parameters);
+    pivots.joints[at(*it)] = eliminate(projected, joint.type == JointType::revolute ? 2 : 5, own);
     add_transformed(
         articulated[at(joint.parent)], motion_transform(joint, q[at(*it)], parameters),
         beyond == Beyond::free ? projected : inertia);
@@ -214,6 +215,7 @@ InertiaDefects inertia_defects(const KinematicTree& tree) {
     some_move = some_move || moves(tree, i);
     some_have = some_have || (moves(tree, i) && has_inertia(tree.links[i]));
   }
+  for (const Joint& joint : tree.joints) some_have = some_have || joint.drive.has_inertia();
   if (!some_move) return defects;
   const Zeros free = zero_pivots(tree, Beyond::free);
   const Zeros locked = zero_pivots(tree, Beyond::locked);

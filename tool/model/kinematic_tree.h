@@ -5,11 +5,11 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/drive.h"
 #include "model/quantity.h"
 
 namespace robcogen::model {
@@ -55,15 +55,6 @@ struct Link {
   Place place;
 };
 
-// Limits of position (rad or m), velocity (per second) and effort (N m or N). No function computes with them.
-struct JointLimits {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  double velocity = std::numeric_limits<double>::infinity();
-  double effort = std::numeric_limits<double>::infinity();
-  friend bool operator==(const JointLimits&, const JointLimits&) = default;
-};
-
 struct Joint {
   std::string name;
   JointType type = JointType::revolute;
@@ -72,6 +63,7 @@ struct Joint {
   Placement placement;  // of the joint frame in the parent link frame; motion is about or along its z axis
   Place place;
   JointLimits limits = {};  // infinite when the document has none
+  Drive drive = {};
 };
 
 struct UserFrame {

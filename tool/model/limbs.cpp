@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "support/index.h"
@@ -9,7 +10,7 @@
 namespace robcogen::model {
 
 std::vector<int> limb_shapes(const KinematicTree& tree) {
-  std::map<std::pair<JointType, std::vector<int>>, int> known;
+  std::map<std::tuple<JointType, std::vector<bool>, std::vector<int>>, int> known;
   std::vector<int> shape(tree.joints.size(), -1);
   const std::vector<int> order = tree.topological();
   for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
@@ -17,7 +18,8 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     for (int child : tree.links[at(tree.joints[at(*joint)].child)].child_joints) beyond.push_back(shape[at(child)]);
     std::sort(beyond.begin(), beyond.end());
     const auto number = static_cast<int>(known.size());
-    shape[at(*joint)] = known.try_emplace({tree.joints[at(*joint)].type, std::move(beyond)}, number).first->second;
+    const Joint& own = tree.joints[at(*joint)];
+    shape[at(*joint)] = known.try_emplace({own.type, own.drive.present(), std::move(beyond)}, number).first->second;
   }
   return shape;
 }

@@ -14,6 +14,10 @@ void check_link_ids(const Description& description, Diagnostics& diagnostics);
 // parameters are not checked, nor is a fixed base, whose properties are never used.
 void check_mass_properties(const Description& description, Diagnostics& diagnostics);
 
+// Reports values of drives that are negative, and limits that no joint can have. Values that depend on parameters are
+// not checked.
+void check_drives(const Description& description, Diagnostics& diagnostics);
+
 // Finds every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space
 // inertia matrix has no inverse anywhere. Parameters have generic values.
 InertiaDefects inertia_defects(const KinematicTree& tree);

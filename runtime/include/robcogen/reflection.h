@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "robcogen/batch.h"
+#include "robcogen/joint_drive.h"
 
 namespace robcogen::reflection {
 
@@ -18,6 +19,7 @@ struct Joint {
   // x, y', z'' (rad). Motion is about or along z.
   double translation[3];
   double rotation[3];
+  JointDrive drive = {};
 };
 
 struct Link {
@@ -248,6 +250,8 @@ struct Robot {
   // translation and rotation.
   Table<Parameter> parameters = {nullptr, 0};
   void (*numbers)(const double* parameters, double* links, double* joints, double* frames) noexcept = nullptr;
+  // Whether the numbers of a joint include those of its drive, in the order of JointDrive, behind its rotation.
+  bool numbers_of_drives = false;
 };
 
 }  // namespace robcogen::reflection

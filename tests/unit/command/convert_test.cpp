@@ -88,7 +88,7 @@ TEST(Convert, RefusesWhatALanguageCannotSay) {
   EXPECT_NE(read_text(motions).find("trx(lengths.reach)"), std::string::npos) << read_text(motions);
 }
 
-TEST(Convert, SaysThatLimitsAreLost) {
+TEST(Convert, KeepsLimits) {
   const Scratch scratch("limits");
   const fs::path urdf = scratch.path / "arm.urdf";
   write_text(
@@ -98,9 +98,11 @@ TEST(Convert, SaysThatLimitsAreLost) {
       "<child link='upper'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='5' velocity='2'/></joint></robot>");
   const Outcome run = run_tool("convert " + quoted(urdf) + " " + quoted(scratch.path / "arm.kindsl"));
   EXPECT_EQ(run.status, 0);
-  EXPECT_NE(run.errors.find("[limits-lost]"), std::string::npos) << run.errors;
-  const Outcome kept = run_tool("convert " + quoted(urdf) + " " + quoted(scratch.path / "2.urdf"));
-  EXPECT_EQ(kept.errors.find("[limits-lost]"), std::string::npos) << kept.errors;
+  EXPECT_NE(
+      read_text(scratch.path / "arm.kindsl").find("limits { position = (-1.0, 1.0) velocity = 2.0 effort = 5.0 }"),
+      std::string::npos);
+  EXPECT_EQ(
+      run_tool("convert " + quoted(scratch.path / "arm.kindsl") + " " + quoted(scratch.path / "2.urdf")).status, 0);
   EXPECT_NE(read_text(scratch.path / "2.urdf").find("effort=\"5.0\""), std::string::npos);
 }
 

@@ -1,5 +1,7 @@
 #include "algorithm/catalogue/model_numbers.h"
 
+#include <algorithm>
+
 #include "algorithm/spatial/trace.h"
 
 namespace robcogen::algorithm {
@@ -38,6 +40,12 @@ void add_placement(Column column, const model::Placement& placement) {
   column.add(placement.rotation);
 }
 
+void add_drive(Column column, const model::Drive& drive) {
+  column.add(drive.damping);
+  column.add(std::array<Quantity, 3>{Quantity(), Quantity(), drive.armature});
+  for (int i = 4; i < kNumbersOfDrive; ++i) column.add(Quantity());
+}
+
 const model::Placement& placement_of(const model::KinematicTree& tree, const model::Frame& frame) {
   static const model::Placement none;
   const auto index = static_cast<std::size_t>(frame.index);
@@ -54,9 +62,12 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
     trace.section(link.name, "link " + link.name);
     add_link({trace, links}, link);
   }
+  const bool has_drives = std::any_of(
+      tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return !joint.drive.is_absent(); });
   for (const model::Joint& joint : tree.joints) {
     trace.section(joint.name, "joint " + joint.name);
     add_placement({trace, joints}, joint.placement);
+    if (has_drives) add_drive({trace, joints}, joint.drive);
   }
   for (const model::Frame& frame : tree.frames()) {
     trace.section(frame.name, "frame " + frame.name);
@@ -66,7 +77,7 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
     trace.output(name, Role::value, rows, static_cast<int>(values.size()) / rows, values);
   };
   output("links", kNumbersOfLink, links);
-  output("joints", kNumbersOfPlacement, joints);
+  output("joints", kNumbersOfPlacement + (has_drives ? kNumbersOfDrive : 0), joints);
   output("frames", kNumbersOfPlacement, frames);
   return trace.program("model_numbers");
 }

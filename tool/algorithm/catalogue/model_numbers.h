@@ -6,12 +6,14 @@
 
 namespace robcogen::algorithm {
 
-inline constexpr int kNumbersOfLink = 10, kNumbersOfPlacement = 6;
+inline constexpr int kNumbersOfLink = 10, kNumbersOfPlacement = 6, kNumbersOfDrive = 11;
 
 // parameters -> `links`, `joints`, `frames`: a column for each link, joint and frame of the tree (`frames()`), in
 // order. Link: mass (kg), centre of mass (m), then moments of inertia xx yy zz and products xy xz yz of positive sign
 // (kg m^2), in the axes of the link and about its origin. Joint and frame: translation (m), then rotation about the
-// intrinsic axes x, y', z'' (rad), in the link that carries it.
+// intrinsic axes x, y', z'' (rad), in the link that carries it. Where a joint has a drive, the numbers of drives follow
+// those of all joints: damping, friction and its velocity, armature, stiffness, rest, then inertia, ratio and axis of
+// the rotor.
 symbolic::Program model_numbers(const model::KinematicTree& tree);
 
 }  // namespace robcogen::algorithm

@@ -3,6 +3,7 @@
 #include "algorithm/dynamics/articulated_body.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
@@ -11,7 +12,7 @@ namespace {
 // What the passes know of a joint.
 struct JointState {
   Force U;               // articulated inertia times the joint's motion subspace S
-  Expression inverse_D;  // 1 / (S' U)
+  Expression inverse_D;  // 1 / (S' U + inertia of the drive)
   Expression u;          // tau minus the force that the bias motion needs
 };
 
@@ -59,13 +60,18 @@ class ArticulatedBodies {
       Motion a = acceleration_to_child(robot_.pose(joint.index), parent);
       const JointState& state = joints_[at(joint.index)];
       // Without the component of `a` along the axis in the product, the link's own component comes out, joint
-      // acceleration included.
+      // acceleration included; not where the drive has inertia, which that acceleration alone moves.
       describe(a.angular, name + "_dw", "_carried");
       describe(a.linear, name + "_da", "_carried");
-      const Expression carried = take_rate(joint, a);
-      const Expression total = (state.u - dot(state.U, a)) * state.inverse_D;
-      qdd[at(joint.index)] = total - carried;
-      add_rate(joint, total, a);
+      if (has_drive_inertia(joint)) {
+        qdd[at(joint.index)] = (state.u - dot(state.U, a)) * state.inverse_D;
+        add_rate(joint, qdd[at(joint.index)], a);
+      } else {
+        const Expression carried = take_rate(joint, a);
+        const Expression total = (state.u - dot(state.U, a)) * state.inverse_D;
+        qdd[at(joint.index)] = total - carried;
+        add_rate(joint, total, a);
+      }
       algorithm::name(graph(), a.angular, name + "_dw");
       algorithm::name(graph(), a.linear, name + "_da");
       accelerate(joint.child, a);
@@ -79,6 +85,7 @@ class ArticulatedBodies {
   std::vector<JointState> joints_;
 
   Graph& graph() { return robot_.trace.graph; }
+  bool has_drive_inertia(const Joint& joint) const { return robot_.tree().joints[at(joint.index)].drive.has_inertia(); }
 
   void collect_child(const Joint& joint, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
     const Pose& X_PC = robot_.pose(joint.index);
@@ -97,7 +104,7 @@ class ArticulatedBodies {
     robot_.trace.section(name, "joint " + joint_name + ": articulated inertia about its axis");
     JointState& state = joints_[at(joint.index)];
     state.U = times_subspace(x, joint);
-    state.inverse_D = graph().one() / project(joint, state.U);
+    state.inverse_D = graph().one() / (project(joint, state.U) + drive_inertia(robot_.trace, joint.index));
     state.u = in_.tau[at(joint.index)] - project(joint, p);
     graph().name(state.inverse_D, name + "_Dinv");
     graph().name(state.u, name + "_u");
@@ -105,12 +112,12 @@ class ArticulatedBodies {
     if (!robot_.parent_matters(joint.child)) return;
     const Force gain = state.inverse_D * state.U;
     describe(gain, name + "_U_by_D");
-    x = released(x, joint, state.U, gain);
+    x = has_drive_inertia(joint) ? reduced(x, state.U, gain) : released(x, joint, state.U, gain);
     describe_inertia(x, name, "_free");
     p += state.u * gain;
     describe(p, name, "_free");
-    // The joint passes exactly tau along its axis.
-    set_projection(joint, in_.tau[at(joint.index)], p);
+    // A joint without inertia of its own passes exactly tau along its axis.
+    if (!has_drive_inertia(joint)) set_projection(joint, in_.tau[at(joint.index)], p);
     const SpatialInertia seen = to_parent(X_PC, x);
     describe_inertia(seen, name, "_P");
     inertia = inertia + seen;

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/spatial/describe.h"
@@ -100,7 +101,8 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
     robot.trace.section(link, "link " + link + ": column of joint " + tree.joints[at(j)].name);
     Force wrench = times_subspace(composite[at(joint.child)], joint);
     while (true) {
-      set(base + joint.index, base + j, project(joint, wrench));
+      const Expression own = joint.index == j ? drive_inertia(robot.trace, j) : Expression();
+      set(base + joint.index, base + j, project(joint, wrench) + own);
       describe(wrench, tree.joints[at(j)].name + "_" + robot.link_name(joint.child));
       if (!robot.parent_matters(joint.child)) break;
       wrench = to_parent(robot.pose(joint.index), wrench);

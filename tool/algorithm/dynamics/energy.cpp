@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/describe.h"
 
@@ -40,6 +41,7 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
       const Motion moved = across_joint(joint, robot.pose(joint.index), twist, in.qd[at(joint.index)]);
       algorithm::name(trace.graph, moved.angular, child + "_w");
       algorithm::name(trace.graph, moved.linear, child + "_v");
+      twice += drive_inertia(trace, joint.index) * (in.qd[at(joint.index)] * in.qd[at(joint.index)]);
       visit(joint.child, moved);
     }
   };

@@ -1,6 +1,7 @@
 // Forward dynamics by articulated bodies, or by solving with the joint-space inertia matrix.
 #include "algorithm/dynamics/articulated_body.h"
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
@@ -49,9 +50,10 @@ symbolic::Program forward_dynamics(
     Loads loads,
     const ForwardDynamicsChoice& choice) {
   Trace trace(tree);
-  const StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
+  StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, choice.formulation);
+  subtract_passive_forces(trace, in, in.tau);
   const ForwardMotion motion = choice.method == ForwardDynamicsMethod::inertia_matrix
                                    ? by_inertia_matrix(robot, in, load)
                                    : by_articulated_bodies(robot, in, load);

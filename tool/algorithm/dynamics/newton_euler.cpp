@@ -1,5 +1,6 @@
 #include "algorithm/dynamics/newton_euler.h"
 
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/describe.h"
 
@@ -30,7 +31,7 @@ class Recursion {
       if (robot_.trace.graph.keeps_names()) child.angular.link = name;
       name_motion(name, child);
       const Force wrench = wrench_of(joint.child, child);
-      tau[at(joint.index)] = project(joint, wrench);
+      tau[at(joint.index)] = project(joint, wrench) + drive_inertia(robot_.trace, joint.index) * qdd_[at(joint.index)];
       if (!robot_.parent_matters(joint.child)) continue;
       const Force seen = to_parent(X_PC, wrench);
       describe(seen, name, "_P");
@@ -104,7 +105,9 @@ Program newton_euler(
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, in.qdd, &load));
+  Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
+  add_passive_forces(trace, in, forces.tau);
+  return write_forces(trace, name, forces);
 }
 
 Program bias_forces(
@@ -116,7 +119,9 @@ Program bias_forces(
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
-  return write_forces(trace, name, bias_forces(robot, in, load));
+  Forces forces = bias_forces(robot, in, load);
+  add_passive_forces(trace, in, forces.tau);
+  return write_forces(trace, name, forces);
 }
 
 Program coriolis_forces(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {

@@ -20,7 +20,7 @@ Forces newton_euler_forces(
     const std::vector<Expression>& qdd,
     const LoadInputs* loads);
 
-// At zero joint and base acceleration.
+// At zero joint and base acceleration, without passive forces.
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads);
 
 }  // namespace robcogen::algorithm

@@ -1,5 +1,6 @@
 // Inverse dynamics of a robot whose base nothing holds (Featherstone 2008, sec. 9.4).
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/newton_euler.h"
 
@@ -27,6 +28,7 @@ symbolic::Program unactuated_base_inverse_dynamics(
   algorithm::name(trace.graph, acceleration.linear, "base_acceleration_v");
   std::vector<Expression> tau = forces.tau;
   add_composite_forces(robot, composite, acceleration, tau);
+  add_passive_forces(trace, in, tau);
   trace.output("tau", Role::joint_force, tau);
   trace.output("base_acceleration", Role::base_acceleration, acceleration);
   return trace.program(name);

@@ -105,6 +105,18 @@ Force times_subspace(const SpatialInertia& body, const Joint& joint) {
   return {{b[0][z], b[1][z], b[z][z]}, {m[0][z], m[1][z], m[z][z]}};
 }
 
+SpatialInertia reduced(const SpatialInertia& body, const Force& U, const Force& gain) {
+  SpatialInertia x = body;
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = r; c < 3; ++c) {
+      x.a[r][c] = x.a[c][r] = x.a[r][c] - U.moment[r] * gain.moment[c];
+      x.m[r][c] = x.m[c][r] = x.m[r][c] - U.linear[r] * gain.linear[c];
+    }
+    for (std::size_t c = 0; c < 3; ++c) x.b[r][c] -= gain.moment[r] * U.linear[c];
+  }
+  return x;
+}
+
 SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain) {
   const bool revolute = is_revolute(joint);
   SpatialInertia x = body;

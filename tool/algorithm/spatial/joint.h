@@ -52,8 +52,9 @@ LinkMotion across_joint(
 // I S: the force that accelerates the body by one unit of the joint from rest, and its momentum at unit rate.
 Force times_subspace(const MassProperties& body, const Joint& joint);
 Force times_subspace(const SpatialInertia& body, const Joint& joint);
-// I - U U' / D, the inertia that remains where the joint gives way: U = I S, `gain` = U / D. Row and column of S
-// become zero.
+// I - U U' / D, the inertia that remains where the joint gives way: U = I S, `gain` = U / D. With D = S' U, row and
+// column of S become zero: `released` takes them as such.
+SpatialInertia reduced(const SpatialInertia& body, const Force& U, const Force& gain);
 SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain);
 
 }  // namespace robcogen::algorithm

@@ -211,7 +211,8 @@ std::string robot_type(const Api& api) {
       types, constant("int", "kDof", std::to_string(library.joints.size())) +
                  constant("int", "kLinkCount", std::to_string(library.links.size())) +
                  constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
-                 constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits")};
+                 constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
+                 (library.has_drives() ? constant("auto", "kJointDrives", "::" + api.space + "::kJointDrives") : "")};
   for (const std::string& group : library.groups) {
     std::string members;
     for (const Overload& o : overloads(api, group, "")) members += member_function(o);

@@ -1,4 +1,5 @@
 // <name>/model.h: the robot's constants, without Eigen.
+#include <algorithm>
 #include <cmath>
 
 #include "backend/cpp/layout.h"
@@ -76,6 +77,26 @@ std::string limits(const JointLimits& l) {
          (none ? "{}" : braced({limit(l.lower), limit(l.upper), limit(l.velocity), limit(l.effort)}));
 }
 
+// What drives add to the dynamics, where a joint has one.
+std::string drives(const Api& api) {
+  if (!api.library->has_drives()) return "";
+  std::vector<std::string> all;
+  for (const JointData& joint : api.library->joints)
+    all.push_back("robcogen::JointDrive" + (joint.drive ? braced(drive_numbers(*joint.drive)) : "{}"));
+  return array("robcogen::JointDrive", "kDof", "kJointDrives", all, api.joints);
+}
+
+// Whether a drive has a number without value: it depends on a parameter without default.
+bool is_incomplete(const Library& library) {
+  return std::any_of(library.joints.begin(), library.joints.end(), [](const JointData& joint) {
+    if (!joint.drive) return false;
+    const std::vector<std::string> numbers = drive_numbers(*joint.drive);
+    return std::any_of(numbers.begin(), numbers.end(), [](const std::string& number) {
+      return number.find("quiet_NaN") != std::string::npos;
+    });
+  });
+}
+
 std::string enumerations(const Api& api) {
   const std::string frames = enumeration("Frame", api.frames), index_of_frame = index_function("Frame", "frame");
   if (!api.library->has_robot()) return paragraphs({frames, index_of_frame});
@@ -100,7 +121,8 @@ std::string joint_tables(const Api& api) {
        array("Link", "kDof", "kJointParents", parents, api.joints),
        array("Link", "kDof", "kJointChildren", children, api.joints),
        "// Lower and upper position, velocity, effort; unlimited where the model gives no limit.\n" +
-           array("robcogen::JointLimits", "kDof", "kJointLimits", all_limits, api.joints)});
+           array("robcogen::JointLimits", "kDof", "kJointLimits", all_limits, api.joints),
+       drives(api)});
 }
 
 std::string link_tables(const Api& api) {
@@ -125,6 +147,28 @@ std::string frame_tables(const Api& api) {
 
 }  // namespace
 
+std::string model_number(double value) {
+  return std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN()" : print_double(value);
+}
+
+std::vector<std::string> drive_numbers(const DriveData& d) {
+  std::vector<std::string> items;
+  std::size_t last = 0;
+  for (const double value :
+       {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest, d.rotor_inertia, d.rotor_ratio}) {
+    items.push_back(model_number(value));
+    if (value != 0.0) last = items.size();
+  }
+  if (d.rotor_carrier < 0) {
+    items.resize(last);
+    return items;
+  }
+  const auto& [x, y, z] = d.rotor_axis;
+  items.push_back(braced({model_number(x), model_number(y), model_number(z)}));
+  items.push_back(std::to_string(d.rotor_carrier));
+  return items;
+}
+
 std::string print_model(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   const std::string body = paragraphs(
@@ -133,9 +177,13 @@ std::string print_model(const Api& api, const std::string& path) {
            constant("const char* kGeneratorVersion", quoted(library.generator_version)),
        sizes(library), enumerations(api), joint_tables(api), link_tables(api), frame_tables(api)});
   std::vector<std::string> runtime = {"\"robcogen/version.h\""};
+  if (library.has_drives()) runtime.emplace_back("\"robcogen/joint_drive.h\"");
   if (library.has_robot()) runtime.insert(runtime.end(), {"\"robcogen/joint_limits.h\"", "\"robcogen/joint_type.h\""});
   return paragraphs(
-      {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n", includes({"<array>"}),
+      {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n",
+       includes(
+           is_incomplete(library) ? std::vector<std::string>{"<array>", "<limits>"}
+                                  : std::vector<std::string>{"<array>"}),
        includes(runtime), runtime_check(api), in_namespace(api.space, body)});
 }
 

@@ -14,15 +14,10 @@ namespace {
 
 using symbolic::Role;
 
-// A number of the model; none where it depends on a parameter without default.
-std::string number(double value) {
-  return std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN()" : print_double(value);
-}
-
 template <std::size_t n>
 Field numbers(const std::array<double, n>& values) {
   std::vector<std::string> texts;
-  for (double v : values) texts.push_back(number(v));
+  for (double v : values) texts.push_back(model_number(v));
   return texts;
 }
 
@@ -42,16 +37,18 @@ Table table(const std::string& type, const std::string& name, const std::vector<
 Table links(const Library& library) {
   std::vector<std::vector<Field>> rows;
   for (const LinkData& l : library.links)
-    rows.push_back({quoted(l.name), l.parent_joint, number(l.mass), numbers(l.com), numbers(l.inertia)});
+    rows.push_back({quoted(l.name), l.parent_joint, model_number(l.mass), numbers(l.com), numbers(l.inertia)});
   return table("Link", "kLinks", rows);
 }
 
 Table joints(const Library& library) {
   std::vector<std::vector<Field>> rows;
-  for (const JointData& j : library.joints)
+  for (const JointData& j : library.joints) {
     rows.push_back(
         {quoted(j.name), j.revolute ? "true" : "false", j.parent, j.child, numbers(j.translation),
          numbers(j.rotation)});
+    if (j.drive) rows.back().push_back(drive_numbers(*j.drive));
+  }
   return table("Joint", "kJoints", rows);
 }
 
@@ -296,7 +293,7 @@ Table batch_functions(const Api& api) {
 Table parameters(const Library& library) {
   std::vector<std::vector<Field>> rows;
   for (const ParameterData& p : library.parameters) {
-    rows.push_back({quoted(p.name), p.is_dynamics ? "true" : "false", number(p.default_value)});
+    rows.push_back({quoted(p.name), p.is_dynamics ? "true" : "false", model_number(p.default_value)});
     if (p.is_dynamics && p.is_kinematics) rows.back().emplace_back("true");
   }
   return table("Parameter", "kParameters", rows);
@@ -327,6 +324,10 @@ std::string print_reflection(const Api& api, const std::string& path) {
     fields.push_back(t.reference);
   }
   for (const Callable& c : api.numbers) fields.push_back(address(c));
+  if (api.is_parametric() && library.has_drives()) {
+    fields.push_back("true");
+    remarks.push_back("numbers of drives");
+  }
   parts.push_back(remarked_list("inline constexpr robcogen::reflection::Robot robot", fields, remarks));
   std::string batch_kernels;
   if (library.has_batches) {

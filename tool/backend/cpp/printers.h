@@ -72,4 +72,9 @@ std::string batch_kernel_declarations(const Api& api);
 std::string print_umbrella(const Api& api, const std::string& path);
 std::string print_definitions(const Api& api, const std::string& path);
 
+// A number of the model; none where it depends on a parameter without default.
+std::string model_number(double value);
+// The elements of a robcogen::JointDrive, as far as the last one that is not the default.
+std::vector<std::string> drive_numbers(const DriveData& drive);
+
 }  // namespace robcogen::backend::cpp

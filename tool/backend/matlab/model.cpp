@@ -52,6 +52,27 @@ std::string joint_fields(const std::vector<JointData>& joints) {
   return text + columns("joint_rotation", joints, 3, [](const JointData& j) { return j.rotation; });
 }
 
+// Of robots with drives.
+std::string drive_fields(const std::vector<JointData>& joints) {
+  std::string text;
+  const auto field = [&](const std::string& name, double DriveData::*value) {
+    text +=
+        column(name, texts(joints, [&](const JointData& j) { return number(j.drive.value_or(DriveData()).*value); }));
+  };
+  field("damping", &DriveData::damping);
+  field("friction", &DriveData::friction);
+  field("friction_velocity", &DriveData::friction_velocity);
+  field("armature", &DriveData::armature);
+  field("stiffness", &DriveData::stiffness);
+  field("rest", &DriveData::rest);
+  field("rotor_inertia", &DriveData::rotor_inertia);
+  field("rotor_ratio", &DriveData::rotor_ratio);
+  text += columns("rotor_axis", joints, 3, [](const JointData& j) { return j.drive.value_or(DriveData()).rotor_axis; });
+  return text + column("rotor_carrier", texts(joints, [](const JointData& j) {
+                         return std::to_string(j.drive.value_or(DriveData()).rotor_carrier + 1);
+                       }));
+}
+
 std::string link_fields(const std::vector<LinkData>& links) {
   std::string text = names("links", texts(links, [](const LinkData& l) { return quoted(l.name); }));
   text += column("parent_joint", texts(links, [](const LinkData& l) { return std::to_string(l.parent_joint + 1); }));
@@ -82,6 +103,11 @@ std::string print_model(const Library& library) {
   text += comment(
       "  joints: is_revolute, parent_link, child_link, limits of position, velocity and effort, and the placement of "
       "the joint frame in the frame of the parent link: translation, then rotation about the axes x, y', z''.");
+  if (library.has_drives())
+    text += comment(
+        "  joints also have drives: damping, friction and the velocity below which it falls to zero, armature, "
+        "stiffness "
+        "and rest of a spring, and of a rotor its inertia, ratio, axis and rotor_carrier, a link, 0 without rotor.");
   text += comment(
       "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
       "products xy, xz, yz of positive sign.");
@@ -93,7 +119,9 @@ std::string print_model(const Library& library) {
   text += "  model.name = " + quoted(library.robot) + ";\n";
   text += "  model.dof = " + std::to_string(library.joints.size()) + ";\n";
   text += std::string("  model.floating_base = ") + (library.floating_base ? "true" : "false") + ";\n";
-  text += "\n" + joint_fields(library.joints) + "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
+  text += "\n" + joint_fields(library.joints);
+  if (library.has_drives()) text += drive_fields(library.joints);
+  text += "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
   return text + "end\n";
 }
 

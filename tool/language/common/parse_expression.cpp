@@ -106,7 +106,7 @@ class ExpressionParser {
     bool ends_in_number = false;
     ExpressionPtr left = unary(ends_in_number);
     while (true) {
-      const bool next_is_name = cursor_.at_name() && !cursor_.at("=", 1);
+      const bool next_is_name = cursor_.at_name() && !cursor_.at("=", 1) && !cursor_.at("{", 1);
       const bool juxtaposed = ends_in_number && (next_is_name || cursor_.at("<"));
       if (!juxtaposed && !cursor_.at("*") && !cursor_.at("/")) return left;
       count_operation();

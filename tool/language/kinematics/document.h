@@ -60,12 +60,27 @@ struct Link {
   Span span;
 };
 
+// Forces that a joint meets in itself, as far as they are given.
+struct Drive {
+  ExpressionPtr damping;   // N m s/rad, N s/m
+  ExpressionPtr armature;  // kg m^2, kg
+};
+
+// As far as they are given: constants.
+struct Limits {
+  std::optional<std::array<ExpressionPtr, 2>> position;  // lower and upper; rad, m
+  ExpressionPtr velocity;                                // rad/s, m/s
+  ExpressionPtr effort;                                  // N m, N
+};
+
 struct Joint {
   enum class Type { revolute, prismatic };
   Name name;
   Type type = Type::revolute;
   std::optional<int> id;
   Placement placement;
+  Drive drive;
+  Limits limits;
   std::vector<std::string> comments;
   Span span;
 };

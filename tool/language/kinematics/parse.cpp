@@ -1,47 +1,30 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <climits>
 #include <utility>
 
 #include "language/common/content.h"
-#include "language/common/parse_expression.h"
-#include "language/kinematics/document.h"
+#include "language/kinematics/block_parser.h"
 #include "language/kinematics/keywords.h"
+#include "language/kinematics/parse_drive.h"
 
 namespace robcogen::language::kinematics {
 namespace {
 
-using WordList = std::initializer_list<std::string_view>;
-
-const WordList kElements = {"RobotBase", "link", "r_joint", "p_joint"};
 const WordList kLinkItems = {"id", "inertia_params", "inertia_properties", "children", "frames"};
 const WordList kBaseItems = {"inertia_params", "inertia_properties", "children", "frames"};
 const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
 const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
-const WordList kJointItems = {"id", "ref_frame"};
+const WordList kJointItems = {"id", "ref_frame", "damping", "armature", "limits"};
 const WordList kPlacementItems = {"translation", "rotation"};
 
-// The words that begin the items of one block, in the order of the text.
-using Words = std::vector<Token>;
-
-std::string quoted(WordList words) {
-  std::string text;
-  for (std::string_view word : words) text += fmt::format("'{}', ", word);
-  text.resize(text.size() - 2);
-  return text;
-}
-
-// Elements stand in the block of the robot, items in the block of an element, both in any order. After an error in an
-// item, the parser skips to the next item of the block or to its end. When the braces do not match, it skips to the
-// next element: the keyword of an element cannot stand anywhere else.
-class Parser {
+// Elements stand in the block of the robot, items in the block of an element, both in any order.
+class Parser : private BlockParser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)),
+      : BlockParser(Cursor(tokenize_document(source, diagnostics), keywords(), diagnostics)),
+        source_(std::move(source)),
         errors_before_(diagnostics.error_count()),
-        diagnostics_(diagnostics),
-        cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
+        diagnostics_(diagnostics) {
     document_.source = source_;
   }
 
@@ -64,7 +47,6 @@ class Parser {
   std::shared_ptr<const Source> source_;
   std::size_t errors_before_;
   const Diagnostics& diagnostics_;
-  Cursor cursor_;
   Document document_;
   std::vector<Name> bases_;  // including those with errors
   bool may_have_skipped_base_ = false;
@@ -101,12 +83,6 @@ class Parser {
         if (cursor_.at_end()) throw;
       }
     }
-  }
-
-  // A keyword alone may be used as a name by mistake.
-  bool at_element() const {
-    const bool has_name = cursor_.peek(1).kind == Token::Kind::identifier;
-    return cursor_.at_any(kElements) && has_name && (cursor_.at_name(1) || cursor_.at("{", 2));
   }
 
   void unknown_element() {
@@ -149,144 +125,6 @@ class Parser {
     for (std::size_t i = 1; i < bases_.size(); ++i)
       cursor_.error_at(bases_[i].span, "two-bases", fmt::format("'{}' is a second base", bases_[i].text))
           .notes.push_back({cursor_.place(bases_[0].span), "the first base is here"});
-  }
-
-  // -------------------------------------------------------------------------------------------------------------------
-  // Blocks of items.
-
-  // `{`, items, `}`. An item begins at a token that at_item knows; otherwise item() reports it. `outer` are the words
-  // that begin an item of the enclosing block. Returns whether there was no error.
-  template <class AtItem, class Item>
-  bool block(const std::string& owner, AtItem at_item, Item item, WordList outer = {}) {
-    bool sound = true;
-    const Token open = cursor_.peek();
-    try {
-      cursor_.expect("{", "after " + owner);
-    } catch (const SyntaxError&) {
-      if (!at_item()) throw;
-      cursor_.assume_open_brace();
-      sound = false;
-    }
-    const std::size_t inside = cursor_.open_blocks();
-    if (cursor_.at("{") && !cursor_.after_line_end() && sound) report_second_brace();
-    bool comma_is_reported = false;
-    while (true) {
-      if (cursor_.at("}")) {
-        const Token brace = cursor_.take();
-        if (!at_item()) return sound;
-        report_extra_brace(owner, brace);
-        cursor_.assume_open_brace();
-        sound = false;
-      }
-      cursor_.begin_statement();
-      try {
-        if (cursor_.at_end()) cursor_.unexpected("'}'", "");
-        if (at_element()) missing_brace(owner, open);
-        if (cursor_.at_any(outer) && !at_item() && sound) {
-          report_missing_brace(owner, open);
-          cursor_.assume_closing_brace();
-          return sound;
-        }
-        if (!cursor_.at(",")) {
-          item();
-          continue;
-        }
-        if (!std::exchange(comma_is_reported, true) && !cursor_.is_faulty_here())
-          cursor_.error("unexpected-token", fmt::format("unexpected ',' in {}", owner)).hint =
-              "items are separated by blanks only";
-        sound = false;
-        cursor_.take();
-      } catch (const SyntaxError&) {
-        sound = false;
-        cursor_.skip_until([&] {
-          const bool here = cursor_.open_blocks() == inside && (cursor_.at("}") || at_item());
-          return here || cursor_.open_blocks() < inside || at_element();
-        });
-        if (cursor_.at_end() || cursor_.open_blocks() < inside || at_element()) throw;
-      }
-    }
-  }
-
-  template <class Item>
-  bool block(const std::string& owner, WordList words, Item item, WordList outer = {}) {
-    return block(
-        owner, [&] { return cursor_.at_any(words); }, item, outer);
-  }
-
-  void report_missing_brace(const std::string& owner, const Token& open) {
-    cursor_
-        .error(
-            "missing-brace", fmt::format("expected '}}' at the end of {}, found {}", owner, describe(cursor_.peek())))
-        .notes.push_back({cursor_.place(open.span), "opened here"});
-  }
-
-  [[noreturn]] void missing_brace(const std::string& owner, const Token& open) {
-    report_missing_brace(owner, open);
-    throw SyntaxError{};
-  }
-
-  void report_second_brace() {
-    cursor_.error("extra-brace", "unexpected second '{'");
-    cursor_.take();
-    cursor_.assume_closing_brace();
-  }
-
-  void report_extra_brace(const std::string& owner, const Token& brace) {
-    cursor_.error_at(brace.span, "extra-brace", fmt::format("this '}}' ends {} before its last item", owner))
-        .notes.push_back({cursor_.place(cursor_.peek().span), "the next item is here"});
-  }
-
-  void report_repetition(const Token& token, const Token& earlier) {
-    cursor_.error_at(token.span, "duplicate-item", fmt::format("'{}' is given twice", token.text))
-        .notes.push_back({cursor_.place(earlier.span), "first given here"});
-  }
-
-  // Takes the word that begins an item. A block has at most one item of a name.
-  Token word(Words& found) {
-    const Token token = cursor_.take();
-    if (cursor_.at(token.text)) {
-      report_repetition(cursor_.peek(), token);
-      cursor_.take();
-    }
-    const auto is_inertia = [](const Token& t) { return t.text.starts_with("inertia_"); };
-    for (const Token& earlier : found) {
-      if (earlier.text != token.text && !(is_inertia(earlier) && is_inertia(token))) continue;
-      report_repetition(token, earlier);
-      return token;
-    }
-    found.push_back(token);
-    return token;
-  }
-
-  // Reports at the owner the words that were not found. Returns whether all were.
-  bool check_complete(const std::string& owner, Span span, const Words& found, WordList words) {
-    std::string missing;
-    for (std::string_view word : words) {
-      if (std::any_of(found.begin(), found.end(), [&](const Token& t) { return t.text == word; })) continue;
-      missing += fmt::format("{}'{}'", missing.empty() ? "" : ", ", word);
-    }
-    if (!missing.empty()) cursor_.error_at(span, "missing-item", fmt::format("{} has no {}", owner, missing));
-    return missing.empty();
-  }
-
-  [[noreturn]] void unknown_item(const std::string& owner, WordList words) {
-    if (cursor_.is_faulty_here()) throw SyntaxError{};
-    const Token& token = cursor_.peek();
-    Diagnostic& d = cursor_.error(
-        "unknown-item", fmt::format("expected {} or '}}' in {}, found {}", quoted(words), owner, describe(token)));
-    if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, {words.begin(), words.end()});
-    throw SyntaxError{};
-  }
-
-  [[noreturn]] void old_dialect(const std::string& sign) {
-    cursor_.error("old-dialect", sign + " belongs to the dialect of 2011-2012, which is not supported").hint =
-        "write translation = (x, y, z), inertia_params { mass = m CoM = (x, y, z) Ix = … }";
-    throw OtherLanguage{};
-  }
-
-  Name name(std::string_view what) {
-    const Token token = cursor_.expect_name(what);
-    return {std::string(token.text), token.span};
   }
 
   // -------------------------------------------------------------------------------------------------------------------
@@ -418,18 +256,21 @@ class Parser {
     const std::string owner = fmt::format("joint '{}'", joint.name.text);
     std::optional<Placement> placement;
     Words found;
+    bool sound_drive = true;
     bool sound = block(owner, kJointItems, [&] {
       if (cursor_.at("id")) {
         joint.id = integer(word(found));
       } else if (cursor_.at("ref_frame")) {
         const Token reference = word(found);
         placement = this->placement(fmt::format("the 'ref_frame' of {}", owner), reference.span);
+      } else if (at_drive_item(cursor_)) {
+        sound_drive = drive_item(*this, owner, word(found), joint) && sound_drive;
       } else {
         if (cursor_.at("translation")) old_dialect("a 'translation' outside 'ref_frame'");
         unknown_item(owner, kJointItems);
       }
     });
-    sound = sound && check_complete(owner, joint.name.span, found, {"ref_frame"});
+    sound = sound && sound_drive && check_complete(owner, joint.name.span, found, {"ref_frame"});
     joint.span = {keyword.span.begin, cursor_.previous().span.end};
     joint.comments = cursor_.comments_before(joint.span.end);
     if (!sound || !placement) return;
@@ -451,38 +292,6 @@ class Parser {
     placement.span.end = cursor_.previous().span.end;
     if (!sound || !check_complete(owner, owner_span, found, kPlacementItems)) return std::nullopt;
     return placement;
-  }
-
-  void equals(const Token& key) {
-    const bool is_of_placement = key.text == "translation" || key.text == "rotation";
-    if (cursor_.at(":") && is_of_placement) old_dialect(fmt::format("'{} :'", key.text));
-    cursor_.expect("=", fmt::format("after '{}'", key.text));
-  }
-
-  ExpressionPtr scalar() {
-    ExpressionPtr value = parse_expression(cursor_);
-    if (cursor_.at_decimal_comma()) cursor_.decimal_comma(cursor_.peek().span);
-    return value;
-  }
-
-  Vector vector(const Token& key) {
-    const Token open = cursor_.expect("(", fmt::format("before the three components of '{}'", key.text));
-    std::vector<ExpressionPtr> components = {parse_expression(cursor_)};
-    std::optional<Span> comma;
-    while (cursor_.at(",")) {
-      if (!comma && cursor_.at_decimal_comma()) comma = cursor_.peek().span;
-      cursor_.take();
-      components.push_back(parse_expression(cursor_));
-    }
-    if (!cursor_.at(")") && components.size() < 3)
-      cursor_.unexpected("','", fmt::format("after a component of '{}'", key.text));
-    const Token close = cursor_.expect(")", fmt::format("after the components of '{}'", key.text));
-    if (components.size() == 3) return {components[0], components[1], components[2]};
-    if (components.size() > 3 && comma) cursor_.decimal_comma(*comma);
-    cursor_.error_at(
-        {open.span.begin, close.span.end}, "component-count",
-        fmt::format("'{}' needs 3 components, found {}", key.text, components.size()));
-    throw SyntaxError{};
   }
 };
 

@@ -59,11 +59,34 @@ std::string link(const Link& l) {
   return out + "    }\n";
 }
 
+// ` word = value`, or nothing.
+std::string item(const std::string& word, const ExpressionPtr& value) {
+  return value ? " " + word + " = " + language::print(*value) : "";
+}
+
+std::string drive(const Drive& d) {
+  std::string out;
+  for (const std::string& clause : {item("damping", d.damping), item("armature", d.armature)})
+    if (!clause.empty()) out += "       " + clause + "\n";
+  return out;
+}
+
+std::string limits(const Limits& l) {
+  std::string items;
+  if (l.position) {
+    const auto& [lower, upper] = *l.position;
+    items += " position = (" + language::print(*lower) + ", " + language::print(*upper) + ")";
+  }
+  items += item("velocity", l.velocity) + item("effort", l.effort);
+  return items.empty() ? "" : "        limits {" + items + " }\n";
+}
+
 std::string joint(const Joint& j) {
   std::string out = "\n" + comments(j.comments, "    ");
   out += (j.type == Joint::Type::revolute ? "    r_joint " : "    p_joint ") + name(j.name) + " {\n";
   if (j.id) out += "        id = " + std::to_string(*j.id) + "\n";
-  return out + "        ref_frame {\n" + placement(j.placement, "            ") + "        }\n    }\n";
+  out += "        ref_frame {\n" + placement(j.placement, "            ") + "        }\n";
+  return out + drive(j.drive) + limits(j.limits) + "    }\n";
 }
 
 bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
@@ -106,9 +129,20 @@ bool same(const Link& a, const Link& b) {
          all_same(a.children, b.children) && all_same(a.frames, b.frames) && a.comments == b.comments;
 }
 
+bool same(const Drive& a, const Drive& b) {
+  return same(a.damping, b.damping) && same(a.armature, b.armature);
+}
+
+bool same(const Limits& a, const Limits& b) {
+  const auto same_bound = [](const ExpressionPtr& x, const ExpressionPtr& y) { return same(x, y); };
+  return a.position.has_value() == b.position.has_value() &&
+         (!a.position || std::equal(a.position->begin(), a.position->end(), b.position->begin(), same_bound)) &&
+         same(a.velocity, b.velocity) && same(a.effort, b.effort);
+}
+
 bool same(const Joint& a, const Joint& b) {
   return a.name.text == b.name.text && a.type == b.type && a.id == b.id && same(a.placement, b.placement) &&
-         a.comments == b.comments;
+         same(a.drive, b.drive) && same(a.limits, b.limits) && a.comments == b.comments;
 }
 
 }  // namespace

@@ -75,9 +75,11 @@ void check_inertia_columns(const Subject& subject, const Case& c, Checks& checks
   Matrix<double> columns(c.H.rows(), c.H.cols());
   for (int k = 0; k < columns.cols(); ++k) {
     Motion<double> unit = at_rest(c.sample.motion.q);
+    // Springs act at rest too.
+    const Vector<double> none = subject.inverse_dynamics_fully_actuated(unit, {&weightless, nullptr});
     if (k < first) unit.base_acceleration(k) = 1;
     if (k >= first) unit.qdd(k - first) = 1;
-    columns.set_block(0, k, subject.inverse_dynamics_fully_actuated(unit, {&weightless, nullptr}));
+    columns.set_block(0, k, subject.inverse_dynamics_fully_actuated(unit, {&weightless, nullptr}) - none);
   }
   const Matrix<double> H = subject.joint_space_inertia(c.sample.motion.q);
   checks.record(

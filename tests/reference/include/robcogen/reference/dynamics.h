@@ -8,6 +8,7 @@
 // in base coordinates (m/s^2); external wrenches act on links, in link coordinates about the link frame's origin.
 #pragma once
 
+#include "robcogen/reference/drives.h"
 #include "robcogen/reference/kinematics.h"
 
 namespace robcogen::reference {
@@ -16,10 +17,11 @@ template <class Scalar>
 struct Loads {
   Vector<Scalar> gravity = {Scalar(0), Scalar(0), Scalar(-9.81)};
   std::vector<Vector<Scalar>> external;  // one for each link, base first; empty: none
+  bool passive = true;                   // the joints overcome the passive forces of their drives
 
   template <class Other>
   Loads<Other> cast() const {
-    Loads<Other> result{gravity.template cast<Other>(), {}};
+    Loads<Other> result{gravity.template cast<Other>(), {}, passive};
     for (const Vector<Scalar>& wrench : external) result.external.push_back(wrench.template cast<Other>());
     return result;
   }
@@ -77,6 +79,7 @@ Matrix<Scalar> full_inertia(const Robot& robot, const Vector<Scalar>& q) {
     const Matrix<Scalar> J = body_jacobian(robot, poses, i, center_of_mass<Scalar>(link));
     H += transpose(J) * (M * J);
   }
+  add_drives(robot, poses, H);
   return H;
 }
 
@@ -126,6 +129,8 @@ Vector<Scalar> generalized_forces(const Robot& robot, const Motion<Scalar>& moti
     const Matrix<Scalar> J = body_jacobian(robot, poses, i, center_of_mass<Scalar>(robot.links[i]));
     forces += transpose(J) * required_wrench(robot, i, links[static_cast<std::size_t>(i)], loads);
   }
+  forces += forces_on_drives(robot, motion, links, poses);
+  if (loads.passive) forces += stacked(Vector<Scalar>(6), passive_forces(robot, motion));
   return forces;
 }
 
@@ -165,16 +170,16 @@ Forces<Scalar> bias_forces(const Robot& robot, Motion<Scalar> motion, const Load
   return split(generalized_forces(robot, motion, loads));
 }
 
-// Joint forces and base wrench that hold the robot still; no external wrenches.
+// Joint forces and base wrench that hold the robot still against gravity; no external wrenches, nor passive forces.
 template <class Scalar>
 Forces<Scalar> gravity_forces(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
-  return bias_forces(robot, at_rest(q), {gravity, {}});
+  return bias_forces(robot, at_rest(q), {gravity, {}, false});
 }
 
-// Bias forces without gravity and external wrenches.
+// Bias forces without gravity, external wrenches and passive forces.
 template <class Scalar>
 Forces<Scalar> coriolis_forces(const Robot& robot, const Motion<Scalar>& motion) {
-  return bias_forces(robot, motion, {Vector<Scalar>(3), {}});
+  return bias_forces(robot, motion, {Vector<Scalar>(3), {}, false});
 }
 
 // Accelerations for given joint forces, by a dense solve; a floating base carries no wrench but the external one. The

@@ -1,4 +1,4 @@
-// Energy and momentum, summed over the links.
+// Energy and momentum, summed over the links and the rotors on them.
 #pragma once
 
 #include "robcogen/reference/dynamics.h"
@@ -17,7 +17,7 @@ Scalar kinetic_energy(const Robot& robot, const Motion<Scalar>& motion) {
     const Vector<Scalar> v = link.velocity(center_of_mass<Scalar>(robot.links[i]));
     energy += (dot(w, central_inertia<Scalar>(robot.links[i]) * w) + Scalar(robot.links[i].mass) * dot(v, v)) / 2;
   }
-  return energy;
+  return energy + energy_of_drives(robot, motion.qd, links);
 }
 
 // The moving links: all from this one on, without a fixed base.
@@ -64,7 +64,7 @@ Vector<Scalar> momentum(const Robot& robot, const Motion<Scalar>& motion) {
     const Vector<Scalar> spin = R * central_inertia<Scalar>(robot.links[i]) * (transpose(R) * link.angular_velocity());
     total += stacked(spin + cross(link.position(com), linear), linear);
   }
-  return total;
+  return total + stacked(momentum_of_rotors(robot, motion.qd, links), Vector<Scalar>(3));
 }
 
 }  // namespace robcogen::reference

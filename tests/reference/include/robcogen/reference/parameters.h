@@ -18,7 +18,8 @@ class RobotOf {
         joints_(robot.joints.begin(), robot.joints.end()),
         frames_(robot.frames.begin(), robot.frames.end()),
         robot_(robot) {
-    std::vector<double> links(kOfLink * links_.size()), joints(kOfPlacement * joints_.size());
+    const std::size_t of_joint = kOfPlacement + (robot.numbers_of_drives ? kOfDrive : 0);
+    std::vector<double> links(kOfLink * links_.size()), joints(of_joint * joints_.size());
     std::vector<double> frames(kOfPlacement * frames_.size());
     robot.numbers(values.data(), links.data(), joints.data(), frames.data());
     const double* next = links.data();
@@ -27,7 +28,10 @@ class RobotOf {
       next = fill(fill(next, link.com), link.inertia);
     }
     next = joints.data();
-    for (reflection::Joint& joint : joints_) next = fill(fill(next, joint.translation), joint.rotation);
+    for (reflection::Joint& joint : joints_) {
+      next = fill(fill(next, joint.translation), joint.rotation);
+      if (robot.numbers_of_drives) next = fill(next, joint.drive);
+    }
     next = frames.data();
     for (reflection::Frame& frame : frames_) next = fill(fill(next, frame.translation), frame.rotation);
     robot_.links.data = links_.data();
@@ -40,12 +44,20 @@ class RobotOf {
   const Robot& robot() const { return robot_; }
 
  private:
-  static constexpr std::size_t kOfLink = 10, kOfPlacement = 6;
+  static constexpr std::size_t kOfLink = 10, kOfPlacement = 6, kOfDrive = 11;
 
   template <int n>
   static const double* fill(const double* from, double (&to)[n]) {
     std::copy(from, from + n, to);
     return from + n;
+  }
+
+  static const double* fill(const double* from, JointDrive& drive) {
+    for (double* number :
+         {&drive.damping, &drive.friction, &drive.friction_velocity, &drive.armature, &drive.stiffness, &drive.rest,
+          &drive.rotor_inertia, &drive.rotor_ratio})
+      *number = *from++;
+    return fill(from, drive.rotor_axis);
   }
 
   std::vector<reflection::Link> links_;

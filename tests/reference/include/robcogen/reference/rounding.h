@@ -32,7 +32,30 @@ inline WrenchTerms wrench_terms(
   return terms;
 }
 
-// For each generalised force (base wrench, tau): the contribution of the links beyond.
+// Adds what drives contribute.
+inline void add_drive_terms(
+    const Robot& robot,
+    const Motion<double>& motion,
+    const std::vector<LinkMotion<double>>& links,
+    Vector<double>& sums) {
+  for (int j = 0; j < robot.joints.size; ++j) {
+    const JointDrive& drive = robot.joints[j].drive;
+    sums(6 + j) += std::abs(inertia_of<double>(drive) * motion.qdd(j)) + std::abs(drive.damping * motion.qd(j)) +
+                   std::abs(drive.friction) +
+                   std::abs(drive.stiffness) * (std::abs(motion.q(j)) + std::abs(drive.rest));
+    if (drive.rotor_carrier < 0) continue;
+    const LinkMotion<double>& carrier = links[static_cast<std::size_t>(drive.rotor_carrier)];
+    const double momentum = std::abs(momentum_of_rotor<double>(drive));
+    sums(6 + j) += momentum * largest(carrier.angular_acceleration());
+    const double speed = largest(carrier.angular_velocity());
+    const double moment = momentum * (std::abs(motion.qdd(j)) + std::abs(motion.qd(j)) * speed);
+    for (int k = 0; k < 3; ++k) sums(k) += moment;
+    for (const int i : supporting_joints(robot, drive.rotor_carrier))
+      if (robot.joints[i].revolute) sums(6 + i) += moment;
+  }
+}
+
+// For each generalised force (base wrench, tau): the contribution of the links beyond, and of drives.
 inline Vector<double> force_terms(const Robot& robot, const Motion<double>& motion, const Loads<double>& loads) {
   // A centre of mass on a joint's axis has no lever but a position, and that is rounded.
   constexpr double kPosition = 1e-3;
@@ -52,6 +75,7 @@ inline Vector<double> force_terms(const Robot& robot, const Motion<double>& moti
       sums(6 + j) += robot.joints[j].revolute ? terms.moment + lever * terms.force : terms.force;
     }
   }
+  add_drive_terms(robot, motion, links, sums);
   return sums;
 }
 

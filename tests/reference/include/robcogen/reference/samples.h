@@ -63,7 +63,13 @@ Motion<Scalar> cast(const Motion<double>& m) {
 
 template <class Scalar>
 Loads<Scalar> loads(const Vector<double>& gravity, const std::vector<Vector<double>>& external = {}) {
-  return Loads<double>{gravity, external}.cast<Scalar>();
+  return Loads<double>{gravity, external, true}.cast<Scalar>();
+}
+
+// Gravity alone: drives do not resist.
+template <class Scalar>
+Loads<Scalar> without_passive(const Vector<double>& gravity) {
+  return Loads<double>{gravity, {}, false}.cast<Scalar>();
 }
 
 }  // namespace robcogen::reference

@@ -1,0 +1,122 @@
+// Drives of joints: their inertia, rotors that spin on links, and the forces that they resist motion with.
+//
+// The mass properties of a link that carries a rotor include the rotor, as if it were fixed. What its spin adds is the
+// momentum J N qd about the rotor's axis, which moves with the carrier.
+#pragma once
+
+#include "robcogen/reference/kinematics.h"
+
+namespace robcogen::reference {
+
+// Zero without rotor.
+template <class Scalar>
+Vector<Scalar> rotor_axis(const JointDrive& drive, const Matrix<Scalar>& carrier_pose) {
+  const auto [x, y, z] = drive.rotor_axis;
+  return rotation_of(carrier_pose) * Vector<Scalar>{Scalar(x), Scalar(y), Scalar(z)};
+}
+
+template <class Scalar>
+Scalar inertia_of(const JointDrive& drive) {
+  const Scalar ratio(drive.rotor_ratio);
+  return Scalar(drive.armature) + Scalar(drive.rotor_inertia) * ratio * ratio;
+}
+
+// Momentum of the rotor in its carrier at unit rate of the joint.
+template <class Scalar>
+Scalar momentum_of_rotor(const JointDrive& drive) {
+  return Scalar(drive.rotor_inertia) * Scalar(drive.rotor_ratio);
+}
+
+// What drives add to the (6 + n) x (6 + n) matrix.
+template <class Scalar>
+void add_drives(const Robot& robot, const std::vector<Matrix<Scalar>>& poses, Matrix<Scalar>& H) {
+  for (int j = 0; j < robot.joints.size; ++j) {
+    const JointDrive& drive = robot.joints[j].drive;
+    H(6 + j, 6 + j) += inertia_of<Scalar>(drive);
+    if (drive.rotor_carrier < 0) continue;
+    const Matrix<Scalar>& carrier = poses[static_cast<std::size_t>(drive.rotor_carrier)];
+    const Matrix<Scalar> turning =
+        body_jacobian(robot, poses, drive.rotor_carrier, Vector<Scalar>(3)).block(0, 0, 3, 6 + robot.joints.size);
+    const Vector<Scalar> spin = momentum_of_rotor<Scalar>(drive) * rotor_axis(drive, carrier);
+    const Vector<Scalar> coupling = transpose(turning) * spin;
+    for (int k = 0; k < coupling.rows(); ++k) {
+      H(6 + j, k) += coupling(k);
+      H(k, 6 + j) += coupling(k);
+    }
+  }
+}
+
+// What the inertia of drives adds to (base wrench, tau).
+template <class Scalar>
+Vector<Scalar> forces_on_drives(
+    const Robot& robot,
+    const Motion<Scalar>& motion,
+    const std::vector<LinkMotion<Scalar>>& links,
+    const std::vector<Matrix<Scalar>>& poses) {
+  Vector<Scalar> forces(6 + robot.joints.size);
+  for (int j = 0; j < robot.joints.size; ++j) {
+    const JointDrive& drive = robot.joints[j].drive;
+    forces(6 + j) += inertia_of<Scalar>(drive) * motion.qdd(j);
+    if (drive.rotor_carrier < 0) continue;
+    const LinkMotion<Scalar>& carrier = links[static_cast<std::size_t>(drive.rotor_carrier)];
+    const Vector<Scalar> spin = momentum_of_rotor<Scalar>(drive) * rotor_axis(drive, carrier.pose);
+    forces(6 + j) += dot(spin, carrier.angular_acceleration());
+    const Vector<Scalar> moment = motion.qdd(j) * spin + motion.qd(j) * cross(carrier.angular_velocity(), spin);
+    const Matrix<Scalar> J = body_jacobian(robot, poses, drive.rotor_carrier, Vector<Scalar>(3));
+    forces += transpose(J) * stacked(moment, Vector<Scalar>(3));
+  }
+  return forces;
+}
+
+// The part of the kinetic energy (J) that the lumped mass properties of the carriers do not have.
+template <class Scalar>
+Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& qd, const std::vector<LinkMotion<Scalar>>& links) {
+  Scalar energy(0);
+  for (int j = 0; j < robot.joints.size; ++j) {
+    const JointDrive& drive = robot.joints[j].drive;
+    energy += inertia_of<Scalar>(drive) * qd(j) * qd(j) / 2;
+    if (drive.rotor_carrier < 0) continue;
+    const LinkMotion<Scalar>& carrier = links[static_cast<std::size_t>(drive.rotor_carrier)];
+    energy +=
+        momentum_of_rotor<Scalar>(drive) * qd(j) * dot(rotor_axis(drive, carrier.pose), carrier.angular_velocity());
+  }
+  return energy;
+}
+
+// Angular momentum (N m s) of the spin of all rotors, base coordinates.
+template <class Scalar>
+Vector<Scalar> momentum_of_rotors(
+    const Robot& robot,
+    const Vector<Scalar>& qd,
+    const std::vector<LinkMotion<Scalar>>& links) {
+  Vector<Scalar> total(3);
+  for (int j = 0; j < robot.joints.size; ++j) {
+    const JointDrive& drive = robot.joints[j].drive;
+    if (drive.rotor_carrier < 0) continue;
+    const Matrix<Scalar>& pose = links[static_cast<std::size_t>(drive.rotor_carrier)].pose;
+    total += momentum_of_rotor<Scalar>(drive) * qd(j) * rotor_axis(drive, pose);
+  }
+  return total;
+}
+
+// Coulomb friction of unit size.
+template <class Scalar>
+Scalar friction_direction(const Scalar& qd, double velocity) {
+  if (velocity == 0) return Scalar(qd > Scalar(0) ? 1 : qd < Scalar(0) ? -1 : 0);
+  return qd / std::sqrt(qd * qd + Scalar(velocity) * Scalar(velocity));
+}
+
+// What the joints have to overcome in their drives: damping, friction, springs.
+template <class Scalar>
+Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) {
+  Vector<Scalar> forces(robot.joints.size);
+  for (int j = 0; j < robot.joints.size; ++j) {
+    const JointDrive& drive = robot.joints[j].drive;
+    forces(j) = Scalar(drive.damping) * motion.qd(j) +
+                Scalar(drive.friction) * friction_direction(motion.qd(j), drive.friction_velocity) +
+                Scalar(drive.stiffness) * (motion.q(j) - Scalar(drive.rest));
+  }
+  return forces;
+}
+
+}  // namespace robcogen::reference

@@ -1,0 +1,80 @@
+#include "import/drive.h"
+
+#include <fmt/format.h>
+
+namespace robcogen::import {
+
+namespace kinematics = language::kinematics;
+using language::ExpressionPtr;
+
+namespace {
+
+class DriveDescriber {
+ public:
+  DriveDescriber(QuantityReader& reader, Diagnostics& diagnostics, model::DescribedJoint& described)
+      : reader_(reader), diagnostics_(diagnostics), described_(described) {}
+
+  void describe(const kinematics::Drive& drive) {
+    model::DrivePlaces& places = described_.drive_places;
+    read(drive.damping, described_.drive.damping, places.damping);
+    read(drive.armature, described_.drive.armature, places.armature);
+  }
+
+  void describe(const kinematics::Limits& limits) {
+    model::DrivePlaces& places = described_.drive_places;
+    if (limits.position) {
+      const auto& [lower, upper] = *limits.position;
+      read_limit(lower, described_.limits.lower, places.position_limits);
+      read_limit(upper, described_.limits.upper, places.position_limits);
+    }
+    read_limit(limits.velocity, described_.limits.velocity, places.velocity_limit);
+    read_limit(limits.effort, described_.limits.effort, places.effort_limit);
+  }
+
+ private:
+  QuantityReader& reader_;
+  Diagnostics& diagnostics_;
+  model::DescribedJoint& described_;
+
+  void read(const ExpressionPtr& expression, model::Quantity& value, Place& place) {
+    if (!expression) return;
+    value = reader_.read(*expression, model::ParameterKind::inertial);
+    place = reader_.place(*expression);
+  }
+
+  void read_limit(const ExpressionPtr& expression, double& limit, Place& place) {
+    if (!expression) return;
+    model::Quantity value;
+    read(expression, value, place);
+    if (value.is_constant()) {
+      limit = value.number().value();
+      return;
+    }
+    diagnostics_
+        .error(
+            "limit-with-parameter", place, fmt::format("a limit of joint '{}' depends on a parameter", described_.name))
+        .hint = "limits are constants: write a number";
+  }
+};
+
+}  // namespace
+
+std::vector<ExpressionPtr> expressions_of_drive(const kinematics::Joint& joint) {
+  std::vector<ExpressionPtr> all = {joint.drive.damping, joint.drive.armature};
+  if (joint.limits.position) all.insert(all.end(), joint.limits.position->begin(), joint.limits.position->end());
+  all.insert(all.end(), {joint.limits.velocity, joint.limits.effort});
+  std::erase(all, nullptr);
+  return all;
+}
+
+void describe_drive(
+    const kinematics::Joint& joint,
+    QuantityReader& reader,
+    Diagnostics& diagnostics,
+    model::DescribedJoint& described) {
+  DriveDescriber describer(reader, diagnostics, described);
+  describer.describe(joint.drive);
+  describer.describe(joint.limits);
+}
+
+}  // namespace robcogen::import
