@@ -1,5 +1,5 @@
 // Every message of the parsers, as a user sees it: bad/<name>.kindsl, .dtdsl, .motdsl or .ctdsl must yield exactly
-// bad/<name>.expected (nothing for a document that is fine).
+// bad/<name>.expected (nothing for a document that is fine). not-original.kindsl is read as `print --original` does.
 //
 // With ROBCOGEN_ACCEPT_MESSAGES in the environment, the present messages are written to those files instead, for
 // review.
@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "language/kinematics/original.h"
 #include "reading.h"
 
 namespace robcogen {
@@ -36,7 +37,8 @@ std::string messages_of(const path& document) {
   } else if (document.extension() == ".ctdsl") {
     language::transforms::parse(test::source_of_file(document), diagnostics);
   } else {
-    language::kinematics::parse(test::source_of_file(document), diagnostics);
+    const auto robot = language::kinematics::parse(test::source_of_file(document), diagnostics);
+    if (document.stem() == "not-original") language::kinematics::is_original(robot, diagnostics);
   }
   return diagnostics.render();
 }
