@@ -173,17 +173,20 @@ rc::Gen<kinematics::Placement> placement() {
       rc::gen::set(&Placement::translation, vector()), rc::gen::set(&Placement::rotation, vector()));
 }
 
+template <class T>
+rc::Gen<std::optional<T>> maybe(const rc::Gen<T>& what) {
+  return rc::gen::map(
+      rc::gen::maybe(what), [](const rc::Maybe<T>& m) { return m ? std::optional<T>(*m) : std::nullopt; });
+}
+
 rc::Gen<kinematics::Inertia> inertia() {
   using kinematics::Inertia;
-  const auto reference = rc::gen::map(rc::gen::maybe(robot_name()), [](const rc::Maybe<kinematics::Name>& maybe) {
-    return maybe ? std::optional(*maybe) : std::nullopt;
-  });
   return rc::gen::build<Inertia>(
       rc::gen::set(&Inertia::mass, expression(3)), rc::gen::set(&Inertia::com, vector()),
       rc::gen::set(&Inertia::ix, expression(2)), rc::gen::set(&Inertia::iy, expression(2)),
       rc::gen::set(&Inertia::iz, expression(2)), rc::gen::set(&Inertia::ixy, expression(1)),
       rc::gen::set(&Inertia::ixz, expression(1)), rc::gen::set(&Inertia::iyz, expression(1)),
-      rc::gen::set(&Inertia::reference, reference));
+      rc::gen::set(&Inertia::reference, maybe(robot_name())));
 }
 
 rc::Gen<std::optional<int>> id() {
@@ -196,14 +199,11 @@ rc::Gen<kinematics::Link> link(bool is_base) {
       rc::gen::build<Child>(rc::gen::set(&Child::link, robot_name()), rc::gen::set(&Child::joint, robot_name())));
   const auto frames = rc::gen::container<std::vector<Frame>>(
       rc::gen::build<Frame>(rc::gen::set(&Frame::name, robot_name()), rc::gen::set(&Frame::placement, placement())));
-  const auto maybe_inertia = rc::gen::map(rc::gen::maybe(inertia()), [](const rc::Maybe<Inertia>& maybe) {
-    return maybe ? std::optional(*maybe) : std::nullopt;
-  });
   return rc::gen::build<Link>(
       rc::gen::set(&Link::name, robot_name()), rc::gen::set(&Link::is_base, rc::gen::just(is_base)),
       rc::gen::set(&Link::floating, is_base ? rc::gen::arbitrary<bool>() : rc::gen::just(false)),
       rc::gen::set(&Link::id, is_base ? rc::gen::just(std::optional<int>()) : id()),
-      rc::gen::set(&Link::inertia, maybe_inertia), rc::gen::set(&Link::children, rc::gen::resize(4, children)),
+      rc::gen::set(&Link::inertia, maybe(inertia())), rc::gen::set(&Link::children, rc::gen::resize(4, children)),
       rc::gen::set(&Link::frames, rc::gen::resize(3, frames)), rc::gen::set(&Link::comments, comments()));
 }
 
@@ -214,16 +214,28 @@ rc::Gen<ExpressionPtr> maybe_expression() {
 
 rc::Gen<kinematics::Drive> drive() {
   using kinematics::Drive;
-  return rc::gen::build<Drive>(
-      rc::gen::set(&Drive::damping, maybe_expression()), rc::gen::set(&Drive::armature, maybe_expression()));
+  const auto any = rc::gen::build<Drive>(
+      rc::gen::set(&Drive::damping, maybe_expression()), rc::gen::set(&Drive::friction, maybe_expression()),
+      rc::gen::set(&Drive::friction_velocity, maybe_expression()), rc::gen::set(&Drive::armature, maybe_expression()),
+      rc::gen::set(&Drive::stiffness, maybe_expression()), rc::gen::set(&Drive::rest, maybe_expression()));
+  return rc::gen::map(any, [](Drive d) {
+    if (!d.friction) d.friction_velocity = nullptr;
+    if (!d.stiffness) d.rest = nullptr;
+    return d;
+  });
+}
+
+rc::Gen<kinematics::Rotor> rotor() {
+  using kinematics::Rotor;
+  return rc::gen::build<Rotor>(
+      rc::gen::set(&Rotor::inertia, expression(1)), rc::gen::set(&Rotor::ratio, expression(1)),
+      rc::gen::set(&Rotor::axis, maybe(vector())), rc::gen::set(&Rotor::carrier, maybe(robot_name())));
 }
 
 rc::Gen<kinematics::Limits> limits() {
   using kinematics::Limits;
   using Bounds = std::array<ExpressionPtr, 2>;
-  const auto bounds = rc::gen::map(
-      rc::gen::maybe(rc::gen::container<Bounds>(expression(2))),
-      [](const rc::Maybe<Bounds>& maybe) { return maybe ? std::optional(*maybe) : std::nullopt; });
+  const auto bounds = maybe(rc::gen::container<Bounds>(expression(2)));
   return rc::gen::build<Limits>(
       rc::gen::set(&Limits::position, bounds), rc::gen::set(&Limits::velocity, maybe_expression()),
       rc::gen::set(&Limits::effort, maybe_expression()));
@@ -236,7 +248,8 @@ rc::Gen<kinematics::Joint> joint() {
       rc::gen::set(&Joint::type, rc::gen::element(Joint::Type::revolute, Joint::Type::prismatic)),
       rc::gen::set(&Joint::id, rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()))),
       rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::drive, drive()),
-      rc::gen::set(&Joint::limits, limits()), rc::gen::set(&Joint::comments, comments()));
+      rc::gen::set(&Joint::rotor, maybe(rotor())), rc::gen::set(&Joint::limits, limits()),
+      rc::gen::set(&Joint::comments, comments()));
 }
 
 rc::Gen<kinematics::Document> robot() {
@@ -291,12 +304,6 @@ rc::Gen<std::vector<AxisStep>> steps(const std::vector<std::string>& keywords) {
       6, rc::gen::container<std::vector<AxisStep>>(rc::gen::build<AxisStep>(
              rc::gen::set(&AxisStep::rotation), rc::gen::set(&AxisStep::axis, rc::gen::inRange(0, 3)),
              rc::gen::set(&AxisStep::amount, amount))));
-}
-
-template <class T>
-rc::Gen<std::optional<T>> maybe(const rc::Gen<T>& what) {
-  return rc::gen::map(
-      rc::gen::maybe(what), [](const rc::Maybe<T>& m) { return m ? std::optional<T>(*m) : std::nullopt; });
 }
 
 rc::Gen<FramesHeader> header(const std::vector<std::string>& keywords) {
@@ -394,7 +401,7 @@ TEST(RandomDocuments, HaveEveryPartOfTheLanguage) {
     }
     for (const kinematics::Joint& j : d.joints) {
       count(j.placement.rotation[1]);
-      drives += j.drive.damping && j.limits.position ? 1 : 0;
+      drives += j.drive.damping && j.rotor && j.limits.position ? 1 : 0;
     }
   }
   EXPECT_EQ(kinds.size(), 13u);

@@ -165,6 +165,10 @@ Vector<double> InterpretedRobot::coriolis_forces(const State& m) const {
   return base_and_joints(floating_, run("coriolis_forces", {}, inputs_of(m)), "base_wrench", "tau");
 }
 
+Vector<double> InterpretedRobot::passive_forces(const State& m) const {
+  return vector(run("passive_forces", {}, inputs_of(m)).at("tau"));
+}
+
 Matrix<double> InterpretedRobot::joint_space_inertia(const Vector<double>& q) const {
   return matrix(run("joint_space_inertia", {}, {{"q", q.values()}}).at("H"), floating_ ? 6 + dof_ : dof_);
 }
@@ -231,6 +235,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     const reference::Case c(tables, sample, i);
     check_inverse_dynamics(robot, c, checks);
     check_bias_forces(robot, c, checks);
+    check_passive_forces(robot, c, checks);
     check_gravity_gradient(robot, c, checks);
     check_forward_dynamics(robot, c, checks);
     check_round_trips(robot, c, checks);

@@ -49,6 +49,7 @@ class InterpretedRobot {
   Vector<double> bias_forces(const State& m, const reference::Arguments& arguments) const;
   Vector<double> gravity_forces(const Vector<double>& q, const reference::Arguments& arguments) const;
   Vector<double> coriolis_forces(const State& m) const;
+  Vector<double> passive_forces(const State& m) const;
   reference::Matrix<double> joint_space_inertia(const Vector<double>& q) const;
   reference::FactorResults inertia_factor(const reference::Vector<double>& q, const reference::Vector<double>& x) const;
   reference::Matrix<double> coriolis_matrix(const State& m) const;

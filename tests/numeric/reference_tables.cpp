@@ -1,6 +1,7 @@
 #include "reference_tables.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robcogen/reference/algebra.h"
 
@@ -61,11 +62,37 @@ reference::Tables::Body body(const model::Inertia& inertia, std::span<const doub
   return result;
 }
 
-JointDrive drive(const model::Drive& drive, std::span<const double> parameters) {
+// Of unit length, in axes of the carrier.
+Triple axis_of(const model::Rotor& rotor, const model::Joint& joint, std::span<const double> parameters) {
+  if (!rotor.axis) {
+    const Triple angles = values(joint.placement.rotation, parameters);
+    const double rotation[] = {angles[0], angles[1], angles[2]}, nowhere[] = {0, 0, 0};
+    const Matrix<double> R = reference::rotation_of(reference::placement<double>(nowhere, rotation));
+    return {R(0, 2), R(1, 2), R(2, 2)};
+  }
+  Triple axis = values(*rotor.axis, parameters);
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  for (double& component : axis) component /= length;
+  return axis;
+}
+
+JointDrive drive_of(const model::Joint& joint, std::span<const double> parameters) {
+  const model::Drive& drive = joint.drive;
   const auto value = [&](const model::Quantity& q) { return model::evaluate(q, parameters); };
   JointDrive result;
   result.damping = value(drive.damping);
+  result.friction = value(drive.friction);
+  result.friction_velocity = value(drive.friction_velocity);
+  result.stiffness = value(drive.stiffness);
+  result.rest = value(drive.rest);
   result.armature = value(drive.armature);
+  if (drive.rotor) {
+    result.rotor_inertia = value(drive.rotor->inertia);
+    result.rotor_ratio = value(drive.rotor->ratio);
+    const Triple axis = axis_of(*drive.rotor, joint, parameters);
+    std::copy(axis.begin(), axis.end(), result.rotor_axis);
+    result.rotor_carrier = drive.rotor->carrier;
+  }
   return result;
 }
 
@@ -80,7 +107,7 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
         joint.name, joint.type == model::JointType::revolute, joint.parent, joint.child,
         values(joint.placement.translation, parameters), values(joint.placement.rotation, parameters));
   for (std::size_t j = 0; j < robot.joints.size(); ++j)
-    tables.set_drive(static_cast<int>(j), drive(robot.joints[j].drive, parameters));
+    tables.set_drive(static_cast<int>(j), drive_of(robot.joints[j], parameters));
   for (const model::Frame& frame : robot.frames()) {
     const auto index = static_cast<std::size_t>(frame.index);
     model::Placement placement;

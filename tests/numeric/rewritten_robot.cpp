@@ -127,6 +127,7 @@ KinematicTree reordered(
     Joint& joint = result.joints[k] = robot.joints[at(joint_order[k])];
     joint.parent = link_place[at(joint.parent)];
     joint.child = link_place[at(joint.child)];
+    if (joint.drive.rotor) joint.drive.rotor->carrier = link_place[at(joint.drive.rotor->carrier)];
   }
   for (UserFrame& frame : result.user_frames) frame.link = link_place[at(frame.link)];
   return result;

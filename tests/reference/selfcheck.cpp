@@ -34,6 +34,7 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     if constexpr (kHasInverseDynamics) check_inverse_dynamics(subject, c, checks);
     if constexpr (kHasBiasForces) check_bias_forces(subject, c, checks);
     if constexpr (kHasBiasForces) check_gravity_gradient(subject, c, checks);
+    if constexpr (kHasPassiveForces) check_passive_forces(subject, c, checks);
     if constexpr (kHasForwardDynamics) check_forward_dynamics(subject, c, checks);
     if constexpr (kHasForwardDynamics && kHasInverseDynamics) check_round_trips(subject, c, checks);
     if constexpr (kHasInertia) check_inertia_matrix(subject, c, checks);

@@ -44,14 +44,25 @@ class Constants {
         values(joint.placement.translation),
         values(joint.placement.rotation),
         {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
-        of(joint.drive)};
+        drive_of(joint)};
   }
 
-  std::optional<backend::DriveData> of(const model::Drive& drive) const {
+  std::optional<backend::DriveData> drive_of(const model::Joint& joint) const {
+    const model::Drive& drive = joint.drive;
     if (drive.is_absent()) return std::nullopt;
     backend::DriveData data;
     data.damping = value(drive.damping);
+    data.friction = value(drive.friction);
+    data.friction_velocity = value(drive.friction_velocity);
     data.armature = value(drive.armature);
+    data.stiffness = value(drive.stiffness);
+    data.rest = value(drive.rest);
+    if (drive.rotor) {
+      data.rotor_inertia = value(drive.rotor->inertia);
+      data.rotor_ratio = value(drive.rotor->ratio);
+      data.rotor_axis = values(model::rotor_axis(joint));
+      data.rotor_carrier = drive.rotor->carrier;
+    }
     return data;
   }
 

@@ -111,14 +111,34 @@ class Writer {
     joint.type = from.type == model::JointType::revolute ? kinematics::Joint::Type::revolute
                                                          : kinematics::Joint::Type::prismatic;
     joint.placement = write(from.placement);
-    joint.drive.damping = given(from.drive.damping);
-    joint.drive.armature = given(from.drive.armature);
+    joint.drive = write(from.drive);
+    if (from.drive.rotor) joint.rotor = write(*from.drive.rotor, from.parent);
     joint.limits = write(from.limits);
     return joint;
   }
 
   // Zeros are what a document does not write.
   ExpressionPtr given(const Quantity& quantity) const { return quantity.is_zero() ? nullptr : write(quantity); }
+
+  kinematics::Drive write(const model::Drive& drive) const {
+    kinematics::Drive written;
+    written.damping = given(drive.damping);
+    written.friction = given(drive.friction);
+    if (written.friction) written.friction_velocity = given(drive.friction_velocity);
+    written.armature = given(drive.armature);
+    written.stiffness = given(drive.stiffness);
+    if (written.stiffness) written.rest = given(drive.rest);
+    return written;
+  }
+
+  kinematics::Rotor write(const model::Rotor& rotor, int parent) const {
+    kinematics::Rotor written;
+    written.inertia = write(rotor.inertia);
+    written.ratio = write(rotor.ratio);
+    if (rotor.axis) written.axis = write(*rotor.axis);
+    if (rotor.carrier != parent) written.carrier = kinematics::Name{tree_.links[at(rotor.carrier)].name, {}};
+    return written;
+  }
 
   kinematics::Limits write(const model::JointLimits& limits) const {
     // A document gives both bounds of the position: one that is missing is as wide as in a URDF.

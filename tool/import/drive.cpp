@@ -16,8 +16,28 @@ class DriveDescriber {
 
   void describe(const kinematics::Drive& drive) {
     model::DrivePlaces& places = described_.drive_places;
-    read(drive.damping, described_.drive.damping, places.damping);
-    read(drive.armature, described_.drive.armature, places.armature);
+    model::Drive& values = described_.drive;
+    read(drive.damping, values.damping, places.damping);
+    read(drive.friction, values.friction, places.friction);
+    read(drive.friction_velocity, values.friction_velocity, places.friction_velocity);
+    read(drive.armature, values.armature, places.armature);
+    read(drive.stiffness, values.stiffness, places.stiffness);
+    read(drive.rest, values.rest, places.rest);
+  }
+
+  void describe(const kinematics::Rotor& rotor) {
+    model::DrivePlaces& places = described_.drive_places;
+    model::Rotor& values = described_.drive.rotor.emplace();
+    places.rotor = reader_.place(rotor.span);
+    read(rotor.inertia, values.inertia, places.rotor_inertia);
+    read(rotor.ratio, values.ratio, places.rotor_ratio);
+    if (rotor.axis) {
+      values.axis.emplace();
+      for (std::size_t i = 0; i < 3; ++i) read((*rotor.axis)[i], (*values.axis)[i], places.rotor_axis);
+    }
+    if (!rotor.carrier) return;
+    described_.rotor_carrier = rotor.carrier->text;
+    places.rotor_carrier = reader_.place(rotor.carrier->span);
   }
 
   void describe(const kinematics::Limits& limits) {
@@ -60,7 +80,12 @@ class DriveDescriber {
 }  // namespace
 
 std::vector<ExpressionPtr> expressions_of_drive(const kinematics::Joint& joint) {
-  std::vector<ExpressionPtr> all = {joint.drive.damping, joint.drive.armature};
+  const kinematics::Drive& d = joint.drive;
+  std::vector<ExpressionPtr> all = {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest};
+  if (joint.rotor) {
+    all.insert(all.end(), {joint.rotor->inertia, joint.rotor->ratio});
+    if (joint.rotor->axis) all.insert(all.end(), joint.rotor->axis->begin(), joint.rotor->axis->end());
+  }
   if (joint.limits.position) all.insert(all.end(), joint.limits.position->begin(), joint.limits.position->end());
   all.insert(all.end(), {joint.limits.velocity, joint.limits.effort});
   std::erase(all, nullptr);
@@ -74,6 +99,7 @@ void describe_drive(
     model::DescribedJoint& described) {
   DriveDescriber describer(reader, diagnostics, described);
   describer.describe(joint.drive);
+  if (joint.rotor) describer.describe(*joint.rotor);
   describer.describe(joint.limits);
 }
 

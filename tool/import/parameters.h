@@ -42,7 +42,8 @@ class QuantityReader {
   // Warns of names that may be parameters by accident. To be called after all expressions were read.
   void report_accidents() const { uses_.report(diagnostics_); }
 
-  Place place(const language::Expression& expression) const { return {source_, expression.span}; }
+  Place place(const Span& span) const { return {source_, span}; }
+  Place place(const language::Expression& expression) const { return place(expression.span); }
 
   // First those of groups, as declared; then the others in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }

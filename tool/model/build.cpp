@@ -279,6 +279,51 @@ void check_connected(Assembly& a) {
   }
 }
 
+// Whether the link is the joint's parent, or between that and the base.
+bool is_below(const Assembly& a, int link, int parent) {
+  for (int l = parent; l != link; l = a.parents[at(l)]->parent)
+    if (!a.parents[at(l)]) return false;
+  return true;
+}
+
+// Finds the link that carries the joint's rotor.
+void resolve_carrier(Assembly& a, std::size_t index) {
+  const DescribedJoint& joint = a.description.joints[index];
+  std::optional<Rotor>& rotor = a.tree.joints[index].drive.rotor;
+  if (!rotor) return;
+  const int parent = a.tree.joints[index].parent;
+  rotor->carrier = parent;
+  if (!joint.rotor_carrier) return;
+  const std::string& name = *joint.rotor_carrier;
+  const Place& place = joint.drive_places.rotor_carrier;
+  const auto link = a.links.find(name);
+  if (!link) {
+    Diagnostic& error = a.diagnostics.error(
+        "unknown-carrier", place,
+        fmt::format("the rotor of joint '{}' is on link '{}', which is not declared", joint.name, name));
+    if (const auto similar = a.links.nearest_to(name))
+      error.hint = fmt::format("did you mean '{}'?", a.links.name_of(*similar));
+    return;
+  }
+  rotor->carrier = *link;
+  const std::string& parent_name = a.tree.links[at(parent)].name;
+  if (!is_below(a, *link, parent)) {
+    a.diagnostics
+        .error(
+            "carrier-elsewhere", place,
+            fmt::format("the rotor of joint '{}' is on link '{}', which does not carry that joint", joint.name, name))
+        .hint =
+        fmt::format("the carrier is '{}', or a link between that and the base '{}'", parent_name, a.tree.links[0].name);
+  } else if (*link != parent && !rotor->axis) {
+    a.diagnostics
+        .error(
+            "rotor-without-axis", joint.drive_places.rotor,
+            fmt::format(
+                "the rotor of joint '{}' needs an axis: that of the joint is not fixed in link '{}'", joint.name, name))
+        .hint = fmt::format("write axis = (x, y, z) in coordinates of '{}'", name);
+  }
+}
+
 }  // namespace
 
 std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics) {
@@ -296,6 +341,9 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   }
   report_unused_joints(a);
   check_connected(a);
+  if (diagnostics.error_count() == errors_before) {
+    for (std::size_t j = 0; j < a.tree.joints.size(); ++j) resolve_carrier(a, j);
+  }
   check_link_ids(description, diagnostics);
   check_mass_properties(description, diagnostics);
   check_drives(description, diagnostics);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/plausibility.h"
 
 namespace robcogen::model {
@@ -15,6 +17,20 @@ void check_not_negative(
   diagnostics.error(
       "negative-drive", place,
       fmt::format("the {} of joint '{}' is negative: {}", what, joint.name, print_double(value.number().value())));
+}
+
+void check_rotor(const DescribedJoint& joint, const Rotor& rotor, Diagnostics& diagnostics) {
+  const DrivePlaces& places = joint.drive_places;
+  check_not_negative(joint, "inertia of the rotor", rotor.inertia, places.rotor_inertia, diagnostics);
+  if (rotor.ratio.is_zero())
+    diagnostics.error(
+        "rotor-ratio-zero", places.rotor_ratio,
+        fmt::format("the ratio of the rotor of joint '{}' is zero: the joint would not turn it", joint.name));
+  const auto is_zero = [](const Quantity& q) { return q.is_zero(); };
+  if (rotor.axis && std::all_of(rotor.axis->begin(), rotor.axis->end(), is_zero))
+    diagnostics.error(
+        "rotor-axis-zero", places.rotor_axis,
+        fmt::format("the axis of the rotor of joint '{}' has no direction: all its components are zero", joint.name));
 }
 
 // Those of a document that has a place for them.
@@ -37,8 +53,15 @@ void check_limits(const DescribedJoint& joint, Diagnostics& diagnostics) {
 
 void check_drives(const Description& description, Diagnostics& diagnostics) {
   for (const DescribedJoint& joint : description.joints) {
-    check_not_negative(joint, "damping", joint.drive.damping, joint.drive_places.damping, diagnostics);
-    check_not_negative(joint, "armature", joint.drive.armature, joint.drive_places.armature, diagnostics);
+    const Drive& drive = joint.drive;
+    const DrivePlaces& places = joint.drive_places;
+    check_not_negative(joint, "damping", drive.damping, places.damping, diagnostics);
+    check_not_negative(joint, "friction", drive.friction, places.friction, diagnostics);
+    check_not_negative(
+        joint, "velocity of the friction", drive.friction_velocity, places.friction_velocity, diagnostics);
+    check_not_negative(joint, "armature", drive.armature, places.armature, diagnostics);
+    check_not_negative(joint, "stiffness of the spring", drive.stiffness, places.stiffness, diagnostics);
+    if (drive.rotor) check_rotor(joint, *drive.rotor, diagnostics);
     check_limits(joint, diagnostics);
   }
 }

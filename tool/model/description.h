@@ -39,7 +39,16 @@ struct DescribedLink {
 // Where a document gives the values of a drive and the limits.
 struct DrivePlaces {
   Place damping;
+  Place friction;
+  Place friction_velocity;
   Place armature;
+  Place stiffness;
+  Place rest;
+  Place rotor;
+  Place rotor_inertia;
+  Place rotor_ratio;
+  Place rotor_axis;
+  Place rotor_carrier;
   Place position_limits;
   Place velocity_limit;
   Place effort_limit;
@@ -53,6 +62,7 @@ struct DescribedJoint {
   JointLimits limits = {};
   Drive drive = {};
   DrivePlaces drive_places = {};
+  std::optional<std::string> rotor_carrier = {};  // the joint's parent where none is named
 };
 
 struct Description {

@@ -1,25 +1,46 @@
 // What the drive of a joint adds to the equations of motion, and the limits of the joint.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "model/quantity.h"
 
 namespace robcogen::model {
 
+// The rotor of a motor: it turns with `ratio` times the velocity of the joint in its carrier, a link between the base
+// and the joint. The mass properties of the carrier include it, as if it were fixed.
+struct Rotor {
+  Quantity inertia;                                  // kg m^2, about its axis
+  Quantity ratio;                                    // rad/rad, rad/m
+  std::optional<std::array<Quantity, 3>> axis = {};  // of any length, in axes of the carrier; absent: the joint's
+  int carrier = -1;                                  // link index
+};
+
 // In SI units for the joint's type: per rad for revolute joints, per m for prismatic ones. All are zero where a
 // document does not say otherwise.
 struct Drive {
-  Quantity damping;   // N m s, N s/m: force per velocity
-  Quantity armature;  // kg m^2, kg: inertia that this joint alone accelerates
+  Quantity damping;            // N m s, N s/m: force per velocity
+  Quantity friction;           // N m, N: Coulomb friction
+  Quantity friction_velocity;  // rad/s, m/s: below it friction falls to zero
+  Quantity armature;           // kg m^2, kg: inertia that this joint alone accelerates
+  Quantity stiffness;          // N m, N/m: force of a spring
+  Quantity rest;               // rad, m: position in which it has none
+  std::optional<Rotor> rotor = {};
 
   // Whether forces depend on the joint's own position or velocity.
-  bool is_passive() const { return !damping.is_zero(); }
-  bool has_inertia() const { return !armature.is_zero(); }
+  bool is_passive() const { return !damping.is_zero() || !friction.is_zero() || !stiffness.is_zero(); }
+  bool has_inertia() const { return !armature.is_zero() || rotor.has_value(); }
   bool is_absent() const { return !is_passive() && !has_inertia(); }
   // Which of the values are not zero: congruent limbs have the same ones.
-  std::vector<bool> present() const { return {!damping.is_zero(), !armature.is_zero()}; }
+  std::vector<bool> present() const {
+    std::vector<bool> flags = {rotor.has_value(), rotor && rotor->axis};
+    for (const Quantity* q : {&damping, &friction, &friction_velocity, &armature, &stiffness, &rest})
+      flags.push_back(!q->is_zero());
+    return flags;
+  }
 };
 
 // Limits of position (rad or m), velocity (per second) and effort (N m or N). No function computes with them.

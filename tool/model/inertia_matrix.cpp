@@ -121,6 +121,14 @@ double eliminate(Matrix6& a, std::size_t direction, double own = 0.0) {
   return pivot;
 }
 
+// That the joint alone meets. How a rotor couples with its carrier does not matter here: the carrier's own inertia
+// about the rotor's axis, which includes the rotor, outweighs that.
+double drive_inertia(const Drive& drive, const std::vector<double>& parameters) {
+  const double armature = evaluate(drive.armature, parameters);
+  return drive.rotor ? armature + evaluate(drive.rotor->inertia * drive.rotor->ratio * drive.rotor->ratio, parameters)
+                     : armature;
+}
+
 struct Pivots {
   std::vector<double> joints;
   std::vector<double> base;  // of a floating base; empty for a fixed one
@@ -144,7 +152,7 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
     Matrix6& inertia = articulated[at(joint.child)];
     add_in_proportion(inertia, addition);
     Matrix6 projected = inertia;
-    const double own = evaluate(joint.drive.armature, parameters);
+    const double own = drive_inertia(joint.drive, parameters);
     pivots.joints[at(*it)] = eliminate(projected, joint.type == JointType::revolute ? 2 : 5, own);
     add_transformed(
         articulated[at(joint.parent)], motion_transform(joint, q[at(*it)], parameters),

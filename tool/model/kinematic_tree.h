@@ -66,6 +66,9 @@ struct Joint {
   Drive drive = {};
 };
 
+// Of the joint's rotor: of unit length, in axes of its carrier.
+std::array<Quantity, 3> rotor_axis(const Joint& joint);
+
 struct UserFrame {
   std::string name;
   int link = -1;

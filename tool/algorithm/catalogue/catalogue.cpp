@@ -30,6 +30,7 @@ struct Group {
 constexpr std::array kGroups = {
     Group{"inverse_dynamics", true, Needs::inertia, inverse_dynamics_functions, nullptr},
     Group{"bias_forces", true, Needs::inertia, bias_forces_functions, nullptr},
+    Group{"passive_forces", false, Needs::nothing, passive_forces_functions, nullptr},
     Group{"forward_dynamics", true, Needs::inertia_inverse, forward_dynamics_functions, nullptr},
     Group{"joint_space_inertia", true, Needs::inertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, Needs::inertia_inverse, joint_space_inertia_factor_functions, nullptr},

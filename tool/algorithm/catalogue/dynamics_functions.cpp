@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 
 #include "algorithm/catalogue/groups.h"
@@ -108,6 +109,34 @@ std::vector<RobotFunction> bias_forces_functions(const KinematicTree& tree, Form
   for (const char* name : {"bias_forces", "coriolis_forces"})
     add_method(list, name, description(tree, formulation.frames));
   add_method(list, "gravity_forces", description(tree, gravity.frames));
+  return list;
+}
+
+std::vector<RobotFunction> passive_forces_functions(const KinematicTree& tree, FormulationChoices&) {
+  std::vector<RobotFunction> list = {
+      {"passive_forces",
+       "",
+       "passive_forces",
+       {"Joint forces that damping, friction and springs of the drives take: tau = b qd + f s(qd) + k (q - q0), with "
+        "s(qd) = qd / sqrt(qd^2 + v^2), the sign of qd where v is zero. Inverse dynamics and bias forces include "
+        "them."},
+       {},
+       {},
+       passive_forces(tree, "passive_forces")}};
+  const bool has_rotors = std::any_of(
+      tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return joint.drive.rotor.has_value(); });
+  if (has_rotors)
+    list.push_back(
+        {"passive_forces",
+         "",
+         "motor_torques",
+         {"Torques (N m) at the shafts of the motors for joint forces tau: tau by the ratio of the rotor, without loss "
+          "in "
+          "the gear; tau itself where a joint has no rotor. With tau of inverse dynamics they contain all that a motor "
+          "has to give: for its rotor, for passive forces, and for the robot."},
+         {},
+         {},
+         motor_torques(tree, "motor_torques")});
   return list;
 }
 

@@ -11,6 +11,7 @@ namespace robcogen::algorithm {
 
 std::vector<RobotFunction> inverse_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> bias_forces_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> passive_forces_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> forward_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> joint_space_inertia_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> joint_space_inertia_factor_functions(

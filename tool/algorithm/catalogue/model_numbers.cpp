@@ -40,10 +40,14 @@ void add_placement(Column column, const model::Placement& placement) {
   column.add(placement.rotation);
 }
 
-void add_drive(Column column, const model::Drive& drive) {
-  column.add(drive.damping);
-  column.add(std::array<Quantity, 3>{Quantity(), Quantity(), drive.armature});
-  for (int i = 4; i < kNumbersOfDrive; ++i) column.add(Quantity());
+void add_drive(Column column, const model::Joint& joint) {
+  const model::Drive& drive = joint.drive;
+  for (const Quantity* q :
+       {&drive.damping, &drive.friction, &drive.friction_velocity, &drive.armature, &drive.stiffness, &drive.rest})
+    column.add(*q);
+  column.add(drive.rotor ? drive.rotor->inertia : Quantity());
+  column.add(drive.rotor ? drive.rotor->ratio : Quantity());
+  column.add(drive.rotor ? model::rotor_axis(joint) : std::array<Quantity, 3>());
 }
 
 const model::Placement& placement_of(const model::KinematicTree& tree, const model::Frame& frame) {
@@ -67,7 +71,7 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
   for (const model::Joint& joint : tree.joints) {
     trace.section(joint.name, "joint " + joint.name);
     add_placement({trace, joints}, joint.placement);
-    if (has_drives) add_drive({trace, joints}, joint.drive);
+    if (has_drives) add_drive({trace, joints}, joint);
   }
   for (const model::Frame& frame : tree.frames()) {
     trace.section(frame.name, "frame " + frame.name);

@@ -14,6 +14,7 @@ struct JointState {
   Force U;               // articulated inertia times the joint's motion subspace S
   Expression inverse_D;  // 1 / (S' U + inertia of the drive)
   Expression u;          // tau minus the force that the bias motion needs
+  Vector3 rotor;         // momentum of the rotor at unit rate, in axes of the parent, which carries it
 };
 
 // As to_child, but with a cross product of the opposite sign: which of two equal sums is made first decides how later
@@ -44,6 +45,8 @@ class ArticulatedBodies {
     robot_.trace.section(name, "link " + name + ": articulated inertia and bias wrench");
     Force own = link_wrench(robot_.trace, robot_.mass(link), motion);
     robot_.subtract_external(load_, link, own);
+    for (const TracedRotor& rotor : rotors_on(robot_, link))
+      own.moment += cross(motion.angular.w, in_.qd[at(rotor.joint)] * rotor.momentum);
     describe(own, name + "_own");
     bias = {children_bias.moment + own.moment, children_bias.linear + own.linear};
     inertia = children_inertia + rigid_body_inertia(robot_.mass(link));
@@ -64,7 +67,8 @@ class ArticulatedBodies {
       describe(a.angular, name + "_dw", "_carried");
       describe(a.linear, name + "_da", "_carried");
       if (has_drive_inertia(joint)) {
-        qdd[at(joint.index)] = (state.u - dot(state.U, a)) * state.inverse_D;
+        const Expression felt = dot(state.U, a) + dot(state.rotor, parent.angular);
+        qdd[at(joint.index)] = (state.u - felt) * state.inverse_D;
         add_rate(joint, qdd[at(joint.index)], a);
       } else {
         const Expression carried = take_rate(joint, a);
@@ -87,6 +91,39 @@ class ArticulatedBodies {
   Graph& graph() { return robot_.trace.graph; }
   bool has_drive_inertia(const Joint& joint) const { return robot_.tree().joints[at(joint.index)].drive.has_inertia(); }
 
+  // Zero on a fixed base, which does not turn.
+  Vector3 coupling_of_rotor(const Joint& joint) const {
+    const int parent = robot_.tree().joints[at(joint.index)].parent;
+    if (robot_.is_base(parent) && !robot_.floating()) return {};
+    return rotor_momentum(robot_, joint.index, parent);
+  }
+
+  static bool are_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
+  // What the parent has of the joint, where it carries a rotor: that is felt in its axes.
+  void pass_with_rotor(
+      const Joint& joint,
+      const SpatialInertia& x,
+      const Force& p,
+      SpatialInertia& inertia,
+      Force& bias) {
+    const Pose& X_PC = robot_.pose(joint.index);
+    const JointState& state = joints_[at(joint.index)];
+    const std::string& name = robot_.link_name(joint.child);
+    Force U = to_parent(X_PC, state.U);
+    U.moment += state.rotor;
+    describe(U, name + "_U", "_P");
+    const Force gain = state.inverse_D * U;
+    describe(gain, name + "_U_by_D", "_P");
+    const SpatialInertia seen = reduced(to_parent(X_PC, x), U, gain);
+    describe_inertia(seen, name, "_P");
+    inertia = inertia + seen;
+    Force seen_bias = to_parent(X_PC, p);
+    seen_bias += state.u * gain;
+    describe(seen_bias, name, "_P");
+    bias += seen_bias;
+  }
+
   void collect_child(const Joint& joint, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
     const Pose& X_PC = robot_.pose(joint.index);
     const std::string& name = robot_.link_name(joint.child);
@@ -105,11 +142,13 @@ class ArticulatedBodies {
     JointState& state = joints_[at(joint.index)];
     state.U = times_subspace(x, joint);
     state.inverse_D = graph().one() / (project(joint, state.U) + drive_inertia(robot_.trace, joint.index));
-    state.u = in_.tau[at(joint.index)] - project(joint, p);
+    state.rotor = coupling_of_rotor(joint);
+    state.u = in_.tau[at(joint.index)] - project(joint, p) - dot(state.rotor, motion.angular.wd);
     graph().name(state.inverse_D, name + "_Dinv");
     graph().name(state.u, name + "_u");
     describe(state.U, name + "_U");
     if (!robot_.parent_matters(joint.child)) return;
+    if (!are_zero(state.rotor)) return pass_with_rotor(joint, x, p, inertia, bias);
     const Force gain = state.inverse_D * state.U;
     describe(gain, name + "_U_by_D");
     x = has_drive_inertia(joint) ? reduced(x, state.U, gain) : released(x, joint, state.U, gain);

@@ -1,5 +1,6 @@
 // Centre of mass, its Jacobian and the centroidal momentum matrix, from composite rigid bodies.
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/describe.h"
 
@@ -37,6 +38,7 @@ Force unit_momentum(const WholeBody& body, int joint) {
   Force momentum = times_subspace(body.composite[at(moving.child)], robot.joint(joint));
   for (int i = joint; i >= 0; i = robot.tree().parent_joint_of(i)) {
     momentum = to_parent(robot.pose(i), momentum);
+    momentum.moment += rotor_momentum(robot, joint, robot.tree().joints[at(i)].parent);
     const std::string& seen_from = robot.link_name(robot.tree().joints[at(i)].parent);
     describe(momentum.moment, moving.name + "_" + seen_from + "_L");
     describe(momentum.linear, moving.name + "_" + seen_from + "_p");

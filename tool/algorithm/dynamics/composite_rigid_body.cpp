@@ -72,6 +72,7 @@ void add_composite_forces(
     const Motion& base_acceleration,
     std::vector<Expression>& tau) {
   const std::function<void(int, const Motion&)> descend = [&](int link, const Motion& parent) {
+    for (const TracedRotor& rotor : rotors_on(robot, link)) tau[at(rotor.joint)] += dot(rotor.momentum, parent.angular);
     for (const Joint& joint : robot.children(link)) {
       const std::string& name = robot.link_name(joint.child);
       robot.trace.section(name, "link " + name + ": share of the base acceleration");
@@ -106,6 +107,7 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
       describe(wrench, tree.joints[at(j)].name + "_" + robot.link_name(joint.child));
       if (!robot.parent_matters(joint.child)) break;
       wrench = to_parent(robot.pose(joint.index), wrench);
+      wrench.moment += rotor_momentum(robot, j, tree.joints[at(joint.index)].parent);
       const int parent = tree.parent_joint_of(joint.index);
       if (parent < 0) break;
       joint = robot.joint(parent);

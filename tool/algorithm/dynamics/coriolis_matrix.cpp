@@ -6,9 +6,13 @@
 // pseudo-inertia, a composite body needs l = integral of p' dm and K = integral of p' p^T dm. Then the wrench about the
 // origin that belongs to du/dt is
 //     f = m a_v' + a_w' x h + a_w x l,     n = h x a_v' + I a_w' + (tr(K) 1 - K) a_w.
+//
+// A rotor adds the momentum p per unit rate of its joint, fixed in its carrier, to the wrenches about the carrier: w x
+// p to that of the column, and p to what multiplies a_w' in the row.
 #include <functional>
 
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/describe.h"
 
@@ -197,6 +201,10 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     const Pose& X_PC = robot.pose(joint.index);
     wrench = to_parent(X_PC, wrench);
     row = to_parent(X_PC, bodies.rates[at(joint.index)], row);
+    const int reached = tree.joints[at(joint.index)].parent;
+    const Vector3 momentum = rotor_momentum(robot, index, reached);
+    wrench.moment += cross(bodies.w[at(reached)], momentum);
+    row.Q.moment += momentum;
     const int parent = tree.parent_joint_of(joint.index);
     if (parent < 0) break;
     joint = robot.joint(parent);

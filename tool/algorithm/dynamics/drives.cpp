@@ -1,33 +1,95 @@
 #include "algorithm/dynamics/drives.h"
 
+#include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 
 Expression drive_inertia(Trace& trace, int joint) {
-  return trace.lift(trace.tree.joints[at(joint)].drive.armature);
+  const model::Drive& drive = trace.tree.joints[at(joint)].drive;
+  if (!drive.rotor) return trace.lift(drive.armature);
+  const auto& [inertia, ratio, axis, carrier] = *drive.rotor;
+  return trace.lift(drive.armature + inertia * ratio * ratio);
 }
 
-std::vector<Expression> passive_forces(Trace& trace, const StateInputs& in) {
-  std::vector<Expression> forces(in.qd.size());
+Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link) {
+  const model::Joint& of_model = robot.tree().joints[at(joint)];
+  const std::optional<model::Rotor>& rotor = of_model.drive.rotor;
+  if (!rotor || rotor->carrier != link) return {};
+  const Expression size = robot.trace.lift(rotor->inertia * rotor->ratio);
+  if (!rotor->axis) return to_parent(robot.pose(joint).rotation, {Expression(), Expression(), size});
+  const Vector3 momentum = size * robot.trace.lift(model::rotor_axis(of_model));
+  return robot.frames_of_model.empty() ? momentum : to_parent(robot.frames_of_model[at(link)].rotation, momentum);
+}
+
+std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
+  std::vector<TracedRotor> rotors;
+  if (robot.is_base(link) && !robot.floating()) return rotors;
+  for (int j = 0; j < robot.tree().dof(); ++j) {
+    const std::optional<model::Rotor>& rotor = robot.tree().joints[at(j)].drive.rotor;
+    if (rotor && rotor->carrier == link) rotors.push_back({j, rotor_momentum(robot, j, link)});
+  }
+  return rotors;
+}
+
+namespace {
+
+// Added to v^2 it makes the sign of a velocity of zero zero and is lost beside every velocity above 1e-10, in double
+// and in single precision.
+constexpr double kLeastSquare = 1e-36;
+
+// f s(qd)
+Expression friction(Trace& trace, const model::Drive& drive, const Expression& qd) {
+  if (drive.friction.is_zero()) return Expression();
+  const Expression v = trace.lift(drive.friction_velocity);
+  const Expression square = v * v + trace.graph.constant(kLeastSquare);
+  return trace.lift(drive.friction) * (qd / sqrt(qd * qd + square));
+}
+
+}  // namespace
+
+std::vector<Expression> passive_forces(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd) {
+  std::vector<Expression> forces(qd.size());
   for (std::size_t j = 0; j < forces.size(); ++j) {
     const model::Joint& joint = trace.tree.joints[j];
     if (!joint.drive.is_passive()) continue;
     trace.section(joint.name, "joint " + joint.name + ": passive forces");
-    forces[j] = trace.lift(joint.drive.damping) * in.qd[j];
+    forces[j] = trace.lift(joint.drive.damping) * qd[j] + friction(trace, joint.drive, qd[j]);
+    if (!joint.drive.stiffness.is_zero())
+      forces[j] += trace.lift(joint.drive.stiffness) * (q[j] - trace.lift(joint.drive.rest));
     describe(forces[j], joint.name + "_passive");
   }
   return forces;
 }
 
 void add_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau) {
-  const std::vector<Expression> forces = passive_forces(trace, in);
+  const std::vector<Expression> forces = passive_forces(trace, in.q, in.qd);
   for (std::size_t j = 0; j < tau.size(); ++j) tau[j] += forces[j];
 }
 
 void subtract_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau) {
-  const std::vector<Expression> forces = passive_forces(trace, in);
+  const std::vector<Expression> forces = passive_forces(trace, in.q, in.qd);
   for (std::size_t j = 0; j < tau.size(); ++j) tau[j] -= forces[j];
+}
+
+symbolic::Program motor_torques(const model::KinematicTree& tree, const std::string& name) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::force});
+  std::vector<Expression> torques = in.tau;
+  for (std::size_t j = 0; j < torques.size(); ++j)
+    if (const auto& rotor = tree.joints[j].drive.rotor) torques[j] = torques[j] / trace.lift(rotor->ratio);
+  trace.output("torque", symbolic::Role::joint_force, torques);
+  return trace.program(name);
+}
+
+symbolic::Program passive_forces(const model::KinematicTree& tree, const std::string& name) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity});
+  trace.output("tau", symbolic::Role::joint_force, passive_forces(trace, in.q, in.qd));
+  return trace.program(name);
 }
 
 }  // namespace robcogen::algorithm

@@ -7,11 +7,28 @@
 
 namespace robcogen::algorithm {
 
-// The inertia that the motion of this joint alone meets in its drive; zero without one.
+// The inertia that the motion of this joint alone meets in its drive, armature and rotor; zero without one.
 Expression drive_inertia(Trace& trace, int joint);
 
-// The forces that the joints have to overcome in their drives, by joint: damping.
-std::vector<Expression> passive_forces(Trace& trace, const StateInputs& in);
+// A rotor of inertia J that turns with N qd in its carrier, whose mass properties include it as if it were fixed. What
+// the spin adds is the momentum J N qd along the axis, which turns with the carrier. (With the angular velocity w of
+// the carrier, and the axis a: a moment J N (qdd a + qd w x a) on the carrier, and J N a . wd on the joint, whose own
+// acceleration meets J N^2.)
+struct TracedRotor {
+  int joint = 0;
+  Vector3 momentum;  // J N a, in the axes that the recursions see the carrier in
+};
+// The rotors on a link; none on a fixed base, which does not turn.
+std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link);
+// The momentum of the joint's rotor if this link carries it, else zero.
+Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link);
+
+// The forces that the joints have to overcome in their drives, by joint: b qd + f s(qd) + k (q - q0), with
+// s(qd) = qd / sqrt(qd^2 + v^2), a smooth form of Coulomb friction. Without v it is the sign of qd, zero at rest.
+std::vector<Expression> passive_forces(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd);
 // Adds them to the forces that a motion takes, or subtracts them from those that are there to move the robot.
 void add_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau);
 void subtract_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau);

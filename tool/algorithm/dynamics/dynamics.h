@@ -29,7 +29,7 @@ symbolic::Program unactuated_base_inverse_dynamics(
     Loads loads,
     const Formulation& formulation = {});
 
-// Forces at zero acceleration: q, qd [, base_velocity] -> tau [, base_wrench].
+// Forces at zero acceleration, passive forces of drives included: q, qd [, base_velocity] -> tau [, base_wrench].
 symbolic::Program bias_forces(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -41,6 +41,12 @@ symbolic::Program coriolis_forces(
     const model::KinematicTree& tree,
     const std::string& name,
     const Formulation& formulation = {});
+
+// What the joints have to overcome in their drives: damping, friction and springs: q, qd -> tau.
+symbolic::Program passive_forces(const model::KinematicTree& tree, const std::string& name);
+
+// The torque at the shaft of each motor: tau by the ratio of the rotor, and tau where a joint has none: tau -> torque.
+symbolic::Program motor_torques(const model::KinematicTree& tree, const std::string& name);
 
 // The part that gravity causes, from the first moments of composite bodies: q -> tau [, base_wrench].
 symbolic::Program gravity_forces(
@@ -58,6 +64,10 @@ struct ForwardDynamicsChoice {
   ForwardDynamicsMethod method = ForwardDynamicsMethod::articulated_bodies;
   Formulation formulation;
 };
+
+// False where a rotor is on a link that moves and is not the parent of its joint: then the articulated inertia of the
+// parent is not all that the joint meets, and forward dynamics is always by the inertia matrix.
+bool allows_articulated_bodies(const model::KinematicTree& tree);
 
 // q, qd, tau [, base_velocity] -> qdd [, base_acceleration].
 symbolic::Program forward_dynamics(

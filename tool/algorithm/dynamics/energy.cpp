@@ -34,6 +34,8 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
   Expression twice;
   const std::function<void(int, const Motion&)> visit = [&](int link, const Motion& twist) {
     twice += twice_energy(robot.mass(link), twist, robot.link_name(link));
+    for (const TracedRotor& rotor : rotors_on(robot, link))
+      twice += 2.0 * (in.qd[at(rotor.joint)] * dot(rotor.momentum, twist.angular));
     describe(twice, robot.link_name(link) + "_2T_sum");
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);

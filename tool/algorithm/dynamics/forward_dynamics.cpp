@@ -1,4 +1,6 @@
 // Forward dynamics by articulated bodies, or by solving with the joint-space inertia matrix.
+#include <algorithm>
+
 #include "algorithm/dynamics/articulated_body.h"
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
@@ -44,6 +46,13 @@ ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in,
 
 }  // namespace
 
+bool allows_articulated_bodies(const model::KinematicTree& tree) {
+  return std::all_of(tree.joints.begin(), tree.joints.end(), [&](const model::Joint& joint) {
+    const std::optional<model::Rotor>& rotor = joint.drive.rotor;
+    return !rotor || rotor->carrier == joint.parent || (rotor->carrier == 0 && !tree.floating_base);
+  });
+}
+
 symbolic::Program forward_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -54,9 +63,8 @@ symbolic::Program forward_dynamics(
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, choice.formulation);
   subtract_passive_forces(trace, in, in.tau);
-  const ForwardMotion motion = choice.method == ForwardDynamicsMethod::inertia_matrix
-                                   ? by_inertia_matrix(robot, in, load)
-                                   : by_articulated_bodies(robot, in, load);
+  const bool by_matrix = choice.method == ForwardDynamicsMethod::inertia_matrix || !allows_articulated_bodies(tree);
+  const ForwardMotion motion = by_matrix ? by_inertia_matrix(robot, in, load) : by_articulated_bodies(robot, in, load);
   trace.output("qdd", Role::joint_acceleration, motion.qdd);
   if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
   return trace.program(name);

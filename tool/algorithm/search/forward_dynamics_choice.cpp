@@ -39,6 +39,7 @@ ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, 
   const auto time = [&](const ForwardDynamicsChoice& choice) {
     return symbolic::predicted_time(forward_dynamics(tree, kName, loads, choice));
   };
+  if (!allows_articulated_bodies(tree)) return cheapest(ForwardDynamicsMethod::inertia_matrix);
   ForwardDynamicsChoice bodies = cheapest(ForwardDynamicsMethod::articulated_bodies);
   if (!formulation.choose_forward_dynamics || !is_elimination_cheap(tree)) return bodies;
   ForwardDynamicsChoice matrix = cheapest(ForwardDynamicsMethod::inertia_matrix);

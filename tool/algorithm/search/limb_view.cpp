@@ -33,6 +33,7 @@ LimbView limb_view(const model::KinematicTree& tree, int joint) {
     add_link(copy.child);
     copy.parent = new_link[at(copy.parent)];
     copy.child = new_link[at(copy.child)];
+    if (copy.drive.rotor) copy.drive.rotor->carrier = new_link[at(copy.drive.rotor->carrier)];
     const int index = static_cast<int>(view.joints.size());
     view.tree.links[at(copy.parent)].child_joints.push_back(index);
     view.tree.links[at(copy.child)].parent_joint = index;

@@ -62,8 +62,21 @@ struct Link {
 
 // Forces that a joint meets in itself, as far as they are given.
 struct Drive {
-  ExpressionPtr damping;   // N m s/rad, N s/m
-  ExpressionPtr armature;  // kg m^2, kg
+  ExpressionPtr damping;            // N m s/rad, N s/m
+  ExpressionPtr friction;           // N m, N
+  ExpressionPtr friction_velocity;  // only with `friction`; rad/s, m/s
+  ExpressionPtr armature;           // kg m^2, kg
+  ExpressionPtr stiffness;          // N m/rad, N/m
+  ExpressionPtr rest;               // only with `stiffness`; rad, m
+};
+
+// The rotor of a motor behind a gear. Axis and carrier are those of the joint and its parent link where none is given.
+struct Rotor {
+  ExpressionPtr inertia;  // kg m^2, about its axis
+  ExpressionPtr ratio;    // of its velocity to that of the joint: rad/rad, rad/m
+  std::optional<Vector> axis;
+  std::optional<Name> carrier;  // a link
+  Span span;                    // of the word
 };
 
 // As far as they are given: constants.
@@ -80,6 +93,7 @@ struct Joint {
   std::optional<int> id;
   Placement placement;
   Drive drive;
+  std::optional<Rotor> rotor;
   Limits limits;
   std::vector<std::string> comments;
   Span span;

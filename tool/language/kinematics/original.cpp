@@ -75,7 +75,10 @@ class Judge {
       if (e) refuse(e->span, fmt::format("'{}' of joint '{}'", word, joint.name.text));
     };
     refuse_clause("damping", joint.drive.damping);
+    refuse_clause("friction", joint.drive.friction);
     refuse_clause("armature", joint.drive.armature);
+    refuse_clause("spring", joint.drive.stiffness);
+    if (joint.rotor) refuse(joint.rotor->span, fmt::format("'rotor' of joint '{}'", joint.name.text));
     const Limits& limits = joint.limits;
     const ExpressionPtr& first = limits.position ? (*limits.position)[0] : limits.velocity;
     refuse_clause("limits", first ? first : limits.effort);

@@ -14,7 +14,7 @@ const WordList kLinkItems = {"id", "inertia_params", "inertia_properties", "chil
 const WordList kBaseItems = {"inertia_params", "inertia_properties", "children", "frames"};
 const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
 const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
-const WordList kJointItems = {"id", "ref_frame", "damping", "armature", "limits"};
+const WordList kJointItems = {"id", "ref_frame", "damping", "friction", "armature", "spring", "rotor", "limits"};
 const WordList kPlacementItems = {"translation", "rotation"};
 
 // Elements stand in the block of the robot, items in the block of an element, both in any order.

@@ -3,7 +3,49 @@
 namespace robcogen::language::kinematics {
 namespace {
 
+const WordList kFrictionItems = {"force", "velocity"};
+const WordList kSpringItems = {"stiffness", "rest"};
+const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
 const WordList kLimitItems = {"position", "velocity", "effort"};
+
+// The block of two values of which only the first must stand.
+bool pair(
+    BlockParser& parser,
+    const std::string& owner,
+    const Token& word,
+    WordList items,
+    ExpressionPtr& first,
+    ExpressionPtr& second) {
+  Words found;
+  const bool sound = parser.block(owner, items, [&] {
+    if (!parser.cursor().at_any(items)) parser.unknown_item(owner, items);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    (key.text == *items.begin() ? first : second) = parser.scalar();
+  });
+  return sound && parser.check_complete(owner, word.span, found, {*items.begin()});
+}
+
+bool rotor(BlockParser& parser, const std::string& joint, const Token& word, std::optional<Rotor>& read) {
+  const std::string owner = "the rotor of " + joint;
+  Rotor rotor;
+  rotor.span = word.span;
+  Words found;
+  const bool sound = parser.block(owner, kRotorItems, [&] {
+    if (!parser.cursor().at_any(kRotorItems)) parser.unknown_item(owner, kRotorItems);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    if (key.text == "axis") {
+      rotor.axis = parser.vector(key);
+    } else if (key.text == "carrier") {
+      rotor.carrier = parser.name("the name of a link");
+    } else {
+      (key.text == "inertia" ? rotor.inertia : rotor.ratio) = parser.scalar();
+    }
+  });
+  read = rotor;
+  return sound && parser.check_complete(owner, word.span, found, {"inertia", "ratio"});
+}
 
 bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
   const std::string owner = "the limits of " + joint;
@@ -24,13 +66,21 @@ bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
 }  // namespace
 
 bool at_drive_item(const Cursor& cursor) {
-  return cursor.at_any({"damping", "armature", "limits"});
+  return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits"});
 }
 
 bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, Joint& joint) {
+  Drive& drive = joint.drive;
   if (word.text == "limits") return limits(parser, owner, joint.limits);
+  if (word.text == "rotor") return rotor(parser, owner, word, joint.rotor);
+  if (word.text == "spring")
+    return pair(parser, "the spring of " + owner, word, kSpringItems, drive.stiffness, drive.rest);
+  if (word.text == "friction" && parser.cursor().at("{"))
+    return pair(parser, "the friction of " + owner, word, kFrictionItems, drive.friction, drive.friction_velocity);
   parser.equals(word);
-  (word.text == "damping" ? joint.drive.damping : joint.drive.armature) = parser.scalar();
+  (word.text == "damping"    ? drive.damping
+   : word.text == "friction" ? drive.friction
+                             : drive.armature) = parser.scalar();
   return true;
 }
 

@@ -66,9 +66,24 @@ std::string item(const std::string& word, const ExpressionPtr& value) {
 
 std::string drive(const Drive& d) {
   std::string out;
-  for (const std::string& clause : {item("damping", d.damping), item("armature", d.armature)})
+  const auto line = [&](const std::string& clause) {
     if (!clause.empty()) out += "       " + clause + "\n";
+  };
+  line(item("damping", d.damping));
+  if (d.friction_velocity)
+    line(" friction {" + item("force", d.friction) + item("velocity", d.friction_velocity) + " }");
+  else
+    line(item("friction", d.friction));
+  line(item("armature", d.armature));
+  if (d.stiffness) line(" spring {" + item("stiffness", d.stiffness) + item("rest", d.rest) + " }");
   return out;
+}
+
+std::string rotor(const std::optional<Rotor>& r) {
+  if (!r) return "";
+  return "        rotor {" + item("inertia", r->inertia) + item("ratio", r->ratio) +
+         (r->axis ? " axis = " + vector(*r->axis) : "") + (r->carrier ? " carrier = " + name(*r->carrier) : "") +
+         " }\n";
 }
 
 std::string limits(const Limits& l) {
@@ -86,7 +101,7 @@ std::string joint(const Joint& j) {
   out += (j.type == Joint::Type::revolute ? "    r_joint " : "    p_joint ") + name(j.name) + " {\n";
   if (j.id) out += "        id = " + std::to_string(*j.id) + "\n";
   out += "        ref_frame {\n" + placement(j.placement, "            ") + "        }\n";
-  return out + drive(j.drive) + limits(j.limits) + "    }\n";
+  return out + drive(j.drive) + rotor(j.rotor) + limits(j.limits) + "    }\n";
 }
 
 bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
@@ -130,7 +145,14 @@ bool same(const Link& a, const Link& b) {
 }
 
 bool same(const Drive& a, const Drive& b) {
-  return same(a.damping, b.damping) && same(a.armature, b.armature);
+  return same(a.damping, b.damping) && same(a.friction, b.friction) && same(a.friction_velocity, b.friction_velocity) &&
+         same(a.armature, b.armature) && same(a.stiffness, b.stiffness) && same(a.rest, b.rest);
+}
+
+bool same(const Rotor& a, const Rotor& b) {
+  return same(a.inertia, b.inertia) && same(a.ratio, b.ratio) && a.axis.has_value() == b.axis.has_value() &&
+         (!a.axis || same(*a.axis, *b.axis)) && a.carrier.has_value() == b.carrier.has_value() &&
+         (!a.carrier || a.carrier->text == b.carrier->text);
 }
 
 bool same(const Limits& a, const Limits& b) {
@@ -142,7 +164,8 @@ bool same(const Limits& a, const Limits& b) {
 
 bool same(const Joint& a, const Joint& b) {
   return a.name.text == b.name.text && a.type == b.type && a.id == b.id && same(a.placement, b.placement) &&
-         same(a.drive, b.drive) && same(a.limits, b.limits) && a.comments == b.comments;
+         same(a.drive, b.drive) && a.rotor.has_value() == b.rotor.has_value() &&
+         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits) && a.comments == b.comments;
 }
 
 }  // namespace

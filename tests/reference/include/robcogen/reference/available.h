@@ -19,6 +19,7 @@ constexpr bool has_kernel(std::string_view name) {
 
 constexpr bool kHasInverseDynamics = has_kernel("inverse_dynamics");
 constexpr bool kHasBiasForces = has_kernel("bias_forces");
+constexpr bool kHasPassiveForces = has_kernel("passive_forces");
 constexpr bool kHasForwardDynamics = has_kernel("forward_dynamics");
 constexpr bool kHasInertia = has_kernel("joint_space_inertia");
 constexpr bool kHasFactor = has_kernel("joint_space_inertia_factor");

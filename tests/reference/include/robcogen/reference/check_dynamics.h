@@ -147,6 +147,21 @@ void check_bias_forces(const Subject& subject, const Case& c, Checks& checks) {
   compare("coriolis_forces", subject.coriolis_forces(s.motion), steady, without_passive<Real>(Vector<double>(3)));
 }
 
+// Friction included, whose direction is told apart from the velocity by rounding only.
+template <class Subject>
+void check_passive_forces(const Subject& subject, const Case& c, Checks& checks) {
+  Motion<double> rest = c.sample.motion;
+  rest.qd = Vector<double>(rest.q.rows());
+  const auto compare = [&](const char* name, const Motion<double>& motion) {
+    const Vector<Real> expected = passive_forces(c.robot, cast<Real>(motion));
+    const Vector<Real> terms = force_terms(c.robot, motion, {}).tail(motion.q.rows()).template cast<Real>();
+    checks.record(
+        name, kForce, relative_error(subject.passive_forces(motion).template cast<Real>(), expected, terms), c.index);
+  };
+  compare("passive_forces", c.sample.motion);
+  compare("passive_forces (at rest)", rest);
+}
+
 template <class Subject>
 void check_forward_dynamics(const Subject& subject, const Case& c, Checks& checks) {
   for (const Overload& o : overloads(c.sample)) {

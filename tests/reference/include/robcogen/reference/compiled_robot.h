@@ -109,6 +109,10 @@ class CompiledRobot {
     }
   }
 
+  Vector<double> passive_forces(const State& m) const {
+    return vector(robot_.passive_forces(joints(m.q), joints(m.qd)));
+  }
+
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
     return matrix(robot_.joint_space_inertia(joints(q)));
   }
