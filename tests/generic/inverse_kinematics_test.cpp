@@ -57,7 +57,7 @@ typename Chain::JointState regular_joints(
     double limit) {
   while (true) {
     const typename Chain::JointState q = about + uniform_joints<typename Chain::JointState>(engine, limit);
-    if (Chain::jacobian(q).jacobiSvd().singularValues().minCoeff() > kSmallestSingularValue) return q;
+    if (Eigen::MatrixXd(Chain::jacobian(q)).jacobiSvd().singularValues().minCoeff() > kSmallestSingularValue) return q;
   }
 }
 
