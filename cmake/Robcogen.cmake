@@ -19,6 +19,9 @@
 #                                   # baseline of the compiler; a program selects one when it starts
 #       [BATCH_LEVELS level…]       # from avx2 and avx512: the levels that BATCH compiles for in addition to the baseline; without
 #                                   # it, both. `baseline`: only that. The best level that the machine has runs
+#       [PROCESSORS level…]         # what the functions of one state are compiled for, from baseline, avx2 and avx512; a
+#                                   # program chooses when it starts. The baseline is always included. Without PROCESSORS
+#                                   # or where options of the build choose a processor (-march=…, -mavx2, …): the README
 #       [LANGUAGES cpp matlab maxima]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
@@ -48,6 +51,7 @@ cmake_minimum_required(VERSION 3.25)
 include_guard(GLOBAL)
 
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
 
@@ -63,7 +67,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists XACRO_ARGS ALGORITHMS BATCH_LEVELS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists XACRO_ARGS ALGORITHMS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -80,6 +84,8 @@ function(robcogen_add_robot)
   if(library_BATCH_LEVELS AND NOT library_BATCH)
     _robcogen_refuse("BATCH_LEVELS needs BATCH")
   endif()
+  _robcogen_check_elements(PROCESSORS baseline avx2 avx512)
+  _robcogen_choose_levels()
   _robcogen_check_documents(MODEL)
   _robcogen_check_robot()
   _robcogen_check_names()
@@ -95,6 +101,8 @@ function(robcogen_add_robot)
   endif()
   _robcogen_folder(folder)
   _robcogen_generated_files(${folder} "${library_groups}" headers sources)
+  _robcogen_level_files(${folder} level_sources)
+  list(APPEND sources ${level_sources})
   if(library_BATCH)
     _robcogen_batch_files(${folder} "${library_groups}" batch_headers batch_sources)
     list(APPEND headers ${batch_headers})
@@ -108,9 +116,7 @@ function(robcogen_add_robot)
     _robcogen_omit_levels()
   endif()
   _robcogen_add_library(${library_TARGET})
-  if(library_BATCH)
-    _robcogen_set_levels()
-  endif()
+  _robcogen_set_levels(${library_TARGET})
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_selfcheck(${library_TARGET}_selfcheck)
     _robcogen_add_allocations(${library_TARGET}_allocations)
@@ -212,46 +218,6 @@ function(_robcogen_batch_files folder chosen headers sources)
   set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
-# Removes the levels that BATCH_LEVELS does not name from `sources`, and sets `omitted_levels` to the definitions for the
-# unit that selects a level.
-function(_robcogen_omit_levels)
-  set(omitted "")
-  if(library_BATCH_LEVELS)
-    foreach(level avx2 avx512)
-      if(NOT level IN_LIST library_BATCH_LEVELS)
-        list(FILTER sources EXCLUDE REGEX "/batch/[a-z_]+_${level}\\.cpp$")
-        string(TOUPPER ${level} upper)
-        list(APPEND omitted ROBCOGEN_WITHOUT_${upper})
-      endif()
-    endforeach()
-  endif()
-  set(omitted_levels ${omitted} PARENT_SCOPE)
-  set(sources ${sources} PARENT_SCOPE)
-endfunction()
-
-# Compiles each source of a batch for its processor. They share with others only C functions that the compiler
-# does not inline; all other functions have internal linkage or a name with the processor in it. (See robcogen/lanes.h.)
-function(_robcogen_set_levels)
-  foreach(source IN LISTS sources)
-    if(source MATCHES "/batch\\.cpp$")
-      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS ${omitted_levels})
-    endif()
-  endforeach()
-  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$" OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-    return()
-  endif()
-  set(avx2 -mavx2 -mfma)
-  set(avx512 ${avx2} -mavx512f -mavx512dq -mavx512vl)
-  # clang fuses products and sums within one expression only, and not through the operators of a class. Square roots of
-  # lanes are inlined when they do not report errors.
-  set(all -fno-math-errno $<$<CXX_COMPILER_ID:Clang>:-ffp-contract=fast>)
-  foreach(source IN LISTS sources)
-    if(source MATCHES "/batch/[a-z_]+_(baseline|avx2|avx512)\\.cpp$")
-      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${${CMAKE_MATCH_1}} ${all})
-    endif()
-  endforeach()
-endfunction()
-
 # The output of the rule is a stamp, and the files are by-products of a second rule: the tool does not touch files that
 # would not change, so that as outputs they would always be out of date for Make. They belong to the second rule because
 # Ninja prints all outputs of a rule that fails: with the stamp only, an error in the model follows one line. The second
@@ -303,6 +269,9 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_BATCH)
     list(APPEND arguments --batch)
+  endif()
+  if(library_levels)
+    list(APPEND arguments --processors ${library_levels})
   endif()
   if(library_FLOATING_BASE)
     list(APPEND arguments --floating-base)
@@ -385,6 +354,7 @@ function(_robcogen_add_library target)
     ${target}
     PROPERTIES ROBCOGEN_MODEL ${library_MODEL}
                ROBCOGEN_NAME ${library_NAME}
+               ROBCOGEN_LEVELS "${library_levels}"
                FOLDER robots
                POSITION_INDEPENDENT_CODE ON
                UNITY_BUILD OFF
@@ -489,6 +459,9 @@ function(_robcogen_link_harness target harness)
   target_compile_definitions(
     ${target} PRIVATE ROBCOGEN_ROBOT_HEADER=<${robot_header}> ROBCOGEN_REFLECTION_HEADER=<${reflection_header}>
                       ROBCOGEN_ROBOT_NAMESPACE=${qualified})
+  if(library_levels)
+    target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_HAS_LEVELS)
+  endif()
   if(library_BATCH)
     _robcogen_header(${folder} batch batch_header)
     target_compile_definitions(${target} PRIVATE ROBCOGEN_BATCH_HEADER=<${batch_header}>)

@@ -3,6 +3,7 @@
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_BATCH_HEADER                               where the library has functions over many states
+//     ROBCOGEN_ROBOT_HAS_LEVELS                           where it has kernels for several processors: each is checked
 //
 //     hyl_selfcheck [--seed N] [--samples N]
 //
@@ -11,6 +12,7 @@
 #include ROBCOGEN_ROBOT_HEADER
 #include ROBCOGEN_REFLECTION_HEADER
 
+#include "robcogen/level.h"
 #include "robcogen/reference/available.h"
 #include "robcogen/reference/check_batch.h"
 #include "robcogen/reference/check_control.h"
@@ -108,6 +110,26 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
   return checks;
 }
 
+// The processor levels that the library has kernels for, as far as this machine has them.
+std::vector<robcogen::Level> levels() {
+#ifdef ROBCOGEN_ROBOT_HAS_LEVELS
+  std::vector<robcogen::Level> result;
+  for (const auto level : {robcogen::Level::baseline, robcogen::Level::avx2, robcogen::Level::avx512})
+    if (level == robcogen::available(level)) result.push_back(level);
+  return result;
+#else
+  return {robcogen::Level::baseline};
+#endif
+}
+
+void use_level([[maybe_unused]] robcogen::Level level) {
+#ifdef ROBCOGEN_ROBOT_HAS_LEVELS
+  constexpr const char* kNames[] = {"baseline", "avx2", "avx512"};
+  std::printf("kernels of level %s:\n", kNames[static_cast<int>(level)]);
+  ROBCOGEN_ROBOT_NAMESPACE::reflection::use_level(level);
+#endif
+}
+
 }  // namespace
 }  // namespace robcogen::reference
 
@@ -118,12 +140,19 @@ int main(int argc, char** argv) {
   const robcogen::reflection::Robot& robot = generated::reflection::robot;
   std::printf(
       "%s: seed %llu, %d samples\n", robot.name, static_cast<unsigned long long>(options->seed), options->samples);
-  const robcogen::reference::Checks checks =
-      robcogen::reference::selfcheck<generated::Robot>(robot, options->seed, options->samples);
-  if (checks.size() == 0 && robot.parameters.size > 0) {
+  int count = 0, failures = 0;
+  for (const robcogen::Level level : robcogen::reference::levels()) {
+    robcogen::reference::use_level(level);
+    const robcogen::reference::Checks checks =
+        robcogen::reference::selfcheck<generated::Robot>(robot, options->seed, options->samples);
+    std::printf("%s", checks.report().c_str());
+    count += checks.size();
+    failures += checks.failures();
+  }
+  if (count == 0 && robot.parameters.size > 0) {
     std::printf("no values found with which all links are bodies\n");
     return 77;
   }
-  std::printf("%s%d checks, %d failed\n", checks.report().c_str(), checks.size(), checks.failures());
-  return checks.failures() == 0 ? 0 : 1;
+  std::printf("%d checks, %d failed\n", count, failures);
+  return failures == 0 ? 0 : 1;
 }

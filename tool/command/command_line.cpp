@@ -180,6 +180,13 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_flag(
       "--batch", options->has_batches,
       "cpp: each function also over many states at once, compiled for several processors; robots only");
+  subcommand
+      ->add_option(
+          "--processors", options->processors,
+          "cpp: processors that functions are compiled for, of which a program chooses when it starts; default "
+          "baseline; "
+          "robots only")
+      ->check(one_of({"baseline", "avx2", "avx512"}));
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(one_of(language_names()));
   subcommand

@@ -63,6 +63,14 @@ std::vector<const backend::Language*> languages_of(const GenerateOptions& option
   return chosen;
 }
 
+// The processors above the baseline, lowest first.
+std::vector<std::string> levels_of(const GenerateOptions& options) {
+  std::vector<std::string> levels;
+  for (const char* level : {"avx2", "avx512"})
+    if (contains(options.processors, level)) levels.emplace_back(level);
+  return levels;
+}
+
 driver::Primitives primitives_of(const GenerateOptions& options) {
   if (options.primitives.empty()) return std::nullopt;
   return options.primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
@@ -109,7 +117,7 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
     const backend::Library library = driver::library(
         model,
         {options.names, groups_of(*language, options.groups), options.model.steps, primitives_of(options),
-         options.has_batches},
+         options.has_batches, levels_of(options)},
         language->features);
     hash = library.model_hash;
     std::vector<OutputFile> printed = language->print(library);
@@ -143,6 +151,8 @@ void require_options_of_transforms(const GenerateOptions& options) {
   require_groups_of_transforms(options.groups);
   if (options.has_batches)
     throw Failure{wrong_usage, "robcogen: error: --batch applies to robots only, not to motions and transforms"};
+  if (!levels_of(options).empty())
+    throw Failure{wrong_usage, "robcogen: error: --processors applies to robots only, not to motions and transforms"};
   for (const backend::Language* language : languages_of(options))
     if (!language->takes_transforms)
       throw Failure{
@@ -159,7 +169,8 @@ Status list_outputs(const GenerateOptions& options) {
     const std::vector<std::string> groups =
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, options.groups);
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);
-    for (const std::string& file : backend::cpp::outputs(folder, groups, !transforms, options.has_batches))
+    for (const std::string& file :
+         backend::cpp::outputs(folder, groups, !transforms, options.has_batches, levels_of(options)))
       print_output("{}\n", file);
   }
   return ok;

@@ -19,6 +19,7 @@ struct GenerateOptions {
   std::string primitives;  // convention; empty: no products
   std::string depfile, depfile_target, stamp;
   bool has_batches = false;
+  std::vector<std::string> processors;  // levels that kernels of one state are compiled for
   bool list_outputs = false;
 };
 Status generate(const GenerateOptions& options);

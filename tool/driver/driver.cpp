@@ -21,6 +21,7 @@ backend::Library library(const Model& model, const LibraryOptions& options, cons
   Functions functions = programs(model, groups, options.steps, features);
   backend::Library result = assemble(model, options.names, groups, std::move(functions), options.primitives);
   result.has_batches = options.has_batches;
+  result.levels = options.levels;
   return result;
 }
 

@@ -30,6 +30,7 @@ struct LibraryOptions {
   Steps steps = {};
   Primitives primitives = std::nullopt;
   bool has_batches = false;
+  std::vector<std::string> levels = {};  // processors besides the baseline
 };
 
 backend::Library library(const Model& model, const LibraryOptions& options, const backend::Features& features = {});

@@ -5,12 +5,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "robcogen/level.h"
+
 // Whether batches are compiled for several processors, with a choice when the program runs.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define ROBCOGEN_BATCH_LEVELS 1
-#else
-#define ROBCOGEN_BATCH_LEVELS 0
-#endif
+#define ROBCOGEN_BATCH_LEVELS ROBCOGEN_HAS_LEVELS
 
 namespace Eigen {
 template <class Derived>
@@ -19,26 +17,9 @@ struct EigenBase;
 
 namespace robcogen::batch {
 
-// The levels that a batch is compiled for: the options of the library; AVX2 and FMA (x86-64-v3), four doubles or eight
-// floats at once; AVX-512 F, DQ and VL, eight or sixteen.
-enum class Level { baseline, avx2, avx512 };
-
-// The highest one that this machine has. Reads a variable that is set before `main`.
-inline Level best_level() noexcept {
-#if ROBCOGEN_BATCH_LEVELS
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return Level::baseline;
-  const bool has_512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-  return has_512 && __builtin_cpu_supports("avx512vl") ? Level::avx512 : Level::avx2;
-#else
-  return Level::baseline;
-#endif
-}
-
-// The given level, or the highest one that is available.
-inline Level available(Level most) noexcept {
-  const Level best = best_level();
-  return most < best ? most : best;
-}
+using robcogen::available;
+using robcogen::best_level;
+using robcogen::Level;
 
 inline constexpr bool kHasLevels = ROBCOGEN_BATCH_LEVELS != 0;
 

@@ -3,6 +3,14 @@
 
 #include <cmath>
 
+// Functions without a type of the caller among their arguments are inlined in each file, which may be compiled for a
+// processor that others are not for.
+#if defined(__GNUC__)
+#define ROBCOGEN_INLINE inline __attribute__((always_inline))
+#else
+#define ROBCOGEN_INLINE inline
+#endif
+
 namespace robcogen {
 
 template <class Scalar>
@@ -28,7 +36,7 @@ inline void sincos(const Scalar& x, Scalar& sine, Scalar& cosine) {
 }
 
 // glibc computes both at little more than the cost of one. GCC combines the two calls by itself, clang does not.
-inline void sincos(const double& x, double& sine, double& cosine) noexcept {
+ROBCOGEN_INLINE void sincos(const double& x, double& sine, double& cosine) noexcept {
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
   ::sincos(x, &sine, &cosine);
 #else
@@ -37,7 +45,7 @@ inline void sincos(const double& x, double& sine, double& cosine) noexcept {
 #endif
 }
 
-inline void sincos(const float& x, float& sine, float& cosine) noexcept {
+ROBCOGEN_INLINE void sincos(const float& x, float& sine, float& cosine) noexcept {
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
   ::sincosf(x, &sine, &cosine);
 #else
@@ -46,16 +54,18 @@ inline void sincos(const float& x, float& sine, float& cosine) noexcept {
 #endif
 }
 
-inline SinCos<double> sincos(const double& x) noexcept {
+ROBCOGEN_INLINE SinCos<double> sincos(const double& x) noexcept {
   SinCos<double> both;
   sincos(x, both.sin, both.cos);
   return both;
 }
 
-inline SinCos<float> sincos(const float& x) noexcept {
+ROBCOGEN_INLINE SinCos<float> sincos(const float& x) noexcept {
   SinCos<float> both;
   sincos(x, both.sin, both.cos);
   return both;
 }
 
 }  // namespace robcogen
+
+#undef ROBCOGEN_INLINE

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "backend/cpp/cpp.h"
@@ -52,7 +53,25 @@ TEST(Outputs, AreWhatPrintMakes) {
     made.clear();
     for (const OutputFile& f : print(library)) made.push_back(f.path.generic_string());
     EXPECT_EQ(made, outputs("walker/legs/" + name, kGroups));
+    library.levels = {"avx2", "avx512"};
+    made.clear();
+    for (const OutputFile& f : print(library)) made.push_back(f.path.generic_string());
+    EXPECT_EQ(made, outputs("walker/legs/" + name, kGroups, true, false, library.levels));
   }
+}
+
+// Functions of frames are compiled once, those of dynamics for each level, for which all their text stays the same.
+TEST(Print, LevelsChangeUnitsAlone) {
+  Library library = test::leg_library();
+  library.groups = kGroups;
+  std::map<std::string, std::string> before;
+  for (const OutputFile& f : print(library)) before[f.path.generic_string()] = f.text;
+  library.levels = {"avx2"};
+  std::vector<std::string> changed;
+  for (const OutputFile& f : print(library))
+    if (before[f.path.generic_string()] != f.text) changed.push_back(f.path.generic_string());
+  EXPECT_EQ(
+      changed, (Names{"leg/reflection.h", "leg/trigonometry.cpp", "leg/inverse_dynamics.cpp", "leg/kernels_avx2.cpp"}));
 }
 
 TEST(Print, TheToolsVersionStandsInOneFileOnly) {

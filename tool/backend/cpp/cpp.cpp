@@ -62,6 +62,10 @@ std::string source_path(const std::string& folder, const std::string& group) {
   return folder + "/" + group + ".cpp";
 }
 
+std::string level_path(const std::string& folder, const std::string& level) {
+  return folder + "/kernels_" + level + ".cpp";
+}
+
 std::string batch_path(const std::string& folder, const std::string& group) {
   return folder + "/batch/" + group + ".h";
 }
@@ -93,7 +97,8 @@ std::vector<std::string> outputs(
     const std::string& folder,
     const std::vector<std::string>& groups,
     bool has_robot,
-    bool has_batches) {
+    bool has_batches,
+    const std::vector<std::string>& levels) {
   std::vector<std::string> files;
   for (const std::string& stem : stems(has_robot)) files.push_back(header_path(folder, stem));
   files.insert(files.end(), {umbrella_path(folder), kernels_path(folder), functions_path(folder)});
@@ -102,6 +107,7 @@ std::vector<std::string> outputs(
       files.insert(files.end(), {kernel_path(folder, stem), source_path(folder, stem)});
   for (const std::string& group : groups)
     files.insert(files.end(), {kernel_path(folder, group), source_path(folder, group)});
+  for (const std::string& level : levels) files.push_back(level_path(folder, level));
   if (!has_batches) return files;
   files.insert(files.end(), {header_path(folder, kBatch), source_path(folder, kBatch)});
   for (const std::string& group : groups) {
@@ -136,6 +142,7 @@ std::vector<OutputFile> print(const Library& library) {
     add_kernels(kTrigonometry);
   }
   for (const std::string& group : library.groups) add_kernels(group);
+  for (const std::string& level : library.levels) add(level_path(name, level), print_level, level);
   if (library.has_batches) {
     add(header_path(name, kBatch), print_batch);
     add(source_path(name, kBatch), print_batch_choice);

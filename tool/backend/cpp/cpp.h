@@ -18,7 +18,8 @@ std::vector<std::string> outputs(
     const std::string& folder,
     const std::vector<std::string>& groups,
     bool has_robot = true,
-    bool has_batches = false);
+    bool has_batches = false,
+    const std::vector<std::string>& levels = {});
 
 std::vector<OutputFile> print(const Library& library);
 

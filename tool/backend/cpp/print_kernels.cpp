@@ -1,6 +1,7 @@
-// <name>/kernel/<group>.h, the kernels as text, and <name>/<group>.cpp, that compiles them for double and float.
+// <name>/kernel/<group>.h, the kernels as text.
 #include <algorithm>
 
+#include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
@@ -32,23 +33,6 @@ std::string counts(const symbolic::OperationCount& c) {
 
 std::string counts(const symbolic::Program& program) {
   return counts(symbolic::count(program));
-}
-
-std::string lanes(int width) {
-  return "robcogen::Lanes<Scalar, " + std::to_string(width) + ">";
-}
-
-std::string type_of(const Parameter& p) {
-  return p.width > 1 ? lanes(p.width) : "Scalar";
-}
-
-// `head` is all before the parameters: `void name`.
-std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail) {
-  std::vector<std::string> list;
-  for (const Parameter& p : parameters) {
-    list.push_back((p.output ? type_of(p) : "const " + type_of(p)) + "* " + (p.used ? p.name : "/*" + p.name + "*/"));
-  }
-  return "template <class Scalar>\n" + declaration(head, list, tail);
 }
 
 }  // namespace
@@ -321,9 +305,7 @@ std::string conventions(const Library& library) {
 
 // How names of values read, in kernels of the dynamics.
 std::string legend(const std::string& group) {
-  const auto begins = [&](const char* word) { return group.rfind(word, 0) == 0; };
-  for (const char* word : {"transforms", "jacobian", "velocities", "accelerations", kParameters, kTrigonometry})
-    if (begins(word)) return "";
+  if (is_kinematics(group) || group == kParameters || group == kTrigonometry) return "";
   return "//\n" +
          comment(
              "Names are link, quantity and axis: w, wd angular velocity and acceleration; v velocity; a acceleration "
@@ -332,38 +314,6 @@ std::string legend(const std::string& group) {
              "blocks of an articulated inertia; U of [wd]x + [w]x [w]x. _P: in the parent's axes; _neg: minus that; "
              "_by_J: turned by joint J; s2_J, sc_J, c_2J: sin^2, sin cos, cosine of twice its angle; x_to_y: the sum "
              "that makes x, up to its term in y.");
-}
-
-std::string explicit_instantiations(const std::string& kernel) {
-  std::string result;
-  for (const std::string scalar : {"double", "float"}) {
-    const std::string name = kernel + "<" + scalar + ">";
-    const std::string type = "template decltype(" + name + ")";
-    const bool fits = type.size() + name.size() + 2 <= kColumns;
-    result += type + (fits ? " " : "\n    ") + name + ";\n";
-  }
-  return result;
-}
-
-std::string explicit_instantiations(const Callable& callable) {
-  const std::string core = callable.function->parts ? explicit_instantiations("core::" + callable.kernel) : "";
-  return core + explicit_instantiations(callable.kernel);
-}
-
-// Of joint_trigonometry.
-std::vector<Parameter> trigonometry_parameters(const Library& library) {
-  std::vector<Parameter> list = parameters(library.trigonometry->angles);
-  list.back() = {"sin_q", true};
-  list.push_back({"cos_q", true});
-  return list;
-}
-
-std::vector<const Callable*> callables_of(const Api& api, const std::string& group) {
-  std::vector<const Callable*> result;
-  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry})
-    for (const Callable& c : *list)
-      if (c.function->group == group) result.push_back(&c);
-  return result;
 }
 
 // The three updates in one.
@@ -382,22 +332,6 @@ std::string whole_update(const Api& api) {
 }
 
 }  // namespace
-
-std::string print_kernel_declarations(const Api& api, const std::string& path) {
-  std::string kernels, cores;
-  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry}) {
-    for (const Callable& c : *list) {
-      kernels += signature("void " + c.kernel, c.parameters, " noexcept;");
-      if (c.function->parts) cores += signature("void " + c.kernel, c.core_parameters, " noexcept;");
-    }
-  }
-  if (api.takes_sines())
-    kernels += signature("void joint_trigonometry", trigonometry_parameters(*api.library), " noexcept;");
-  return paragraphs(
-      {banner(*api.library, path, "declarations of its kernels, which the library compiles for double and float"),
-       "#pragma once\n", in_namespace(api.space + "::kernel", kernels),
-       in_namespace(api.space + "::kernel::core", cores)});
-}
 
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
   if (group == kParameters && !api.is_parametric())
@@ -424,16 +358,6 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
            (api.library->has_robot() ? legend(group) : ""),
        "#pragma once\n", includes({"<cmath>"}), includes(headers), runtime_check(api),
        in_namespace(api.space + "::kernel", paragraphs(kernels))});
-}
-
-std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
-  std::string kernels;
-  for (const Callable* c : callables_of(api, group)) kernels += explicit_instantiations(*c);
-  if (group == kTrigonometry && api.takes_sines()) kernels += explicit_instantiations("joint_trigonometry");
-  return paragraphs(
-      {banner(*api.library, path, "kernels compiled for double and float"),
-       includes({"\"" + kernel_path(folder(*api.library), group) + "\""}),
-       in_namespace(api.space + "::kernel", kernels)});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -338,11 +338,16 @@ std::string print_reflection(const Api& api, const std::string& path) {
         comment("Apart from `robot`: a program that does not use this table links none of these functions.") +
         "inline constexpr robcogen::reflection::BatchFunctions batch_functions = " + t.reference + ";\n");
   }
+  std::vector<std::string> headers = {"\"robcogen/reflection.h\"", "\"robcogen/version.h\""};
+  std::string levels;
+  if (!library.levels.empty()) {
+    headers.emplace_back("\"robcogen/level.h\"");
+    levels = in_namespace(api.space, use_level(api));
+  }
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
-       api.is_parametric() ? includes({"<limits>"}) : "",
-       includes({"\"robcogen/reflection.h\"", "\"robcogen/version.h\""}),
-       includes({cpp::quoted(kernels_path(folder(library)))}), runtime_check(api), batch_kernels,
+       api.is_parametric() ? includes({"<limits>"}) : "", includes(headers),
+       includes({cpp::quoted(kernels_path(folder(library)))}), runtime_check(api), levels, batch_kernels,
        in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 

@@ -29,10 +29,14 @@ inline constexpr const char* kParameters = "parameters";
 // The same of sines and cosines of all joints.
 inline constexpr const char* kTrigonometry = "trigonometry";
 
-// The file stem of functions over many states, and the processors that these are compiled for, by the enumerators of
-// robcogen::batch::Level: bodies of a group, and their instantiations for one of them.
-inline constexpr const char* kBatch = "batch";
+// Processor levels, by the enumerators of robcogen::Level.
 inline constexpr const char* kLevels[] = {"baseline", "avx2", "avx512"};
+
+// The file stem of functions over many states, which are compiled for all levels: bodies of a group, and their
+// instantiations for one of them.
+inline constexpr const char* kBatch = "batch";
+// Of kernels for one processor.
+std::string level_path(const std::string& folder, const std::string& level);
 std::string batch_path(const std::string& folder, const std::string& group);
 std::string batch_source_path(const std::string& folder, const std::string& group, const std::string& level);
 
@@ -55,6 +59,15 @@ std::string print_kernel_declarations(const Api& api, const std::string& path);
 // Of a group; or `parameters`: the updates of a robot that has some; or `trigonometry`.
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
+std::string explicit_instantiations(const std::string& kernel);
+std::string instantiations(const Api& api, const std::string& group);
+// Whether a group has kernels that are compiled for several processors; print_instantiations then prints the choice.
+bool chooses_level(const Api& api, const std::string& group);
+std::string print_choice(const Api& api, const std::string& group, const std::string& path);
+std::vector<std::string> groups_with_levels(const Api& api);
+std::string print_level(const Api& api, const std::string& level, const std::string& path);
+// The function that chooses another level, for <name>/reflection.h.
+std::string use_level(const Api& api);
 std::string print_reflection(const Api& api, const std::string& path);
 // Replaces print_reflection for libraries without a robot.
 std::string print_factors(const Api& api, const std::string& path);

@@ -1,0 +1,96 @@
+# The processors that generated code is compiled for.
+#
+# These functions read the variables library_<KEYWORD> of the calling function. A level is avx2 or avx512; the baseline is
+# what the options of the library say.
+
+set(_robcogen_avx2_options -mavx2 -mfma)
+set(_robcogen_avx512_options ${_robcogen_avx2_options} -mavx512f -mavx512dq -mavx512vl)
+
+# Sets `result` to whether units can be compiled for levels, with a choice when the program starts.
+function(_robcogen_has_levels result)
+  set(${result} OFF PARENT_SCOPE)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$"
+     AND NOT MSVC AND NOT CMAKE_SIZEOF_VOID_P EQUAL 4)
+    set(${result} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Sets library_levels to the levels that kernels of one state are compiled for: those of PROCESSORS; without it, avx2.
+# AVX-512 gains little for one state. None where options of the library or of the build choose a processor, or refuse
+# optimisation.
+function(_robcogen_choose_levels)
+  set(library_levels "" PARENT_SCOPE)
+  set(levels avx2)
+  if(library_PROCESSORS)
+    set(levels ${library_PROCESSORS})
+    list(REMOVE_ITEM levels baseline)
+    list(REMOVE_DUPLICATES levels)
+    list(SORT levels)
+  endif()
+  set(chosen "(^|[ ;])-(m(arch=|cpu=|avx|fma|sse|no-|32|x32)|O0)")
+  if(library_PROCESSORS AND levels AND "${library_COMPILE_OPTIONS}" MATCHES "${chosen}")
+    _robcogen_refuse("PROCESSORS, and COMPILE_OPTIONS that choose a processor or no optimisation, exclude each other")
+  endif()
+  get_property(of_directory DIRECTORY PROPERTY COMPILE_OPTIONS)
+  set(options "${CMAKE_CXX_FLAGS};${library_COMPILE_OPTIONS};${of_directory}")
+  foreach(configuration IN LISTS CMAKE_BUILD_TYPE CMAKE_CONFIGURATION_TYPES)
+    string(TOUPPER "${configuration}" upper)
+    string(APPEND options ";${CMAKE_CXX_FLAGS_${upper}}")
+  endforeach()
+  _robcogen_has_levels(has_levels)
+  if(has_levels AND NOT "${options}" MATCHES "${chosen}")
+    set(library_levels ${levels} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Sets `sources` to the units of kernels for one level.
+function(_robcogen_level_files folder sources)
+  set(source_list ${library_levels})
+  list(TRANSFORM source_list REPLACE "(.+)" "${folder}/kernels_\\1.cpp")
+  set(${sources} ${source_list} PARENT_SCOPE)
+endfunction()
+
+# Removes the levels that BATCH_LEVELS does not name from `sources`, and sets `omitted_levels` to the definitions for the
+# unit that selects a level.
+function(_robcogen_omit_levels)
+  set(omitted "")
+  if(library_BATCH_LEVELS)
+    foreach(level avx2 avx512)
+      if(NOT level IN_LIST library_BATCH_LEVELS)
+        list(FILTER sources EXCLUDE REGEX "/batch/[a-z_]+_${level}\\.cpp$")
+        string(TOUPPER ${level} upper)
+        list(APPEND omitted ROBCOGEN_WITHOUT_${upper})
+      endif()
+    endforeach()
+  endif()
+  set(omitted_levels ${omitted} PARENT_SCOPE)
+  set(sources ${sources} PARENT_SCOPE)
+endfunction()
+
+# Compiles each source for its processor. Sources for different processors share only C functions that the compiler does
+# not inline; all other functions have internal linkage or a name with the processor in it. (See robcogen/lanes.h.)
+function(_robcogen_set_levels target)
+  foreach(level IN LISTS library_levels)
+    string(TOUPPER ${level} upper)
+    target_compile_definitions(${target} PRIVATE ROBCOGEN_WITH_${upper})
+  endforeach()
+  foreach(source IN LISTS sources)
+    if(source MATCHES "/batch\\.cpp$")
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS ${omitted_levels})
+    endif()
+  endforeach()
+  _robcogen_has_levels(has_levels)
+  if(NOT has_levels)
+    return()
+  endif()
+  # clang fuses products and sums within one expression only, and not through the operators of a class. Square roots of
+  # lanes are inlined when they do not report errors.
+  set(all -fno-math-errno $<$<CXX_COMPILER_ID:Clang>:-ffp-contract=fast>)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "/batch/[a-z_]+_baseline\\.cpp$")
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${all})
+    elseif(source MATCHES "/(kernels|batch/[a-z_]+)_(avx2|avx512)\\.cpp$")
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${_robcogen_${CMAKE_MATCH_2}_options} ${all})
+    endif()
+  endforeach()
+endfunction()

@@ -1,0 +1,93 @@
+// The choice of the kernels' processor level: before main, by use_level, and within a shared library.
+#include <dlfcn.h>
+
+#include <gtest/gtest.h>
+
+#include <puma560/puma560.h>
+#include <puma560/reflection.h>
+#include <quadruped_fixed/quadruped_fixed.h>
+#include <quadruped_fixed/reflection.h>
+
+namespace {
+
+using robcogen::Level;
+using State = puma560::JointState;
+
+// Results of levels differ by rounding: some bits of numbers below 100, never more.
+constexpr double kOtherRounding = 1e-12;
+
+State angles(double first) {
+  State q;
+  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = first + 0.7 * static_cast<double>(i);
+  return q;
+}
+
+State forces(double first) {
+  return puma560::inverse_dynamics(angles(first), State::Ones(), State::Ones());
+}
+
+// Constructed before main.
+const State before_main = forces(0.3);
+
+// Whether the library has kernels for this machine above its baseline.
+bool chooses() {
+  return robcogen::best_level() != Level::baseline;
+}
+
+// The forces of many states, at this level.
+Eigen::VectorXd of_level(Level level) {
+  puma560::reflection::use_level(level);
+  Eigen::VectorXd all(60 * puma560::kDof);
+  for (int i = 0; i < 60; ++i) all.segment<puma560::kDof>(i * puma560::kDof) = forces(0.1 * i);
+  puma560::reflection::use_level(Level::avx512);
+  return all;
+}
+
+TEST(Levels, TheBestIsChosenBeforeMain) {
+  EXPECT_EQ(before_main, forces(0.3));
+}
+
+TEST(Levels, DifferByRoundingOnly) {
+  const Eigen::VectorXd baseline = of_level(Level::baseline), avx2 = of_level(Level::avx2);
+  EXPECT_LT((baseline - avx2).lpNorm<Eigen::Infinity>(), kOtherRounding);
+  // Fused products are rounded once: among hundreds of forces some differ.
+  EXPECT_EQ(baseline != avx2, chooses());
+}
+
+// A level stays in use until another one is chosen, in all functions of the robot and in no other robot's.
+TEST(Levels, BelongToOneRobot) {
+  const auto inertia = [] {
+    return quadruped_fixed::joint_space_inertia(quadruped_fixed::JointState::Constant(0.6)).eval();
+  };
+  const auto before = inertia();
+  puma560::reflection::use_level(Level::baseline);
+  const State low = forces(0.3);
+  EXPECT_EQ(inertia(), before);
+  EXPECT_EQ(forces(0.3), low);
+  puma560::reflection::use_level(Level::avx512);
+  EXPECT_EQ(forces(0.3), before_main);
+}
+
+TEST(Levels, HoldForSinglePrecision) {
+  const auto q = angles(0.3).cast<float>().eval();
+  const puma560::f32::JointState ones = puma560::f32::JointState::Ones();
+  puma560::reflection::use_level(Level::baseline);
+  const auto low = puma560::f32::inverse_dynamics(q, ones, ones);
+  puma560::reflection::use_level(Level::avx512);
+  EXPECT_LT((puma560::f32::inverse_dynamics(q, ones, ones) - low).lpNorm<Eigen::Infinity>(), 1e-3F);
+}
+
+// Its initialisation runs when the library is loaded. Its kernels are its own.
+TEST(Levels, AreChosenInASharedLibrary) {
+  void* library = dlopen(SHARED_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(library, nullptr) << dlerror();
+  const auto forces_of_library =
+      reinterpret_cast<void (*)(const double*, double*)>(dlsym(library, "puma560_joint_forces"));
+  ASSERT_NE(forces_of_library, nullptr);
+  State tau;
+  forces_of_library(angles(0.3).data(), tau.data());
+  EXPECT_EQ(tau, before_main);
+  dlclose(library);
+}
+
+}  // namespace

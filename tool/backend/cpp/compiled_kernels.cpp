@@ -1,0 +1,60 @@
+#include "backend/cpp/compiled_kernels.h"
+
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+
+namespace robcogen::backend::cpp {
+
+std::string qualified(const CompiledKernel& kernel) {
+  return kernel.is_core ? "core::" + kernel.name : kernel.name;
+}
+
+std::vector<const Callable*> callables_of(const Api& api, const std::string& group) {
+  std::vector<const Callable*> result;
+  for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry})
+    for (const Callable& c : *list)
+      if (c.function->group == group) result.push_back(&c);
+  return result;
+}
+
+std::vector<Parameter> trigonometry_parameters(const Library& library) {
+  std::vector<Parameter> list = parameters(library.trigonometry->angles);
+  list.back() = {"sin_q", true};
+  list.push_back({"cos_q", true});
+  return list;
+}
+
+std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& group) {
+  std::vector<CompiledKernel> result;
+  for (const Callable* c : callables_of(api, group)) {
+    if (c->function->parts) result.push_back({c->kernel, true, c->core_parameters, c});
+    result.push_back({c->kernel, false, c->parameters, c});
+  }
+  if (group == kTrigonometry && api.takes_sines())
+    result.push_back({"joint_trigonometry", false, trigonometry_parameters(*api.library)});
+  return result;
+}
+
+bool is_kinematics(const std::string& group) {
+  for (const char* word : {"transforms", "jacobian", "velocities", "accelerations"})
+    if (group.rfind(word, 0) == 0) return true;
+  return false;
+}
+
+std::string lanes(int width) {
+  return "robcogen::Lanes<Scalar, " + std::to_string(width) + ">";
+}
+
+std::string type_of(const Parameter& parameter) {
+  return parameter.width > 1 ? lanes(parameter.width) : "Scalar";
+}
+
+std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail) {
+  std::vector<std::string> list;
+  for (const Parameter& p : parameters) {
+    list.push_back((p.output ? type_of(p) : "const " + type_of(p)) + "* " + (p.used ? p.name : "/*" + p.name + "*/"));
+  }
+  return "template <class Scalar>\n" + declaration(head, list, tail);
+}
+
+}  // namespace robcogen::backend::cpp

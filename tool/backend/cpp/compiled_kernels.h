@@ -1,0 +1,42 @@
+// The kernels that a library compiles for double and float: what its declarations, its instantiations and its processor
+// levels have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/cpp/api.h"
+
+namespace robcogen::backend::cpp {
+
+struct CompiledKernel {
+  std::string name;
+  bool is_core = false;  // in namespace `core`
+  std::vector<Parameter> parameters;
+  const Callable* callable = nullptr;  // none: joint_trigonometry
+};
+
+// `core::f` or `f`, in namespace `kernel`.
+std::string qualified(const CompiledKernel& kernel);
+
+// Those of a group; or of `parameters` or `trigonometry`. A core stands before the kernel that calls it.
+std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& group);
+
+// The functions of a group in their order, those of `parameters` and `trigonometry` too.
+std::vector<const Callable*> callables_of(const Api& api, const std::string& group);
+
+// Of joint_trigonometry.
+std::vector<Parameter> trigonometry_parameters(const Library& library);
+
+// Whether a group's functions are those of frames: transforms, Jacobians, velocities and accelerations.
+bool is_kinematics(const std::string& group);
+
+// `template <class Scalar> HEAD(PARAMETERS)TAIL`, with HEAD `void name`. Parameters that are not used have no name.
+std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail);
+
+// `robcogen::Lanes<Scalar, 4>`.
+std::string lanes(int width);
+// The type of a parameter's elements.
+std::string type_of(const Parameter& parameter);
+
+}  // namespace robcogen::backend::cpp

@@ -1,0 +1,202 @@
+// <name>/<group>.cpp where the kernels of a group are compiled for several processors, and <name>/<group>_<level>.cpp,
+// that compiles them for one: a program chooses when it starts.
+#include "backend/cpp/compiled_kernels.h"
+#include "backend/cpp/layout.h"
+#include "backend/cpp/printers.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+// The kernels are included in an unnamed namespace: nothing that is compiled for one processor then has a name under
+// which the linker could take it for the code of another one. This is where that namespace stands.
+constexpr const char* kAround = "robcogen_level";
+
+// Products that fusing into sums must save, where there are neither sines nor lanes.
+constexpr int kFewestFused = 24;
+
+// Whether a higher level is predicted to gain: it computes sines of four angles at once and four limbs in a register,
+// and fuses products into sums.
+bool gains(const CompiledKernel& kernel) {
+  if (kernel.callable == nullptr) return true;  // sines and cosines of all joints
+  const symbolic::OperationCount& count = kernel.callable->count;
+  return count.sincos > 1 || kernel.callable->function->in_lanes ||
+         count.mul + count.add - count.instructions >= kFewestFused;
+}
+
+// A robot has dozens of small functions of frames. For several processors they would take as long to compile as all
+// others.
+bool is_of_frames(const std::string& group) {
+  return group != "jacobians" && is_kinematics(group);
+}
+
+std::vector<CompiledKernel> chosen(const Api& api, const std::string& group) {
+  std::vector<CompiledKernel> result = compiled_kernels(api, group);
+  std::erase_if(result, [](const CompiledKernel& k) { return !gains(k); });
+  return result;
+}
+
+// What `print` makes of each kernel, those of `core` in that namespace.
+template <class Print>
+std::string in_their_namespaces(const std::vector<CompiledKernel>& kernels, Print print) {
+  std::vector<std::string> cores, others;
+  for (const CompiledKernel& k : kernels) (k.is_core ? cores : others).push_back(print(k));
+  return paragraphs({in_namespace("core", paragraphs(cores)), paragraphs(others)});
+}
+
+// A kernel that passes its arguments to another one, of `space`.
+std::string forwarder(const CompiledKernel& kernel, const std::string& space) {
+  std::vector<std::string> arguments;
+  for (const Parameter& p : kernel.parameters) arguments.push_back(p.name);
+  return signature("void " + kernel.name, kernel.parameters, " noexcept {") +
+         call(space + "::" + qualified(kernel) + "<Scalar>", arguments, 2) + "}\n";
+}
+
+// The text of the kernels, for this unit alone. What it includes is included before.
+std::string own_kernels(const Api& api, const std::vector<std::string>& groups) {
+  std::vector<std::string> files;
+  for (const std::string& group : groups) files.push_back("\"" + kernel_path(folder(*api.library), group) + "\"");
+  return in_namespace(kAround, "namespace {\n" + includes(files) + "}  // namespace\n");
+}
+
+std::string includes_of_kernels(const std::vector<std::string>& more) {
+  std::vector<std::string> headers = {
+      "\"robcogen/lane_blocks.h\"", "\"robcogen/level.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
+  headers.insert(headers.end(), more.begin(), more.end());
+  return paragraphs({includes({"<cmath>"}), includes(headers)});
+}
+
+std::string upper_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
+// Whether the build has the units of this level.
+std::string if_compiled(const std::string& level, const std::string& text) {
+  return "#ifdef ROBCOGEN_WITH_" + upper_case(level) + "\n" + text + "#endif\n";
+}
+
+// `use_avx2`: all pointers to the kernels of a level.
+std::string setter(const std::vector<CompiledKernel>& kernels, const std::string& level) {
+  std::string text = "template <class Scalar>\nvoid use_" + level + "() noexcept {\n";
+  for (const CompiledKernel& k : kernels) {
+    const std::string name = "chosen::" + qualified(k) + "<Scalar> =",
+                      value = "&" + level + "::" + qualified(k) + "<Scalar>;";
+    const bool fits = name.size() + value.size() + 3 <= kColumns;
+    text += "  " + name + (fits ? " " : "\n      ") + value + "\n";
+  }
+  return text + "}\n";
+}
+
+// `levels::<group>`, and its call before main.
+std::string choice(const Api& api, const std::string& group) {
+  std::string body = "  [[maybe_unused]] const robcogen::Level level = robcogen::available(most);\n";
+  const auto use = [](const std::string& level, const std::string& indent) {
+    return indent + "use_" + level + "<double>();\n" + indent + "use_" + level + "<float>();\n";
+  };
+  // The highest one last: it stays.
+  body += use(kLevels[0], "  ");
+  for (const std::string& level : api.library->levels)
+    body += if_compiled(level, "  if (level >= robcogen::Level::" + level + ") {\n" + use(level, "    ") + "  }\n");
+  const std::string function = "void " + group + "(robcogen::Level most) noexcept {\n" + body + "}\n";
+  return paragraphs(
+      {in_namespace("levels", function),
+       "namespace {\n\n// Before objects of static storage duration are constructed, whose constructors may call "
+       "kernels.\n"
+       "[[gnu::constructor(101)]] void choose() noexcept {\n  __builtin_cpu_init();\n  levels::" +
+           group + "(robcogen::Level::avx512);\n}\n\n}  // namespace\n"});
+}
+
+std::string baseline_of(const Api& api) {
+  return std::string("::") + kAround + "::" + api.space + "::kernel";
+}
+
+// Pointers to the kernels in use, and kernels that call through them.
+std::string chosen_kernels(const Api& api, const std::string& group) {
+  const std::vector<CompiledKernel> kernels = chosen(api, group);
+  const std::string pointers = in_their_namespaces(kernels, [](const CompiledKernel& k) {
+    const std::string head = "auto* " + k.name + " =", value = "&baseline::" + qualified(k) + "<Scalar>;";
+    const bool fits = head.size() + value.size() + 1 <= kColumns;
+    return "template <class Scalar>\n" + head + (fits ? " " : "\n    ") + value + "\n";
+  });
+  std::vector<std::string> setters = {setter(kernels, kLevels[0])};
+  std::string declarations;
+  for (const std::string& level : api.library->levels) {
+    setters.push_back(if_compiled(level, setter(kernels, level)));
+    declarations += if_compiled(level, in_namespace(level, in_their_namespaces(kernels, [](const CompiledKernel& k) {
+                                                      return signature("void " + k.name, k.parameters, " noexcept;");
+                                                    })));
+  }
+  const std::string forwarders = in_their_namespaces(compiled_kernels(api, group), [](const CompiledKernel& k) {
+    return forwarder(k, gains(k) ? "chosen" : "baseline");
+  });
+  const std::string own = paragraphs(
+      {"namespace baseline = " + baseline_of(api) + ";\n", "// Those in use.\n" + in_namespace("chosen", pointers),
+       paragraphs(setters)});
+  return in_namespace(
+      api.space + "::kernel",
+      paragraphs({declarations, "namespace {\n\n" + own + "\n}  // namespace\n", forwarders, choice(api, group)}));
+}
+
+}  // namespace
+
+bool chooses_level(const Api& api, const std::string& group) {
+  return !api.library->levels.empty() && !is_of_frames(group) && !chosen(api, group).empty();
+}
+
+std::vector<std::string> groups_with_levels(const Api& api) {
+  std::vector<std::string> groups = {kTrigonometry};
+  groups.insert(groups.end(), api.library->groups.begin(), api.library->groups.end());
+  std::erase_if(groups, [&](const std::string& group) { return !chooses_level(api, group); });
+  return groups;
+}
+
+std::string print_choice(const Api& api, const std::string& group, const std::string& path) {
+  const std::string name = folder(*api.library);
+  const std::string nothing_to_choose =
+      in_namespace(api.space + "::kernel::levels", "void " + group + "(robcogen::Level) noexcept {}\n");
+  return paragraphs(
+      {banner(*api.library, path, "kernels compiled for double and float, and the choice of a processor's"),
+       includes_of_kernels({"\"" + kernels_path(name) + "\""}), "#if ROBCOGEN_CHOOSES_LEVEL\n",
+       own_kernels(api, {group}), chosen_kernels(api, group), "#else  // ROBCOGEN_CHOOSES_LEVEL\n",
+       includes({"\"" + kernel_path(name, group) + "\""}), nothing_to_choose, "#endif  // ROBCOGEN_CHOOSES_LEVEL\n",
+       instantiations(api, group)});
+}
+
+std::string print_level(const Api& api, const std::string& level, const std::string& path) {
+  const std::string guard = "#if ROBCOGEN_HAS_LEVELS && defined(ROBCOGEN_WITH_" + upper_case(level) + ")\n";
+  const std::vector<std::string> groups = groups_with_levels(api);
+  std::string instantiated;
+  std::vector<CompiledKernel> kernels;
+  for (const std::string& group : groups)
+    for (const CompiledKernel& k : chosen(api, group)) {
+      kernels.push_back(k);
+      instantiated += explicit_instantiations(qualified(k));
+    }
+  const std::string forwarders =
+      in_their_namespaces(kernels, [&](const CompiledKernel& k) { return forwarder(k, baseline_of(api)); });
+  return paragraphs(
+      {banner(*api.library, path, "kernels for one processor"), includes_of_kernels({}), guard,
+       own_kernels(api, groups), in_namespace(api.space + "::kernel::" + level, paragraphs({forwarders, instantiated})),
+       "#endif\n"});
+}
+
+std::string use_level(const Api& api) {
+  std::string declarations, calls;
+  for (const std::string& group : groups_with_levels(api)) {
+    declarations += "void " + group + "(robcogen::Level most) noexcept;\n";
+    calls += "  kernel::levels::" + group + "(most);\n";
+  }
+  return paragraphs(
+      {in_namespace("kernel::levels", declarations),
+       in_namespace(
+           "reflection", comment("Uses the kernels for this processor level, or those for the best one that the "
+                                 "machine has and the library is "
+                                 "compiled for, where that is lower; a program starts with the best. Results of levels "
+                                 "differ by rounding. Not "
+                                 "while another thread calls a function of the robot.") +
+                             "inline void use_level([[maybe_unused]] robcogen::Level most) noexcept {\n" + calls +
+                             "}\n")});
+}
+
+}  // namespace robcogen::backend::cpp
