@@ -148,7 +148,7 @@ struct Library {
   };
   std::optional<Trigonometry> trigonometry = {};
   PrimitiveConvention primitives = PrimitiveConvention::none;
-  bool has_batches = false;  // each function also over many states at once: C++, robots
+  bool has_batches = false;              // each function also over many states at once: C++, robots
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
 
   bool has_robot() const { return !links.empty(); }
