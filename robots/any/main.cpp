@@ -19,7 +19,7 @@
 #include <iterator>
 
 #include "robcogen/any_robot.h"
-#include "robcogen/generic/simulation.h"
+#include "robcogen/pose.h"
 
 namespace {
 
@@ -42,24 +42,24 @@ void simulate(const AnyRobot& robot, double duration) {
   // All memory that the loop needs.
   Eigen::VectorXd q = Eigen::VectorXd::Zero(robot.dof()), v = Eigen::VectorXd::Zero(robot.size());
   Eigen::VectorXd qdd(robot.dof()), tau(robot.dof()), a(robot.size());
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  robcogen::BasePose pose;
 
   const int steps = static_cast<int>(duration / kStep + 0.5);
   for (int i = 0; i <= steps; ++i) {
     if (i % 200 == 0) std::printf("%6.1f s  largest error %.2e\n", i * kStep, (goal - q).cwiseAbs().maxCoeff());
-    const robcogen::Gravity gravity(orientation.conjugate() * robcogen::kStandardGravity.vector());
+    const robcogen::Gravity gravity = robcogen::gravity_in_base(pose);
     const auto qd = v.tail(robot.dof());
     qdd = kPole * kPole * (goal - q) - 2 * kPole * qd;
     robot.inverse_dynamics(q, v, qdd, tau, gravity);
     robot.forward_dynamics(q, v, tau, a, gravity);
     v += kStep * a;
     q += kStep * qd;
-    if (robot.floating_base())
-      orientation = (orientation * robcogen::simulation::turn<double>(kStep * v.head<3>())).normalized();
+    if (robot.floating_base()) pose = robcogen::integrate(pose, robcogen::Twist(v.head<6>()), kStep);
   }
   if (!robot.floating_base()) return;
-  const Eigen::AngleAxisd turned(orientation);
-  std::printf("the base has turned by %.3f rad and falls at %.3f m/s\n", turned.angle(), v.segment<3>(3).norm());
+  const robcogen::Twist turned = robcogen::difference(robcogen::BasePose(), pose);
+  std::printf(
+      "the base has turned by %.3f rad and falls at %.3f m/s\n", turned.angular().norm(), v.segment<3>(3).norm());
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // Dynamics of a floating base: the quadruped trots downhill, and the ground pushes against two of its feet.
 #include <quadruped/quadruped.h>
 
-#include <Eigen/Geometry>
 #include <iostream>
+
+#include "robcogen/pose.h"
 
 namespace {
 
@@ -27,8 +28,7 @@ int main() {
   // All that concerns the base is in its own coordinates: its velocity (angular, then linear), and gravity, which tells
   // how the trunk is tilted. Here its nose is 0.17 rad down, and it rolls and sways a little.
   const robcogen::Twist base_velocity(Eigen::Vector3d(0.2, 0, 0), Eigen::Vector3d(0, 0.1, 0));
-  const Eigen::AngleAxisd pitch(0.17, Eigen::Vector3d::UnitY());
-  const robcogen::Gravity gravity(pitch.inverse() * Eigen::Vector3d(0, 0, -9.81));
+  const robcogen::Gravity gravity = robcogen::gravity_in_base(robcogen::BasePose::from_rpy(0, 0.17, 0));
 
   // The inertia matrix: 18 x 18, the base first; its fourth diagonal element is the total mass.
   const quadruped::InertiaMatrix H = quadruped::joint_space_inertia(q);

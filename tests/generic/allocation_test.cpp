@@ -1,5 +1,6 @@
 // Generic code does not allocate, like the functions that it calls.
 #include "allocation_hook.h"
+#include "robcogen/conversions.h"
 #include "robcogen/generic/computed_torque.h"
 #include "robcogen/generic/inverse_kinematics.h"
 #include "robcogen/generic/simulation.h"
@@ -26,6 +27,24 @@ TYPED_TEST(Allocation, OfControlAndSimulation) {
       state = semi_implicit_euler_step(runge_kutta_step(state, 1e-3, controlled), 1e-3, controlled);
   }
   EXPECT_TRUE(state.q.allFinite() && state.qd.allFinite());
+}
+
+TEST(Allocation, OfPosesAndConversions) {
+  using State = robcogen::State<quadruped::Robot>;
+  std::mt19937_64 engine(4);
+  const State start = moving_state<quadruped::Robot>(engine);
+  State state = start;
+  Twist back;
+  double qpos[7 + quadruped::kDof], qvel[6 + quadruped::kDof];
+  {
+    const NoAllocation during("poses and conversions");
+    const auto match = match_joints(quadruped::kJointNames, quadruped::kJointNames);
+    to_mujoco(state, *match.order, qpos, qvel);
+    state = from_mujoco<State>(qpos, qvel, *match.order);
+    back = difference(integrate(state.pose, state.base_velocity, 0.1), start.pose);
+    back = Twist(difference_derivatives(state.pose, start.pose).by_to * back.vector());
+  }
+  EXPECT_LT((back + 0.1 * start.base_velocity).vector().norm(), 1e-14);
 }
 
 struct Palms {

@@ -51,9 +51,7 @@ State<R> moving_state(std::mt19937_64& engine) {
   state.q = uniform_joints<typename R::JointState>(engine, 0.5);
   state.qd = uniform_joints<typename R::JointState>(engine, 1.0);
   if constexpr (R::kFloatingBase) {
-    state.orientation.coeffs() << 0.2, -0.4, 0.1, 0.8;
-    state.orientation.normalize();
-    state.position << 0.3, -0.2, 1.5;
+    state.pose = BasePose::from_quaternion_xyzw(0.2, -0.4, 0.1, 0.8, Eigen::Vector3d(0.3, -0.2, 1.5));
     state.base_velocity = Twist(Eigen::Vector3d(0.8, -0.5, 0.3), Eigen::Vector3d(0.2, -0.4, 1.0));
   }
   return state;

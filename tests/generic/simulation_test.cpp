@@ -27,7 +27,7 @@ template <class R>
 double distance(const State<R>& a, const State<R>& b) {
   double d = (a.q - b.q).norm() + (a.qd - b.qd).norm();
   if constexpr (R::kFloatingBase) {
-    d += a.orientation.angularDistance(b.orientation) + (a.position - b.position).norm() +
+    d += a.pose.quaternion().angularDistance(b.pose.quaternion()) + (a.pose.position() - b.pose.position()).norm() +
          (a.base_velocity.vector() - b.base_velocity.vector()).norm();
   }
   return d;
@@ -85,7 +85,7 @@ double energy(const reflection::Robot& tables, const State<R>& state) {
   const double kinetic = reference::kinetic_energy(tables, motion_of(state));
   if constexpr (R::kFloatingBase) {
     // The base origin's own height is not in the potential energy about it.
-    const double lifted = -reference::moving_mass(tables) * Gravity::standard().vector().dot(state.position);
+    const double lifted = -reference::moving_mass(tables) * Gravity::standard().vector().dot(state.pose.position());
     return kinetic + lifted +
            reference::potential_energy(tables, vector(state.q), vector(gravity_in_base(state).vector()));
   } else {
@@ -125,9 +125,10 @@ Whole whole(const reflection::Robot& tables, const State<R>& state) {
   const Eigen::Vector3d com = eigen3(reference::first_moment(tables, vector(state.q))) / mass;
   const reference::Vector<double> h = reference::momentum(tables, motion_of(state));
   const Eigen::Vector3d angular(h(0), h(1), h(2)), linear(h(3), h(4), h(5));
+  const auto& pose = state.pose;
   return {
-      state.position + state.orientation * com, state.orientation * linear,
-      state.orientation * Eigen::Vector3d(angular - com.cross(linear))};
+      pose.position() + pose.to_world_axes(com), pose.to_world_axes(linear),
+      pose.to_world_axes(angular - com.cross(linear))};
 }
 
 // Joint forces are internal: whatever they do, the whole falls as a stone and keeps its spin.
@@ -160,8 +161,8 @@ TEST(SemiImplicitEuler, TurnsByTheAngularVelocity) {
   };
   for (int i = 0; i < 10; ++i) state = semi_implicit_euler_step(state, 0.1, steady);
   const Eigen::Quaterniond expected(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ()));
-  EXPECT_LT(state.orientation.angularDistance(expected), 1e-7);  // acos near 1 has half of the digits
-  EXPECT_NEAR(state.orientation.norm(), 1, 1e-15);
+  EXPECT_LT(state.pose.quaternion().angularDistance(expected), 1e-7);  // acos near 1 has half of the digits
+  EXPECT_NEAR(state.pose.quaternion().norm(), 1, 1e-15);
 }
 
 }  // namespace

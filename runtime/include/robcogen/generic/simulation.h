@@ -10,8 +10,6 @@
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
 
-#include <cmath>
-
 #include "robcogen/generic/state.h"
 
 namespace robcogen {
@@ -37,8 +35,8 @@ Rate<R> rate(const State<R>& state, const typename R::GeneralizedAcceleration& a
   Eigen::Quaternion<Scalar> spin(0, 0, 0, 0);
   spin.vec() = state.base_velocity.angular() / 2;
   Rate<R> result;
-  result << state.qd, a.qdd, (state.orientation * spin).coeffs(), state.orientation * state.base_velocity.linear(),
-      a.base_acceleration.vector();
+  result << state.qd, a.qdd, (state.pose.quaternion() * spin).coeffs(),
+      state.pose.to_world_axes(state.base_velocity.linear()), a.base_acceleration.vector();
   return result;
 }
 
@@ -48,51 +46,44 @@ State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar
   result.q += h * rate.template head<R::kDof>();
   result.qd += h * rate.template segment<R::kDof>(R::kDof);
   if constexpr (R::kFloatingBase) {
-    result.orientation.coeffs() += h * rate.template segment<4>(2 * R::kDof);
-    // Projects to the unit sphere. The exact motion stays on it, so the order of the method does not change.
-    result.orientation.normalize();
-    result.position += h * rate.template segment<3>(2 * R::kDof + 4);
+    // The pose projects the quaternion to the unit sphere. The exact motion stays on it, so the order of the method
+    // does not change.
+    using Pose = BasicBasePose<typename R::Scalar>;
+    const typename Pose::Vector4 quaternion = state.pose.quaternion_xyzw() + h * rate.template segment<4>(2 * R::kDof);
+    result.pose = Pose::from_quaternion(
+        typename Pose::Quaternion(quaternion), state.pose.position() + h * rate.template segment<3>(2 * R::kDof + 4));
     result.base_velocity = typename R::Twist(result.base_velocity.vector() + h * rate.template tail<6>());
   }
   return result;
 }
 
-// The turn about `vector` by its length (rad).
-template <class Scalar>
-Eigen::Quaternion<Scalar> turn(const Eigen::Matrix<Scalar, 3, 1>& vector) noexcept {
-  const Scalar angle = vector.norm();
-  // sin(angle / 2) / angle; its limit where the quotient would lose all digits.
-  const Scalar factor = angle > Scalar(0) ? std::sin(angle / 2) / angle : Scalar(0.5);
-  Eigen::Quaternion<Scalar> result;
-  result.w() = std::cos(angle / 2);
-  result.vec() = factor * vector;
-  return result;
-}
-
 }  // namespace simulation
 
-// Velocities by the accelerations at the start, then positions by the velocities at the end: first order; energy
-// oscillates without drift for small steps. One evaluation of the dynamics.
-template <FixedBase R, class Acceleration>
-State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
+// Semi-implicit Euler, with accelerations that hold for the step: velocities by them, then positions by the velocities
+// at the end. First order; energy oscillates without drift for small steps.
+template <FixedBase R>
+State<R> integrate(const State<R>& state, const typename R::JointState& qdd, typename R::Scalar h) noexcept {
   State<R> result = state;
-  result.qd += h * acceleration(state);
+  result.qd += h * qdd;
   result.q += h * result.qd;
   return result;
 }
 
-// The orientation turns by the angular velocity, and remains a rotation.
-template <FloatingBase R, class Acceleration>
-State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
-  const typename R::GeneralizedAcceleration a = acceleration(state);
+// The base moves by its twist at the end, exactly, and its orientation remains a rotation.
+template <FloatingBase R>
+State<R> integrate(const State<R>& state, const typename R::GeneralizedAcceleration& a, typename R::Scalar h) noexcept {
   State<R> result = state;
   result.qd += h * a.qdd;
   result.q += h * result.qd;
   result.base_velocity = typename R::Twist(state.base_velocity.vector() + h * a.base_acceleration.vector());
-  const typename R::Vector3 angular = result.base_velocity.angular(), linear = result.base_velocity.linear();
-  result.position += h * (state.orientation * linear);
-  result.orientation = (state.orientation * simulation::turn<typename R::Scalar>(h * angular)).normalized();
+  result.pose = integrate(state.pose, result.base_velocity, h);
   return result;
+}
+
+// One evaluation of the dynamics.
+template <RobotTraits R, class Acceleration>
+State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
+  return integrate(state, acceleration(state), h);
 }
 
 // The classical method of Runge and Kutta: fourth order, four evaluations of the dynamics.

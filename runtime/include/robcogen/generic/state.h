@@ -4,9 +4,8 @@
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
 
-#include <Eigen/Geometry>
-
 #include "robcogen/concepts.h"
+#include "robcogen/pose.h"
 
 namespace robcogen {
 
@@ -17,21 +16,19 @@ struct State {
   typename R::JointState qd = R::JointState::Zero();
 };
 
-// The pose maps base coordinates to those of the world, where z points up. The velocity of the base is in base
-// coordinates, like all quantities of the base.
+// The velocity of the base is in base coordinates, like all quantities of the base.
 template <FloatingBase R>
 struct State<R> {
   typename R::JointState q = R::JointState::Zero();
   typename R::JointState qd = R::JointState::Zero();
-  Eigen::Quaternion<typename R::Scalar> orientation = Eigen::Quaternion<typename R::Scalar>::Identity();  // unit
-  typename R::Vector3 position = R::Vector3::Zero();
+  BasicBasePose<typename R::Scalar> pose;
   typename R::Twist base_velocity;
 };
 
 // Standard gravity in base coordinates.
 template <FloatingBase R>
 typename R::Gravity gravity_in_base(const State<R>& state) noexcept {
-  return typename R::Gravity(state.orientation.conjugate() * R::Gravity::standard().vector());
+  return gravity_in_base(state.pose);
 }
 
 // Accelerations under joint forces (N m, N) and standard gravity: of the joints (rad/s^2, m/s^2), and also of a

@@ -1,0 +1,113 @@
+// The state of a floating robot in MuJoCo's arrays: the robot moves and stands there as it does here.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+#include <quadruped/quadruped.h>
+
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "robcogen/conversions.h"
+#include "robcogen/generic/simulation.h"
+#include "robcogen/reference/samples.h"
+
+namespace robcogen::oracles {
+namespace {
+
+using Robot = quadruped::Robot;
+using State = robcogen::State<Robot>;
+
+// Relative to the largest element: two programs in double precision, light links on heavy ones.
+constexpr double kAgreement = 1e-9;
+constexpr int kStates = 100;
+constexpr int kDof = quadruped::kDof;
+
+struct Deleter {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+class PoseInMujoco : public ::testing::Test {
+ protected:
+  PoseInMujoco() {
+    char error[1000] = "";
+    model_.reset(mj_loadXML(URDF, nullptr, error, sizeof error));
+    mj_freeLastXML();
+    if (!model_) throw std::runtime_error(error);
+    model_->opt.disableflags |= mjDSBL_CONTACT | mjDSBL_CONSTRAINT;
+    data_.reset(mj_makeData(model_.get()));
+  }
+
+  JointOrder<kDof> order() const {
+    std::vector<const char*> names;  // after the floating joint
+    for (int j = 1; j < model_->njnt; ++j) names.push_back(mj_id2name(model_.get(), mjOBJ_JOINT, j));
+    const auto match = match_joints(quadruped::kJointNames, names);
+    if (!match.order) throw std::runtime_error(std::string(match.name));
+    return *match.order;
+  }
+
+  // Quaternions of any length and sign.
+  void randomise(std::mt19937_64& engine) {
+    for (int i = 0; i < model_->nq; ++i) data_->qpos[i] = reference::uniform(engine, 2.0);
+    for (int i = 0; i < model_->nv; ++i) data_->qvel[i] = reference::uniform(engine, 2.0);
+  }
+
+  State state() const { return from_mujoco<State>(data_->qpos, data_->qvel, order()); }
+
+  std::unique_ptr<mjModel, Deleter> model_;
+  std::unique_ptr<mjData, Deleter> data_;
+};
+
+TEST_F(PoseInMujoco, ForwardDynamicsAgree) {
+  std::mt19937_64 engine(41);
+  for (int i = 0; i < kStates; ++i) {
+    randomise(engine);
+    quadruped::JointState tau;
+    for (double& x : tau) x = reference::uniform(engine, 20.0);
+    order().to(tau, data_->qfrc_applied + 6);
+    mj_forward(model_.get(), data_.get());
+
+    const State s = state();
+    const auto ours = acceleration(Robot(), s, tau);
+    const auto base = classical_from_spatial(ours.base_acceleration, s.base_velocity);
+    Eigen::VectorXd expected(6 + kDof), theirs = Eigen::Map<Eigen::VectorXd>(data_->qacc, 6 + kDof);
+    expected << s.pose.to_world_axes(base.linear()), base.angular(), Eigen::VectorXd::Zero(kDof);
+    order().to(ours.qdd, expected.data() + 6);
+    EXPECT_LT((theirs - expected).cwiseAbs().maxCoeff(), kAgreement * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_F(PoseInMujoco, FramesStandWhereTheyDo) {
+  namespace homogeneous = quadruped::transforms::homogeneous;
+  std::mt19937_64 engine(42);
+  const int body = mj_name2id(model_.get(), mjOBJ_BODY, "LF_lowerleg");
+  ASSERT_GE(body, 0);
+  for (int i = 0; i < kStates; ++i) {
+    randomise(engine);
+    const State s = state();
+    to_mujoco(s, order(), data_->qpos, data_->qvel);
+    mj_kinematics(model_.get(), data_.get());
+    const Eigen::Matrix4d X = s.pose.homogeneous() * homogeneous::fr_trunk_X_fr_LF_lowerleg(s.q);
+    const Eigen::Map<const Eigen::Vector3d> position(data_->xpos + 3 * body);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(data_->xmat + 9 * body);
+    EXPECT_LT((X.topRightCorner<3, 1>() - position).norm(), kAgreement);
+    EXPECT_LT((X.topLeftCorner<3, 3>() - rotation).norm(), kAgreement);
+  }
+}
+
+// MuJoCo moves the origin along the velocity at the start, in a straight line; turns are the same.
+TEST_F(PoseInMujoco, OrientationsTurnEqually) {
+  std::mt19937_64 engine(43);
+  for (int i = 0; i < kStates; ++i) {
+    randomise(engine);
+    const State before = state();
+    mj_integratePos(model_.get(), data_->qpos, data_->qvel, 0.3);
+    const BasePose after = integrate(before.pose, before.base_velocity, 0.3);
+    EXPECT_LT(difference(after, state().pose).angular().norm(), kAgreement);
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::oracles
