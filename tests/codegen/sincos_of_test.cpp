@@ -193,6 +193,51 @@ void expect_few() {
   for (const int i : {0, 2, 4, 5}) expect(i, i);
 }
 
+// To each place the sine and cosine of its angle; to the others nothing. With angles of any size among them.
+template <class Scalar, int... kTo>
+void expect_at_places() {
+  constexpr int kPlaces[] = {kTo...}, kCount = sizeof...(kTo);
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity(), kUnwritten = 7;
+  const Scalar different[] = {Scalar(0.3), Scalar(1e6), Scalar(-2.5), kInfinity - kInfinity, Scalar(4), Scalar(-5e7)};
+  for (int first = 0; first < 6; ++first) {
+    Scalar angles[kCount], sine[12], cosine[12];
+    for (int i = 0; i < kCount; ++i) angles[i] = different[(first * i) % 6] + Scalar(0.125) * Scalar(i);
+    for (int i = 0; i < 12; ++i) sine[i] = cosine[i] = kUnwritten;
+    robcogen::sincos_to<kTo...>(angles, sine, cosine);
+    for (int place = 0; place < 12; ++place) {
+      const auto* at = std::find(std::begin(kPlaces), std::end(kPlaces), place);
+      if (at == std::end(kPlaces)) {
+        EXPECT_EQ(sine[place], kUnwritten);
+        EXPECT_EQ(cosine[place], kUnwritten);
+        continue;
+      }
+      const Scalar x = angles[at - kPlaces];
+      if (!std::isfinite(x)) {
+        EXPECT_TRUE(std::isnan(sine[place]) && std::isnan(cosine[place]));
+        continue;
+      }
+      EXPECT_NEAR(sine[place], std::sin(x), std::numeric_limits<Scalar>::epsilon()) << x;
+      EXPECT_NEAR(cosine[place], std::cos(x), std::numeric_limits<Scalar>::epsilon()) << x;
+    }
+  }
+}
+
+template <class Scalar>
+void expect_at_all_kinds_of_places() {
+  expect_at_places<Scalar, 3>();
+  expect_at_places<Scalar, 3, 1>();
+  expect_at_places<Scalar, 1, 2, 3>();
+  expect_at_places<Scalar, 2, 3, 4, 5>();
+  expect_at_places<Scalar, 1, 2, 3, 4, 6>();
+  expect_at_places<Scalar, 0, 1, 2, 3, 5, 4>();
+  expect_at_places<Scalar, 11, 9, 7, 5, 3, 1, 0, 2, 4>();
+}
+
+TEST(SinCosOf, AnglesGoToTheirPlaces) {
+  expect_at_all_kinds_of_places<double>();
+  expect_at_all_kinds_of_places<float>();
+}
+
 TEST(SinCosOf, FewAnglesAndAnglesThatStandApart) {
   expect_few<double>();
   expect_few<float>();

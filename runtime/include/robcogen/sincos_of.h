@@ -52,10 +52,22 @@ constexpr int kTogether = kInRegister<Scalar> < 4 ? kInRegister<Scalar> : 4;
 template <class Scalar>
 using Together = Vector<Scalar, kTogether<Scalar>>;
 
-// Lanes beyond the first kUsed are zero.
-template <int kUsed, class Scalar, int... kLane>
+// The elements from kFirst on; lanes beyond kCount elements are zero. One by one: numbers that have just been computed
+// stay in registers, where a vector that is loaded would wait until all of them are stored.
+template <int kFirst, int kCount, class Scalar, int... kLane>
 ROBCOGEN_INLINE Together<Scalar> gathered(const Scalar* x, std::integer_sequence<int, kLane...>) noexcept {
-  return Together<Scalar>{(kLane < kUsed ? x[kLane < kUsed ? kLane : 0] : Scalar(0))...};
+  return Together<Scalar>{(kFirst + kLane < kCount ? x[kFirst + kLane < kCount ? kFirst + kLane : 0] : Scalar(0))...};
+}
+
+// The first kUsed elements, the first two as a block.
+template <int kUsed, class Scalar>
+ROBCOGEN_INLINE void store_first(const Together<Scalar>& from, Scalar* to) noexcept {
+  if constexpr (kUsed == 1) {
+    to[0] = from[0];
+  } else {
+    std::memcpy(to, &from, 2 * sizeof(Scalar));
+    for (int i = 2; i < kUsed; ++i) to[i] = from[i];
+  }
 }
 
 // From and to the first kUsed elements.
@@ -73,15 +85,10 @@ ROBCOGEN_INLINE void sincos_together(
     std::memcpy(sine, &s, sizeof(s));
     std::memcpy(cosine, &c, sizeof(c));
   } else {
-    angles = gathered<kUsed>(x, std::make_integer_sequence<int, kTogether<Scalar>>());
+    angles = gathered<0, kUsed>(x, std::make_integer_sequence<int, kTogether<Scalar>>());
     polynomials(angles, s, c, beyond);
-    Scalar sines[kTogether<Scalar>], cosines[kTogether<Scalar>];
-    std::memcpy(sines, &s, sizeof(s));
-    std::memcpy(cosines, &c, sizeof(c));
-    for (int i = 0; i < kUsed; ++i) {
-      sine[i] = sines[i];
-      cosine[i] = cosines[i];
-    }
+    store_first<kUsed>(s, sine);
+    store_first<kUsed>(c, cosine);
   }
 }
 
@@ -95,6 +102,64 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) no
   constexpr int kLast = kCount < kSize ? kCount : kSize, kFrom = kCount - kLast;
   if constexpr (kWhole < kCount) sincos_together<kLast>(x + kFrom, sine + kFrom, cosine + kFrom, beyond);
   if (any_beyond<Scalar>(beyond)) replace_large(x, kCount, sine, cosine);
+}
+
+// Angles in registers: a vector for each kTogether of them.
+template <class Scalar, int kVectors>
+struct Angles {
+  Together<Scalar> vectors[kVectors];
+};
+
+// Angles out of the range of the polynomials, and NaN; the i-th of them has the place kTo[i].
+template <int... kTo, class Scalar, int kVectors>
+ROBCOGEN_RARE void replace_large_at(Angles<Scalar, kVectors> angles, Scalar* sine, Scalar* cosine) noexcept {
+  constexpr int kPlaces[] = {kTo...};
+  Scalar numbers[kVectors * kTogether<Scalar>];
+  std::memcpy(numbers, angles.vectors, sizeof(numbers));
+  for (int i = 0; i < static_cast<int>(sizeof...(kTo)); ++i)
+    replace_large(numbers + i, 1, sine + kPlaces[i], cosine + kPlaces[i]);
+}
+
+// The first of the elements to their places.
+template <int kFirst, int... kTo, class Scalar, int... kLane>
+ROBCOGEN_INLINE void scatter(const Together<Scalar>& from, Scalar* to, std::integer_sequence<int, kLane...>) noexcept {
+  constexpr int kCount = sizeof...(kTo), kPlaces[] = {kTo...};
+  constexpr bool kIsBlock =
+      ((kFirst + kLane < kCount && kPlaces[kFirst + kLane < kCount ? kFirst + kLane : 0] == kPlaces[kFirst] + kLane) &&
+       ...);
+  if constexpr (kIsBlock) {
+    std::memcpy(to + kPlaces[kFirst], &from, sizeof(from));
+  } else {
+    ((kFirst + kLane < kCount ? void(to[kPlaces[kFirst + kLane < kCount ? kFirst + kLane : 0]] = from[kLane]) : void()),
+     ...);
+  }
+}
+
+template <int kFirst, int... kTo, class Scalar, int kVectors>
+ROBCOGEN_INLINE void sincos_scattered(
+    const Scalar* x,
+    Scalar* sine,
+    Scalar* cosine,
+    Angles<Scalar, kVectors>& angles,
+    Bits<Together<Scalar>>& beyond) noexcept {
+  constexpr auto kLanes = std::make_integer_sequence<int, kTogether<Scalar>>();
+  Together<Scalar>& vector = angles.vectors[kFirst / kTogether<Scalar>];
+  Together<Scalar> s, c;
+  vector = gathered<kFirst, sizeof...(kTo)>(x, kLanes);
+  polynomials(vector, s, c, beyond);
+  scatter<kFirst, kTo...>(s, sine, kLanes);
+  scatter<kFirst, kTo...>(c, cosine, kLanes);
+  if constexpr (kFirst + kTogether<Scalar> < static_cast<int>(sizeof...(kTo)))
+    sincos_scattered<kFirst + kTogether<Scalar>, kTo...>(x, sine, cosine, angles, beyond);
+}
+
+// The sine and cosine of x[i] to the i-th of kTo. Scalar: double or float.
+template <int... kTo, class Scalar>
+ROBCOGEN_INLINE void sincos_to(const Scalar* x, Scalar* sine, Scalar* cosine) noexcept {
+  Bits<Together<Scalar>> beyond = {};
+  Angles<Scalar, (sizeof...(kTo) + kTogether<Scalar> - 1) / kTogether<Scalar>> angles;
+  sincos_scattered<0, kTo...>(x, sine, cosine, angles, beyond);
+  if (any_beyond<Scalar>(beyond)) replace_large_at<kTo...>(angles, sine, cosine);
 }
 
 // For lanes: the vectors that they consist of. Registers of SSE hold four floats, and two of them become four.
@@ -246,12 +311,12 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) noexcept
   return robcogen::sincos(x).cos;
 }
 
-// Whether angles are computed together: when measurements show that this is faster than the C library. Fewer than four
-// angles only for double, when few lanes are empty; lanes always.
+// Whether angles are computed together: when measurements show that this is faster than the C library. Two and three
+// angles only for double; lanes always.
 template <int kCount, class Scalar>
 constexpr bool kPays = lanes::kIsComputed<Scalar> && (kCount >= 4 || !std::is_floating_point_v<Scalar>);
 template <int kCount>
-constexpr bool kPays<kCount, double> = kCount == 2 || kCount >= 4 || (kCount == 3 && lanes::kTogether<double> > 2);
+constexpr bool kPays<kCount, double> = kCount >= 2;
 
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE void one_by_one(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
@@ -278,10 +343,14 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosin
 template <int... kTo, class Scalar>
 ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   constexpr int kCount = sizeof...(kTo);
-  Scalar sines[kCount], cosines[kCount];
-  sincos_of<kCount>(angles, sines, cosines);
-  int i = 0;
-  ((sine[kTo] = sines[i], cosine[kTo] = cosines[i], ++i), ...);
+  if constexpr (kPays<kCount, Scalar> && std::is_floating_point_v<Scalar>) {
+    lanes::sincos_to<kTo...>(angles, sine, cosine);
+  } else {
+    Scalar sines[kCount], cosines[kCount];
+    sincos_of<kCount>(angles, sines, cosines);
+    int i = 0;
+    ((sine[kTo] = sines[i], cosine[kTo] = cosines[i], ++i), ...);
+  }
 }
 
 // The same for these angles only, to places of the same indices.
