@@ -4,20 +4,7 @@
 #include <iostream>
 
 #include "robcogen/pose.h"
-
-namespace {
-
-// A force (trunk axes) on a foot, as a wrench on the lower leg in its own coordinates.
-robcogen::Wrench wrench_of(
-    const Eigen::Matrix4d& trunk_X_foot,
-    const Eigen::Matrix<double, 6, 6>& lowerleg_XF_trunk,
-    const Eigen::Vector3d& force) {
-  const Eigen::Vector3d foot = trunk_X_foot.topRightCorner<3, 1>();
-  const robcogen::Wrench about_trunk(foot.cross(force), force);
-  return robcogen::Wrench(lowerleg_XF_trunk * about_trunk.vector());
-}
-
-}  // namespace
+#include "robcogen/world.h"
 
 int main() {
   // Hip abduction, hip flexion and knee of each leg (rad): LF, RF, LH, RH. Front knees forward, hind knees backward.
@@ -35,13 +22,14 @@ int main() {
 
   // Two feet bear half of the weight each.
   namespace homogeneous = quadruped::transforms::homogeneous;
-  namespace on_force = quadruped::transforms::force;
   const Eigen::Vector3d force = -H(3, 3) / 2 * gravity.vector();
+  const Eigen::Vector3d front = homogeneous::fr_trunk_X_fr_LF_foot(q).topRightCorner<3, 1>();
+  const Eigen::Vector3d hind = homogeneous::fr_trunk_X_fr_RH_foot(q).topRightCorner<3, 1>();
   quadruped::LinkWrenches external;
   external[quadruped::Link::LF_lowerleg] =
-      wrench_of(homogeneous::fr_trunk_X_fr_LF_foot(q), on_force::fr_LF_lowerleg_X_fr_trunk(q), force);
+      robcogen::wrench_on_link(homogeneous::fr_trunk_X_fr_LF_lowerleg(q), front, force);
   external[quadruped::Link::RH_lowerleg] =
-      wrench_of(homogeneous::fr_trunk_X_fr_RH_foot(q), on_force::fr_RH_lowerleg_X_fr_trunk(q), force);
+      robcogen::wrench_on_link(homogeneous::fr_trunk_X_fr_RH_lowerleg(q), hind, force);
 
   // Joint forces that keep the joints still, and how the base moves then.
   const auto held = quadruped::inverse_dynamics(q, rest, rest, base_velocity, gravity, external);

@@ -12,6 +12,7 @@
 #include "robcogen/conversions.h"
 #include "robcogen/generic/simulation.h"
 #include "robcogen/reference/samples.h"
+#include "robcogen/world.h"
 
 namespace robcogen::oracles {
 namespace {
@@ -94,6 +95,31 @@ TEST_F(PoseInMujoco, FramesStandWhereTheyDo) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(data_->xmat + 9 * body);
     EXPECT_LT((X.topRightCorner<3, 1>() - position).norm(), kAgreement);
     EXPECT_LT((X.topLeftCorner<3, 3>() - rotation).norm(), kAgreement);
+  }
+}
+
+TEST_F(PoseInMujoco, JacobiansWithBaseAgree) {
+  namespace jacobians = quadruped::jacobians;
+  std::mt19937_64 engine(44);
+  const int body = mj_name2id(model_.get(), mjOBJ_BODY, "LF_lowerleg");
+  for (int i = 0; i < kStates; ++i) {
+    randomise(engine);
+    mj_forward(model_.get(), data_.get());
+    const State s = state();
+    const Eigen::Matrix4d X = quadruped::transforms::homogeneous::fr_trunk_X_fr_LF_foot(s.q);
+    const Eigen::Matrix3d R = s.pose.rotation();
+    const auto J = rows_in_axes(
+        R,
+        jacobian_with_base<kDof>(X, jacobians::fr_trunk_J_fr_LF_foot(s.q), jacobians::fr_trunk_J_fr_LF_foot_columns));
+    const Eigen::Vector3d foot = (s.pose.homogeneous() * X).topRightCorner<3, 1>();
+    Eigen::Matrix<double, 6, 6 + kDof, Eigen::RowMajor> theirs;
+    mj_jac(model_.get(), data_.get(), theirs.row(3).data(), theirs.row(0).data(), foot.data(), body);
+
+    Eigen::Matrix<double, 6, 6 + kDof> ours;
+    ours.leftCols<3>() = J.middleCols<3>(3) * R.transpose();  // velocity of the base in world axes
+    ours.middleCols<3>(3) = J.leftCols<3>();
+    for (int j = 0; j < kDof; ++j) ours.col(6 + order()[static_cast<std::size_t>(j)]) = J.col(6 + j);
+    EXPECT_LT((theirs - ours).cwiseAbs().maxCoeff(), kAgreement);
   }
 }
 
