@@ -57,9 +57,10 @@ include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
 
 set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
 set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passive_forces forward_dynamics
-                                             joint_space_inertia joint_space_inertia_factor coriolis_matrix centroidal energy transforms
-                                             jacobians jacobian_references jacobian_derivatives velocities
-                                             accelerations)
+                                             joint_space_inertia joint_space_inertia_factor coriolis_matrix
+                                             inverse_dynamics_derivatives inverse_dynamics_gradient
+                                             forward_dynamics_derivatives centroidal energy transforms jacobians
+                                             jacobian_references jacobian_derivatives velocities accelerations)
 # The default: the functions that most programs need, which compile quickly.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)

@@ -190,6 +190,53 @@ Matrix<double> InterpretedRobot::coriolis_matrix(const State& m) const {
   return matrix(run("coriolis_matrix", {}, inputs_of(m)).at("C"), floating_ ? 6 + dof_ : dof_);
 }
 
+reference::Derivatives InterpretedRobot::derivatives(
+    const symbolic::Arrays<double>& results,
+    const std::string& base,
+    const std::string& joints) const {
+  const int rows = floating_ ? 6 + dof_ : dof_;
+  // No columns where the function has none.
+  const auto block = [&](const std::string& array) {
+    const auto found = results.find(array);
+    return found == results.end() ? Matrix<double>(rows, 0) : matrix(found->second, rows);
+  };
+  return {
+      results.contains(joints) ? base_and_joints(floating_, results, base, joints) : Vector<double>(),
+      block("d_q"),
+      block("d_qd"),
+      block(joints == "qdd" ? "d_tau" : "d_qdd"),
+      block("d_base_rotation"),
+      block("d_base_velocity"),
+      block("d_base_acceleration")};
+}
+
+reference::Derivatives InterpretedRobot::inverse_dynamics_fully_actuated_derivatives(
+    const State& m,
+    const Arguments& arguments) const {
+  const std::string name = floating_ ? "inverse_dynamics_fully_actuated_derivatives" : "inverse_dynamics_derivatives";
+  return derivatives(run(name, arguments, inputs_of(m)), "base_wrench", "tau");
+}
+
+reference::Derivatives InterpretedRobot::inverse_dynamics_derivatives(const State& m, const Arguments& arguments)
+    const {
+  return derivatives(run("inverse_dynamics_derivatives", arguments, inputs_of(m)), "base_acceleration", "tau");
+}
+
+reference::Derivatives InterpretedRobot::forward_dynamics_derivatives(
+    const State& m,
+    const Vector<double>& tau,
+    const Arguments& arguments) const {
+  symbolic::Arrays<double> inputs = inputs_of(m);
+  inputs["tau"] = tau.values();
+  return derivatives(run("forward_dynamics_derivatives", arguments, inputs), "base_acceleration", "qdd");
+}
+
+reference::Derivatives InterpretedRobot::gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments)
+    const {
+  const Arguments gravity{arguments.gravity, nullptr};
+  return derivatives(run("gravity_forces_derivative", gravity, {{"q", q.values()}}), "base_wrench", "tau");
+}
+
 Vector<double> InterpretedRobot::center_of_mass(const Vector<double>& q) const {
   return vector(run("center_of_mass", {}, {{"q", q.values()}}).at("com"));
 }
@@ -247,6 +294,13 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inertia_factor(robot, c, checks);
     check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
+    // Robots with rotors have none of these, large ones not all.
+    if (robot.programs().contains("gravity_forces_derivative")) {
+      check_inverse_dynamics_derivatives(robot, c, checks);
+      check_free_inverse_dynamics_derivatives(robot, c, checks);
+      check_gravity_forces_derivative(robot, c, checks);
+    }
+    if (robot.programs().contains("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
     check_center_of_mass(robot, c, checks);
     check_centroidal_momentum(robot, c, checks);
     check_free_fall(robot, c, checks);

@@ -9,6 +9,7 @@
 #include "pass/passes.h"
 #include "reference_tables.h"
 #include "robcogen/reference/check_control.h"
+#include "robcogen/reference/check_derivatives.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identities.h"
@@ -53,6 +54,16 @@ class InterpretedRobot {
   reference::Matrix<double> joint_space_inertia(const Vector<double>& q) const;
   reference::FactorResults inertia_factor(const reference::Vector<double>& q, const reference::Vector<double>& x) const;
   reference::Matrix<double> coriolis_matrix(const State& m) const;
+  reference::Derivatives inverse_dynamics_fully_actuated_derivatives(
+      const State& m,
+      const reference::Arguments& arguments) const;
+  reference::Derivatives inverse_dynamics_derivatives(const State& m, const reference::Arguments& arguments) const;
+  reference::Derivatives forward_dynamics_derivatives(
+      const State& m,
+      const Vector<double>& tau,
+      const reference::Arguments& arguments) const;
+  reference::Derivatives gravity_forces_derivative(const Vector<double>& q, const reference::Arguments& arguments)
+      const;
   Vector<double> center_of_mass(const Vector<double>& q) const;
   reference::Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const;
   reference::Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const;
@@ -70,6 +81,11 @@ class InterpretedRobot {
 
  private:
   symbolic::Arrays<double> inputs_of(const State& m) const;
+  // Of a result of the base and of the joints.
+  reference::Derivatives derivatives(
+      const symbolic::Arrays<double>& results,
+      const std::string& base,
+      const std::string& joints) const;
 
   bool floating_;
   int dof_;

@@ -16,6 +16,7 @@
 #include "robcogen/reference/available.h"
 #include "robcogen/reference/check_batch.h"
 #include "robcogen/reference/check_control.h"
+#include "robcogen/reference/check_derivatives.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identities.h"
@@ -47,6 +48,11 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     if constexpr (kHasFactor) check_inertia_factor(subject, c, checks);
     if constexpr (kHasFactor && kHasBiasForces && kHasForwardDynamics) check_factor_dynamics(subject, c, checks);
     if constexpr (kHasCoriolisMatrix) check_coriolis_matrix(subject, c, checks);
+    if constexpr (kHasInverseDynamicsDerivatives) check_inverse_dynamics_derivatives(subject, c, checks);
+    if constexpr (kHasInverseDynamicsDerivatives) check_gravity_forces_derivative(subject, c, checks);
+    if constexpr (R::kFloatingBase && kHasFreeInverseDynamicsDerivatives)
+      check_free_inverse_dynamics_derivatives(subject, c, checks);
+    if constexpr (kHasForwardDynamicsDerivatives) check_forward_dynamics_derivatives(subject, c, checks);
     if constexpr (kHasCentroidal) check_center_of_mass(subject, c, checks);
     if constexpr (kHasCentroidal) check_centroidal_momentum(subject, c, checks);
     if constexpr (kHasCentroidal && kHasForwardDynamics) check_free_fall(subject, c, checks);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <type_traits>
 
 #include "robcogen/reference/check_control.h"
+#include "robcogen/reference/check_derivatives.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identities.h"
@@ -149,6 +151,83 @@ class Right {
   Robot robot_;
 };
 
+// The same with derivatives: differences, column by column, which take their time.
+class RightDerivatives : public Right {
+ public:
+  using Right::Right;
+
+  Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+    const auto value = [&](const Motion<Real>& motion, const Loads<Real>& acting) {
+      return cut(robot_.floating_base, generalized_forces(robot_, motion, acting));
+    };
+    return derivatives(m, loads(arguments).cast<Real>(), value);
+  }
+  Derivatives inverse_dynamics_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+    const auto value = [&](const Motion<Real>& motion, const Loads<Real>& acting) {
+      const InverseDynamics<Real> result = reference::inverse_dynamics(robot_, motion, acting);
+      return stacked(result.base_acceleration, result.tau);
+    };
+    Derivatives d = derivatives(m, loads(arguments).cast<Real>(), value);
+    d.base_acceleration = Matrix<double>(d.q.rows(), 0);
+    return d;
+  }
+  Derivatives forward_dynamics_derivatives(
+      const Motion<double>& m,
+      const Vector<double>& tau,
+      const Arguments& arguments) const {
+    // The joint forces stand where accelerations do otherwise.
+    Motion<double> forces = m;
+    forces.qdd = tau;
+    const auto value = [&](const Motion<Real>& motion, const Loads<Real>& acting) {
+      const Accelerations<Real> result = reference::forward_dynamics(robot_, motion, motion.qdd, acting);
+      return coordinates(robot_.floating_base, result.base_acceleration, result.qdd);
+    };
+    Derivatives d = derivatives(forces, loads(arguments).cast<Real>(), value);
+    d.base_acceleration = Matrix<double>(d.q.rows(), 0);
+    return d;
+  }
+  Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
+    Derivatives d = inverse_dynamics_fully_actuated_derivatives(at_rest(q), {arguments.gravity, nullptr});
+    for (int i = 0; !robot_.floating_base && i < d.q.rows(); ++i)
+      for (int j = 0; j < i; ++j) d.q(i, j) = d.q(j, i);  // generated code writes each pair from one value
+    d.base_velocity = d.base_acceleration = Matrix<double>(d.q.rows(), 0);
+    return d;
+  }
+
+ private:
+  template <class Value>
+  Derivatives derivatives(const Motion<double>& m, const Loads<Real>& acting, const Value& value) const {
+    const Motion<Real> motion = cast<Real>(m);
+    const auto columns = [&](int count, const auto& change) {
+      Matrix<double> result(value(motion, acting).rows(), count);
+      for (int k = 0; k < count; ++k) {
+        const Vector<Real> column = difference([&](Real step) {
+          Motion<Real> changed = motion;
+          Loads<Real> loads_there = acting;
+          Vector<Real> along(count);
+          along(k) = step;
+          change(changed, loads_there, along);
+          return value(changed, loads_there);
+        });
+        result.set_block(0, k, column.cast<double>());
+      }
+      return result;
+    };
+    using Along = Vector<Real>;
+    const int n = m.q.rows();
+    Derivatives d;
+    d.value = value(motion, acting).template cast<double>();
+    d.q = columns(n, [](auto& s, auto&, const Along& a) { s.q += a; });
+    d.qd = columns(n, [](auto& s, auto&, const Along& a) { s.qd += a; });
+    d.last = columns(n, [](auto& s, auto&, const Along& a) { s.qdd += a; });
+    d.base_rotation =
+        columns(3, [](auto&, auto& l, const Along& a) { l.gravity = seen_from_turned_base(l.gravity, a); });
+    d.base_velocity = columns(6, [](auto& s, auto&, const Along& a) { s.base_velocity += a; });
+    d.base_acceleration = columns(6, [](auto& s, auto&, const Along& a) { s.base_acceleration += a; });
+    return d;
+  }
+};
+
 Tables sample(bool floating) {
   Tables tables = crooked_tree(floating);
   for (int left = 0; left < 3; ++left) {
@@ -189,6 +268,12 @@ std::string failures(bool floating) {
     check_inertia_factor(subject, c, checks);
     check_factor_dynamics(subject, c, checks);
     check_coriolis_matrix(subject, c, checks);
+    if constexpr (std::is_base_of_v<RightDerivatives, Subject>) {
+      check_inverse_dynamics_derivatives(subject, c, checks);
+      check_free_inverse_dynamics_derivatives(subject, c, checks);
+      check_forward_dynamics_derivatives(subject, c, checks);
+      check_gravity_forces_derivative(subject, c, checks);
+    }
     check_center_of_mass(subject, c, checks);
     check_centroidal_momentum(subject, c, checks);
     check_free_fall(subject, c, checks);
@@ -210,8 +295,8 @@ void expect_found(const std::vector<std::string>& names, const std::vector<bool>
 }
 
 TEST(Checks, PassWhatIsRight) {
-  EXPECT_EQ(failures<Right>(false), "");
-  EXPECT_EQ(failures<Right>(true), "");
+  EXPECT_EQ(failures<RightDerivatives>(false), "");
+  EXPECT_EQ(failures<RightDerivatives>(true), "");
 }
 
 TEST(Checks, FindGravityOfTheWrongSign) {
@@ -389,6 +474,71 @@ TEST(Checks, FindAnInverseTransform) {
     }
   };
   expect_found<Wrong>({"transforms::homogeneous", "P5: composition", "P5: inverse pairs"});
+}
+
+// The wrench on a link that moves with a joint, in axes that do not.
+TEST(Checks, FindDerivativesUnderWrenchesThatDoNotMove) {
+  struct Wrong : RightDerivatives {
+    using RightDerivatives::RightDerivatives;
+    Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+      Derivatives d = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, arguments);
+      d.q = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, {arguments.gravity, nullptr}).q;
+      return d;
+    }
+  };
+  for (const char* name : {"inverse_dynamics", "inverse_dynamics_fully_actuated"}) {
+    const bool floating = std::string(name) != "inverse_dynamics";
+    expect_found<Wrong>({std::string(name) + "_derivatives (wrenches): d_q"}, {floating});
+  }
+}
+
+TEST(Checks, FindABaseThatTurnsWithGravity) {
+  struct Wrong : RightDerivatives {
+    using RightDerivatives::RightDerivatives;
+    Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+      Derivatives d = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, arguments);
+      d.base_rotation = -d.base_rotation;
+      d.qd.set_block(0, 0, 0.5 * d.qd.col(0));
+      return d;
+    }
+  };
+  const std::string name = "inverse_dynamics_fully_actuated_derivatives";
+  expect_found<Wrong>({name + " (gravity, wrenches): d_base_rotation", name + " (gravity, wrenches): d_qd"}, {true});
+}
+
+TEST(Checks, FindAForwardDynamicsOfTheWrongSign) {
+  struct Wrong : RightDerivatives {
+    using RightDerivatives::RightDerivatives;
+    Derivatives forward_dynamics_derivatives(
+        const Motion<double>& m,
+        const Vector<double>& tau,
+        const Arguments& arguments) const {
+      Derivatives d = RightDerivatives::forward_dynamics_derivatives(m, tau, arguments);
+      d.q = -d.q;
+      d.last.set_block(0, 0, 1.001 * d.last.col(0));
+      return d;
+    }
+    Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
+      Derivatives d = RightDerivatives::gravity_forces_derivative(q, arguments);
+      d.q.set_block(0, 0, 1.001 * d.q.col(0));
+      return d;
+    }
+  };
+  expect_found<Wrong>(
+      {"forward_dynamics_derivatives: d_q", "forward_dynamics_derivatives (gravity, wrenches): d_tau",
+       "gravity_forces_derivative: d_q"});
+}
+
+TEST(Checks, FindABaseThatIsHeldInDerivatives) {
+  struct Wrong : RightDerivatives {
+    using RightDerivatives::RightDerivatives;
+    Derivatives inverse_dynamics_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+      Derivatives d = RightDerivatives::inverse_dynamics_derivatives(m, arguments);
+      d.q = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, arguments).q;
+      return d;
+    }
+  };
+  expect_found<Wrong>({"inverse_dynamics_derivatives: d_q"}, {true});
 }
 
 TEST(Checks, FindForcesOfNoWrench) {

@@ -56,6 +56,17 @@ std::optional<Model> load_tree(
       language::kinematics::print(language::kinematics::without_comments(std::move(document)))};
 }
 
+void report_absence(const model::KinematicTree& tree, const std::string& group, Diagnostics& diagnostics) {
+  const std::string reason = algorithm::reason_of_absence(tree, group);
+  if (reason.empty()) return;
+  Diagnostic& error = diagnostics.error(
+      "unavailable-group", tree.links[0].place,
+      fmt::format("'{}' of robot '{}' is not available: {}", group, tree.name, reason));
+  if (algorithm::is_available(tree, "inverse_dynamics_derivatives"))
+    error.hint =
+        "solve for the columns of inverse_dynamics_derivatives with joint_space_inertia_factor: d_q = -H^-1 d tau/d q";
+}
+
 std::optional<Model> load_robot(
     const std::shared_ptr<const Source>& source,
     bool is_urdf,
@@ -69,6 +80,7 @@ std::optional<Model> load_robot(
   const auto is_missing = [&](const std::string& group) { return !algorithm::is_available(tree, group); };
   if (std::any_of(options.groups.begin(), options.groups.end(), is_missing)) {
     diagnostics.promote_warnings(model::inertia_defect_codes());
+    for (const std::string& group : options.groups) report_absence(tree, group, diagnostics);
     return std::nullopt;
   }
   if (diagnostics.has_errors()) return std::nullopt;

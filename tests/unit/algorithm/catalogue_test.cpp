@@ -76,6 +76,26 @@ TEST(RobotPrograms, OfAFixedBase) {
           "inertia_factor_inverse_L: L inverse_diagonal -> inverse 2x2"}));
   EXPECT_EQ(signatures(tree, "coriolis_matrix"), (List{"coriolis_matrix: q qd -> C 2x2"}));
   EXPECT_EQ(
+      signatures(tree, "inverse_dynamics_derivatives"),
+      (List{
+          "inverse_dynamics_derivatives: q qd qdd -> tau 2x1 d_q 2x2 d_qd 2x2 d_qdd 2x2",
+          "inverse_dynamics_derivatives_gravity: q qd qdd gravity -> tau 2x1 d_q 2x2 d_qd 2x2 d_qdd 2x2",
+          "inverse_dynamics_derivatives_external: q qd qdd gravity external -> tau 2x1 d_q 2x2 d_qd 2x2 d_qdd 2x2",
+          "gravity_forces_derivative: q -> d_q 2x2", "gravity_forces_derivative_gravity: q gravity -> d_q 2x2"}));
+  EXPECT_EQ(
+      signatures(tree, "inverse_dynamics_gradient"),
+      (List{
+          "inverse_dynamics_gradient: q qd qdd weights -> tau 2x1 d_q 2x1 d_qd 2x1 d_qdd 2x1",
+          "inverse_dynamics_gradient_gravity: q qd qdd weights gravity -> tau 2x1 d_q 2x1 d_qd 2x1 d_qdd 2x1",
+          "inverse_dynamics_gradient_external: q qd qdd weights gravity external -> tau 2x1 d_q 2x1 d_qd 2x1 d_qdd "
+          "2x1"}));
+  EXPECT_EQ(
+      signatures(tree, "forward_dynamics_derivatives"),
+      (List{
+          "forward_dynamics_derivatives: q qd tau -> qdd 2x1 d_q 2x2 d_qd 2x2 d_tau 2x2",
+          "forward_dynamics_derivatives_gravity: q qd tau gravity -> qdd 2x1 d_q 2x2 d_qd 2x2 d_tau 2x2",
+          "forward_dynamics_derivatives_external: q qd tau gravity external -> qdd 2x1 d_q 2x2 d_qd 2x2 d_tau 2x2"}));
+  EXPECT_EQ(
       signatures(tree, "centroidal"), (List{
                                           "center_of_mass: q -> com 3x1", "center_of_mass_jacobian: q -> J 3x2",
                                           "centroidal_momentum_matrix: q -> A 6x2"}));
@@ -111,6 +131,26 @@ TEST(RobotPrograms, OfAFloatingBase) {
           "inertia_factor_inverse: L inverse_diagonal -> inverse 8x8",
           "inertia_factor_inverse_L: L inverse_diagonal -> inverse 8x8"}));
   EXPECT_EQ(signatures(tree, "coriolis_matrix"), (List{"coriolis_matrix: q qd base_velocity -> C 8x8"}));
+  const std::string blocks = " d_q 8x2 d_qd 8x2 d_qdd 8x2 d_base_rotation 8x3 d_base_velocity 8x6";
+  const std::string free = " -> tau 2x1 base_acceleration 6x1" + blocks;
+  const std::string held = " -> tau 2x1 base_wrench 6x1" + blocks + " d_base_acceleration 8x6";
+  EXPECT_EQ(
+      signatures(tree, "inverse_dynamics_derivatives"),
+      (List{
+          "inverse_dynamics_derivatives: q qd qdd base_velocity gravity" + free,
+          "inverse_dynamics_derivatives_external: q qd qdd base_velocity gravity external" + free,
+          "inverse_dynamics_fully_actuated_derivatives: q qd qdd base_velocity base_acceleration gravity" + held,
+          "inverse_dynamics_fully_actuated_derivatives_external: q qd qdd base_velocity base_acceleration gravity "
+          "external" +
+              held,
+          "gravity_forces_derivative: q gravity -> d_q 8x2 d_base_rotation 8x3"}));
+  const std::string moved =
+      " -> qdd 2x1 base_acceleration 6x1 d_q 8x2 d_qd 8x2 d_tau 8x2 d_base_rotation 8x3 d_base_velocity 8x6";
+  EXPECT_EQ(
+      signatures(tree, "forward_dynamics_derivatives"),
+      (List{
+          "forward_dynamics_derivatives: q qd tau base_velocity gravity" + moved,
+          "forward_dynamics_derivatives_external: q qd tau base_velocity gravity external" + moved}));
   EXPECT_EQ(
       signatures(tree, "centroidal"), (List{
                                           "center_of_mass: q -> com 3x1", "center_of_mass_jacobian: q -> J 3x8",

@@ -75,13 +75,29 @@ TEST(Overloads, FunctionsWithoutGravityStayAsTheyAre) {
 }
 
 TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
-  EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"tau", "base_acceleration"}).program), "InverseDynamics");
-  EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"base_wrench"}).program), "Wrench");
+  EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"tau", "base_acceleration"})), "InverseDynamics");
+  EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"base_wrench"})), "Wrench");
   EXPECT_EQ(
-      result_type(test::program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n")),
+      result_type(test::function(
+          "J", "J", test::program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"))),
       "Matrix<6, 0>");
-  EXPECT_EQ(result_type(test::program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n")), "InertiaMatrix");
-  EXPECT_THROW(result_type(dynamics("f", "f", {"q"}, {"qdd", "base_wrench"}).program), std::logic_error);
+  EXPECT_EQ(
+      result_type(test::function("H", "H", test::program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n"))),
+      "InertiaMatrix");
+}
+
+// Of all overloads of a function, and of no other.
+TEST(Api, ResultsOfSeveralArraysHaveAStructureNamedAfterTheFunction) {
+  Library library = test::leg_library();
+  library.functions = {
+      dynamics("two_of_a_kind", "two", {"q"}, {"qdd", "base_wrench"}),
+      dynamics("two_of_a_kind", "two_gravity", {"q", "gravity"}, {"qdd", "base_wrench"}),
+      dynamics("held", "held", {"q"}, {"tau", "base_wrench"})};
+  const Api names = api(library);
+  EXPECT_EQ(result_type(library.functions[0]), "TwoOfAKind");
+  EXPECT_EQ(result_type(library.functions[1]), "TwoOfAKind");
+  ASSERT_EQ(callables_with_structures(names).size(), 1U);
+  EXPECT_EQ(callables_with_structures(names).front()->kernel, "two");
 }
 
 // A factor is kept in an object; functions that read it are members, not free functions.
@@ -100,7 +116,7 @@ TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
   const Api names = api(library);
   EXPECT_TRUE(returns_object(library.functions[0].program));
   EXPECT_FALSE(returns_object(library.functions[1].program));
-  EXPECT_EQ(result_type(library.functions[0].program), "InertiaFactor");
+  EXPECT_EQ(result_type(library.functions[0]), "InertiaFactor");
   EXPECT_EQ(scopes(names, "factor"), Names{""});
   EXPECT_TRUE(overloads(names, "factor", "inertia_factor").empty());
   const std::vector<Overload> found = members(names, "InertiaFactor");

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algorithm/catalogue/groups.h"
+#include "support/index.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -16,6 +17,8 @@ enum class Needs {
   inertia,          // some
   mass,             // they divide by the total mass
   inertia_inverse,  // they divide by the joint-space inertia matrix
+  no_rotors,        // some, and the recursion does not know rotors
+  many_solutions,   // both, for many right-hand sides in code without loops
 };
 
 struct Group {
@@ -35,6 +38,10 @@ constexpr std::array kGroups = {
     Group{"joint_space_inertia", true, Needs::inertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, Needs::inertia_inverse, joint_space_inertia_factor_functions, nullptr},
     Group{"coriolis_matrix", false, Needs::inertia, coriolis_matrix_functions, nullptr},
+    Group{"inverse_dynamics_derivatives", false, Needs::no_rotors, inverse_dynamics_derivatives_functions, nullptr},
+    Group{"inverse_dynamics_gradient", false, Needs::inertia, inverse_dynamics_gradient_functions, nullptr},
+    Group{
+        "forward_dynamics_derivatives", false, Needs::many_solutions, forward_dynamics_derivatives_functions, nullptr},
     Group{"centroidal", true, Needs::mass, centroidal_functions, nullptr},
     Group{"energy", true, Needs::inertia, energy_functions, nullptr},
     Group{"transforms", true, Needs::nothing, nullptr, transforms_functions},
@@ -50,7 +57,27 @@ const Group* group_of(const std::string& name) {
   return found == kGroups.end() ? nullptr : &*found;
 }
 
-bool is_available(const Group& group, const model::InertiaDefects& defects) {
+// A product and a sum, there and back, for each pair of a coordinate and one that carries it, and each right-hand side.
+// More would outgrow the caches for instructions.
+bool has_many_operations(const KinematicTree& tree) {
+  constexpr long kMany = 32'000;
+  std::vector<long> carrying(tree.joints.size());
+  long pairs = tree.floating_base ? 15 : 0;
+  for (const int j : tree.topological()) {
+    const int parent = tree.parent_joint_of(j);
+    carrying[at(j)] = parent < 0 ? (tree.floating_base ? 6 : 0) : carrying[at(parent)] + 1;
+    pairs += carrying[at(j)];
+  }
+  return 4 * pairs * (3 * tree.dof() + (tree.floating_base ? 3 : 0)) > kMany;
+}
+
+bool has_rotors(const KinematicTree& tree) {
+  return std::any_of(
+      tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return joint.drive.rotor.has_value(); });
+}
+
+bool is_available(const Group& group, const KinematicTree& tree) {
+  const model::InertiaDefects& defects = tree.inertia_defects;
   switch (group.needs) {
     case Needs::nothing:
       return true;
@@ -60,6 +87,10 @@ bool is_available(const Group& group, const model::InertiaDefects& defects) {
       return !defects.no_mass;
     case Needs::inertia_inverse:
       return !defects.no_inertia && !defects.is_singular();
+    case Needs::no_rotors:
+      return !defects.no_inertia && !has_rotors(tree);
+    case Needs::many_solutions:
+      return !defects.no_inertia && !defects.is_singular() && !has_rotors(tree) && !has_many_operations(tree);
   }
   return true;
 }
@@ -92,7 +123,16 @@ const std::vector<std::string>& groups_between_frames() {
 
 bool is_available(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
-  return found && is_available(*found, tree.inertia_defects);
+  return found && is_available(*found, tree);
+}
+
+std::string reason_of_absence(const KinematicTree& tree, const std::string& group) {
+  const Group* found = group_of(group);
+  if (!found || (found->needs != Needs::no_rotors && found->needs != Needs::many_solutions)) return "";
+  if (has_rotors(tree)) return "derivatives of robots with rotors are not generated";
+  if (found->needs == Needs::many_solutions && has_many_operations(tree))
+    return "with so many joints its code without loops would outgrow the caches of processors";
+  return "";
 }
 
 std::vector<RobotFunction> functions(
@@ -110,13 +150,13 @@ std::vector<RobotFunction> functions(
     const std::string& group,
     FormulationChoices& choices) {
   const Group* found = group_of(group);
-  if (!found || !is_available(*found, tree.inertia_defects)) return {};
+  if (!found || !is_available(*found, tree)) return {};
   return found->dynamics ? found->dynamics(tree, choices) : found->kinematics(tree, desired);
 }
 
 std::vector<symbolic::Program> plain_programs(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
-  if (!found || !found->dynamics || !is_available(*found, tree.inertia_defects)) return {};
+  if (!found || !found->dynamics || !is_available(*found, tree)) return {};
   Formulation plain = plain_formulation();
   plain.is_draft = true;
   FormulationChoices choices(tree, plain);
@@ -130,7 +170,7 @@ std::vector<std::optional<symbolic::Program>> congruent_programs(
     const std::string& group,
     FormulationChoices& for_congruent_limbs) {
   const Group* found = group_of(group);
-  if (!found || !found->dynamics || !is_available(*found, tree.inertia_defects)) return {};
+  if (!found || !found->dynamics || !is_available(*found, tree)) return {};
   std::vector<std::optional<symbolic::Program>> programs;
   for (RobotFunction& f : found->dynamics(tree, for_congruent_limbs)) {
     const bool is_other = std::any_of(f.program.constants.begin(), f.program.constants.end(), [](const Number& n) {

@@ -38,6 +38,9 @@ const std::vector<std::string>& default_groups();
 // inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
 bool is_available(const model::KinematicTree& tree, const std::string& group);
 
+// Why a group is not available, where it is not the mass properties that do not allow it; else empty.
+std::string reason_of_absence(const model::KinematicTree& tree, const std::string& group);
+
 // The functions of one group; none where it is not available. Gravity, where it enters, is folded to (0, 0, -9.81) in a
 // fixed-base robot's first overload and an input in the others; external wrenches are inputs of the last.
 std::vector<RobotFunction> functions(

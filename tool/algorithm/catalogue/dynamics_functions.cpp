@@ -1,47 +1,11 @@
 #include <algorithm>
-#include <functional>
 
 #include "algorithm/catalogue/groups.h"
+#include "algorithm/catalogue/overloads.h"
 
 namespace robcogen::algorithm {
 
 using model::KinematicTree;
-
-namespace {
-
-using Build = std::function<symbolic::Program(const std::string& kernel, Loads loads)>;
-
-// Says how functions are computed.
-void add_method(std::vector<RobotFunction>& list, const std::string& name, const std::string& method) {
-  if (method.empty()) return;
-  for (RobotFunction& f : list)
-    if (f.name == name) f.method = method;
-}
-
-// The overloads of one function. With a floating base gravity is always an argument: it says how the base is oriented.
-void add_overloads(
-    std::vector<RobotFunction>& list,
-    const KinematicTree& tree,
-    const std::string& group,
-    const std::string& name,
-    std::vector<std::string> summary,
-    const Build& build,
-    bool takes_external = true) {
-  const auto add = [&](Loads loads, const std::string& suffix, const std::string& remark) {
-    std::vector<std::string> lines = summary;
-    lines.push_back(remark);
-    const std::string kernel = name + suffix;
-    list.push_back({group, "", name, std::move(lines), {}, {}, build(kernel, loads)});
-  };
-  if (!tree.floating_base) add(Loads::standard_gravity, "", "Gravity is (0, 0, -9.81) m/s^2 in base coordinates.");
-  add(Loads::gravity, tree.floating_base ? "" : "_gravity", "`gravity` (m/s^2) is in base coordinates.");
-  if (takes_external)
-    add(Loads::gravity_and_external, "_external",
-        "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about "
-        "the link's origin.");
-}
-
-}  // namespace
 
 std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree, FormulationChoices& choices) {
   const Formulation& formulation = choices.newton_euler();

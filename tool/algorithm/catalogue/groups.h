@@ -18,6 +18,15 @@ std::vector<RobotFunction> joint_space_inertia_factor_functions(
     const model::KinematicTree& tree,
     FormulationChoices& choices);
 std::vector<RobotFunction> coriolis_matrix_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> inverse_dynamics_derivatives_functions(
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
+std::vector<RobotFunction> inverse_dynamics_gradient_functions(
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
+std::vector<RobotFunction> forward_dynamics_derivatives_functions(
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
 std::vector<RobotFunction> centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> energy_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 

@@ -115,6 +115,48 @@ symbolic::Program coriolis_matrix(
     const std::string& name,
     const Formulation& formulation = {});
 
+// Inverse dynamics and its partial derivatives by each variable (force_derivatives.h): q, qd, qdd -> tau, d_q, d_qd,
+// d_qdd, of which the last is H. Floating base, fully actuated: q, qd, qdd, base_velocity, base_acceleration -> tau,
+// base_wrench, d_q, d_qd, d_qdd, d_base_rotation, d_base_velocity, d_base_acceleration, rows of the base wrench first.
+symbolic::Program inverse_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// The same of a base that nothing holds: q, qd, qdd, base_velocity -> tau, base_acceleration, d_q, d_qd, d_qdd,
+// d_base_rotation, d_base_velocity, rows of the base acceleration first.
+symbolic::Program unactuated_base_inverse_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// Forward dynamics and its derivatives: q, qd, tau [, base_velocity] -> qdd [, base_acceleration], d_q, d_qd, d_tau [,
+// d_base_rotation, d_base_velocity], rows of the base acceleration first. d_tau: columns of H^-1.
+symbolic::Program forward_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// Inverse dynamics (fully actuated), and the gradient of the product of its forces and `weights`, of (base wrench, tau):
+// inputs of newton_euler, weights in front of gravity -> tau [, base_wrench], d_q, d_qd, d_qdd [, d_base_velocity,
+// d_base_acceleration]. By reverse mode (symbolic/derivative.h).
+symbolic::Program inverse_dynamics_gradient(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// The derivatives of the gravity forces: q -> d_q, n x n and symmetric. Floating base: d_q, d_base_rotation, rows of
+// the base wrench first.
+symbolic::Program gravity_forces_derivative(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
 // The mass of all that moves, which is every link but a fixed base; a function of the parameters alone: -> mass.
 symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
 // Its centre of mass: q -> com, base coordinates; zero where no moving link has mass.

@@ -5,6 +5,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
 
@@ -13,13 +14,38 @@ namespace {
 
 using symbolic::Role;
 
+// The joint-space inertia matrix in the order of elimination.
+struct Elimination {
+  std::vector<int> order;
+  std::vector<std::string> names;
+  SquareMatrix a;
+
+  explicit Elimination(const model::KinematicTree& tree, const SquareMatrix& H)
+      : order(elimination_order(tree)), a(H.size()) {
+    const std::vector<std::string> all = coordinate_names(tree);
+    for (const int k : order) names.push_back(all[at(k)]);
+    for (int r = 0; r < H.size(); ++r)
+      for (int c = 0; c < H.size(); ++c) a(r, c) = H(order[at(r)], order[at(c)]);
+  }
+
+  // Of a vector with the coordinates of H.
+  std::vector<Expression> ordered(const std::vector<Expression>& x) const {
+    std::vector<Expression> result;
+    for (const int k : order) result.push_back(x[at(k)]);
+    return result;
+  }
+  std::vector<Expression> unordered(const std::vector<Expression>& x) const {
+    std::vector<Expression> result(x.size());
+    for (std::size_t r = 0; r < x.size(); ++r) result[at(order[r])] = x[r];
+    return result;
+  }
+};
+
 // H qdd = tau - bias, eliminated from the leaves (Featherstone 2008, sec. 6.5, without square roots).
 ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load) {
   const model::KinematicTree& tree = robot.tree();
   const Forces bias = bias_forces(robot, in, load);
   const SquareMatrix H = joint_space_inertia(robot);
-  const std::vector<int> order = elimination_order(tree);
-  const int base = tree.floating_base ? 6 : 0, size = H.size();
   std::vector<Expression> missing;
   if (tree.floating_base) {
     for (const Expression& e : bias.base_wrench.moment.element) missing.push_back(-e);
@@ -27,21 +53,27 @@ ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in,
   }
   robot.trace.section("solution", "solution with the joint-space inertia matrix");
   for (std::size_t j = 0; j < in.tau.size(); ++j) missing.push_back(in.tau[j] - bias.tau[j]);
-  SquareMatrix a(size);
-  std::vector<Expression> b;
-  std::vector<std::string> names = coordinate_names(tree), ordered;
-  for (const int k : order) ordered.push_back(names[at(k)]);
-  for (int r = 0; r < size; ++r) {
-    for (int c = 0; c < size; ++c) a(r, c) = H(order[at(r)], order[at(c)]);
-    b.push_back(missing[at(order[at(r)])]);
-  }
-  const std::vector<Expression> solution = solve(std::move(a), std::move(b), ordered);
-  std::vector<Expression> x(at(size));
-  for (std::size_t r = 0; r < solution.size(); ++r) x[at(order[r])] = solution[r];
+  const Elimination elimination(tree, H);
+  const std::vector<Expression> x =
+      elimination.unordered(solve(elimination.a, elimination.ordered(missing), elimination.names));
   ForwardMotion motion;
+  const int base = tree.floating_base ? 6 : 0;
   if (tree.floating_base) motion.base_acceleration = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
   motion.qdd.assign(x.begin() + base, x.end());
   return motion;
+}
+
+// Replaces columns of forces that motions take, by those of the motions that the forces make: x by -H^-1 x.
+void solve_columns(const TracedRobot& robot, const SquareMatrix& H, std::vector<std::vector<Expression>*> columns) {
+  const Elimination elimination(robot.tree(), H);
+  std::vector<RightSide> right;
+  for (const std::vector<Expression>* column : columns) {
+    std::vector<Expression> missing;
+    for (const Expression& e : elimination.ordered(*column)) missing.push_back(-e);
+    right.push_back({"_" + std::to_string(right.size()), std::move(missing)});
+  }
+  const auto solutions = solve(elimination.a, std::move(right), elimination.names);
+  for (std::size_t c = 0; c < columns.size(); ++c) *columns[c] = elimination.unordered(solutions[c]);
 }
 
 }  // namespace
@@ -67,6 +99,47 @@ symbolic::Program forward_dynamics(
   const ForwardMotion motion = by_matrix ? by_inertia_matrix(robot, in, load) : by_articulated_bodies(robot, in, load);
   trace.output("qdd", Role::joint_acceleration, motion.qdd);
   if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
+  return trace.program(name);
+}
+
+// With H x = (base wrench, tau) - …: the derivatives of x are -H^-1 times those of inverse dynamics at x (Carpentier
+// and Mansard 2018, eq. 6).
+symbolic::Program forward_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  subtract_passive_forces(trace, in, in.tau);
+  const ForwardMotion motion = by_inertia_matrix(robot, in, load);
+  in.base_acceleration = motion.base_acceleration;
+  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
+  const Forces forces = newton_euler_forces(robot, base, in.qd, motion.qdd, &load);
+  ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
+  const SquareMatrix H = joint_space_inertia(robot);
+  trace.section("solution", "derivatives of the solution");
+  const int n = tree.dof(), rows = H.size(), first = rows - n;
+  Columns by_tau(at(n), std::vector<Expression>(at(rows)));
+  for (int j = 0; j < n; ++j) by_tau[at(j)][at(first + j)] = -trace.graph.one();
+  std::vector<std::vector<Expression>*> columns;
+  for (Columns* block : {&d.q, &d.qd, &by_tau})
+    for (std::vector<Expression>& column : *block) columns.push_back(&column);
+  if (tree.floating_base)
+    for (std::size_t k = 0; k < 3; ++k) columns.push_back(&d.base_velocity[k]);
+  solve_columns(robot, H, columns);
+  trace.output("qdd", Role::joint_acceleration, motion.qdd);
+  if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
+  trace.output("d_q", Role::matrix, rows, n, flat(d.q));
+  trace.output("d_qd", Role::matrix, rows, n, flat(d.qd));
+  trace.output("d_tau", Role::matrix, rows, n, flat(by_tau));
+  if (tree.floating_base) {
+    fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
+    trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d.base_rotation));
+    trace.output("d_base_velocity", Role::matrix, rows, 6, flat(d.base_velocity));
+  }
   return trace.program(name);
 }
 

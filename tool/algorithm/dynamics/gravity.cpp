@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/spatial/describe.h"
 
@@ -22,6 +23,45 @@ Force wrench_of(const PointMass& body, const Vector3& a) {
   return {cross(body.moment, a), body.mass * a};
 }
 
+// A robot at rest that something holds against gravity.
+struct HeldRobot {
+  std::vector<Vector3> lift;    // by link: the acceleration that holds it, -g in link axes
+  std::vector<PointMass> body;  // by link: it and all beyond, about its origin
+  std::vector<Expression> tau;
+};
+
+// Down: accelerations. Up: masses and first moments.
+HeldRobot hold(const TracedRobot& robot, const Vector3& gravity) {
+  HeldRobot held;
+  held.lift.resize(robot.tree().links.size());
+  held.body.resize(robot.tree().links.size());
+  held.tau.resize(robot.tree().joints.size());
+  Trace& trace = robot.trace;
+  const std::function<PointMass(int, const Vector3&)> visit = [&](int link, const Vector3& lift) {
+    held.lift[at(link)] = lift;
+    PointMass total{robot.mass(link).mass, robot.mass(link).first_moment};
+    for (const Joint& joint : robot.children(link)) {
+      const std::string& child = robot.link_name(joint.child);
+      const Pose& X_PC = robot.pose(joint.index);
+      trace.section(child, "link " + child + ": gravity and first moment");
+      const Vector3 child_lift = to_child(X_PC.rotation, lift);
+      algorithm::name(trace.graph, child_lift, child + "_a");
+      PointMass body = visit(joint.child, child_lift);
+      algorithm::name(trace.graph, body.moment, child + "_h");
+      held.tau[at(joint.index)] = project(joint, wrench_of(body, child_lift));
+      body.moment[2] += body.mass * X_PC.slide;
+      const Vector3 turned = to_parent(X_PC.rotation, body.moment);
+      describe(turned, child + "_h", "_P");
+      total.moment += turned + body.mass * X_PC.offset;
+      total.mass += body.mass;
+    }
+    held.body[at(link)] = total;
+    return total;
+  };
+  visit(0, -gravity);
+  return held;
+}
+
 }  // namespace
 
 Program gravity_forces(
@@ -33,31 +73,57 @@ Program gravity_forces(
   const StateInputs in(trace, {State::position});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
-  std::vector<Expression> tau(at(tree.dof()));
+  const HeldRobot held = hold(robot, load.gravity);
+  trace.output("tau", Role::joint_force, held.tau);
+  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, wrench_of(held.body[0], -load.gravity));
+  return trace.program(name);
+}
 
-  // Down: the acceleration that holds a link against gravity, -g in link axes. Up: masses and first moments.
-  const std::function<PointMass(int, const Vector3&)> visit = [&](int link, const Vector3& lift) {
-    PointMass total{robot.mass(link).mass, robot.mass(link).first_moment};
-    for (const Joint& joint : robot.children(link)) {
-      const std::string& child = robot.link_name(joint.child);
-      const Pose& X_PC = robot.pose(joint.index);
-      trace.section(child, "link " + child + ": gravity and first moment");
-      const Vector3 child_lift = to_child(X_PC.rotation, lift);
-      algorithm::name(trace.graph, child_lift, child + "_a");
-      PointMass body = visit(joint.child, child_lift);
-      algorithm::name(trace.graph, body.moment, child + "_h");
-      tau[at(joint.index)] = project(joint, wrench_of(body, child_lift));
-      body.moment[2] += body.mass * X_PC.slide;
-      const Vector3 turned = to_parent(X_PC.rotation, body.moment);
-      describe(turned, child + "_h", "_P");
-      total.moment += turned + body.mass * X_PC.offset;
-      total.mass += body.mass;
+// The potential is minus gravity times the first moment of all, which changes per unit of a joint's position by f, the
+// force of the joint's unit acceleration: so tau = f lift, and the rest follows from how lift turns.
+Program gravity_forces_derivative(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  const HeldRobot held = hold(robot, load.gravity);
+  const int base = tree.floating_base ? 6 : 0, rows = base + tree.dof();
+  Columns d_q(at(tree.dof()), std::vector<Expression>(at(rows))), d_base(3, std::vector<Expression>(at(rows)));
+  for (int j = 0; j < tree.dof(); ++j) {
+    const std::size_t column = at(j);
+    Joint joint = robot.joint(j);
+    trace.section(robot.link_name(joint.child), "derivatives of joint " + tree.joints[column].name);
+    const PointMass& body = held.body[at(joint.child)];
+    Vector3 f = times_subspace(MassProperties{body.mass, body.moment, {}}, joint).linear;
+    while (true) {
+      const Vector3 slip = cross(held.lift[at(joint.child)], subspace(joint, trace.graph).angular);
+      d_q[column][at(base + joint.index)] = d_q[at(joint.index)][at(base + j)] = dot(f, slip);
+      if (!robot.parent_matters(joint.child)) break;
+      f = to_parent(robot.pose(joint.index).rotation, f);
+      const int parent = tree.parent_joint_of(joint.index);
+      if (parent < 0) break;
+      joint = robot.joint(parent);
     }
-    return total;
-  };
-  const PointMass whole = visit(0, -load.gravity);
-  trace.output("tau", Role::joint_force, tau);
-  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, wrench_of(whole, -load.gravity));
+    if (!tree.floating_base) continue;
+    const Vector3 moment = cross(f, held.lift[0]);
+    for (std::size_t k = 0; k < 3; ++k) d_q[column][k] = d_base[k][at(base) + column] = moment[k];
+  }
+  trace.output("d_q", Role::matrix, rows, tree.dof(), flat(d_q));
+  if (!tree.floating_base) return trace.program(name);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector3 axis;
+    axis[k] = trace.graph.one();
+    const Force change = wrench_of(held.body[0], cross(held.lift[0], axis));
+    for (std::size_t i = 0; i < 3; ++i) {
+      d_base[k][i] = change.moment[i];
+      d_base[k][3 + i] = change.linear[i];
+    }
+  }
+  trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d_base));
   return trace.program(name);
 }
 

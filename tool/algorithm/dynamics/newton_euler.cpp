@@ -1,8 +1,11 @@
 #include "algorithm/dynamics/newton_euler.h"
 
+#include <utility>
+
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/describe.h"
+#include "symbolic/derivative.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -18,11 +21,18 @@ class Recursion {
       const std::vector<Expression>& qd,
       const std::vector<Expression>& qdd,
       const LoadInputs* loads)
-      : robot_(robot), qd_(qd), qdd_(qdd), loads_(loads), tau(qd.size()) {}
+      : robot_(robot), qd_(qd), qdd_(qdd), loads_(loads) {
+    result.tau.resize(qd.size());
+    result.motions.resize(robot.tree().links.size());
+    result.wrenches.resize(robot.tree().links.size());
+  }
+
+  Forces result;
 
   // The wrench that a link and all beyond it need, about the link's origin.
   Force wrench_of(int link, const LinkMotion& motion) {
     Force total;
+    result.motions[at(link)] = motion;
     for (const Joint& joint : robot_.children(link)) {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
@@ -31,7 +41,8 @@ class Recursion {
       if (robot_.trace.graph.keeps_names()) child.angular.link = name;
       name_motion(name, child);
       const Force wrench = wrench_of(joint.child, child);
-      tau[at(joint.index)] = project(joint, wrench) + drive_inertia(robot_.trace, joint.index) * qdd_[at(joint.index)];
+      result.tau[at(joint.index)] =
+          project(joint, wrench) + drive_inertia(robot_.trace, joint.index) * qdd_[at(joint.index)];
       if (!robot_.parent_matters(joint.child)) continue;
       const Force seen = to_parent(X_PC, wrench);
       describe(seen, name, "_P");
@@ -47,12 +58,13 @@ class Recursion {
     for (const TracedRotor& rotor : rotors_on(robot_, link)) {
       const Vector3& momentum = rotor.momentum;
       own.moment += qdd_[at(rotor.joint)] * momentum + cross(motion.angular.w, qd_[at(rotor.joint)] * momentum);
-      tau[at(rotor.joint)] += dot(momentum, motion.angular.wd);
+      result.tau[at(rotor.joint)] += dot(momentum, motion.angular.wd);
     }
     describe(own, name + "_own");
     total += own;
     algorithm::name(robot_.trace.graph, total.linear, name + "_f");
     algorithm::name(robot_.trace.graph, total.moment, name + "_n");
+    result.wrenches[at(link)] = total;
     return total;
   }
 
@@ -67,9 +79,6 @@ class Recursion {
     algorithm::name(graph, motion.angular.wd, link + "_wd");
     algorithm::name(graph, motion.a, link + "_a");
   }
-
- public:
-  std::vector<Expression> tau;
 };
 
 Program write_forces(Trace& trace, const std::string& name, const Forces& forces) {
@@ -90,8 +99,8 @@ Forces newton_euler_forces(
   LinkMotion motion = base;
   if (robot.trace.graph.keeps_names()) motion.angular.link = robot.link_name(0);
   describe(motion.a, robot.link_name(0) + "_a");
-  const Force base_wrench = recursion.wrench_of(0, motion);
-  return {recursion.tau, base_wrench};
+  recursion.result.base_wrench = recursion.wrench_of(0, motion);
+  return std::move(recursion.result);
 }
 
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads) {
@@ -136,6 +145,22 @@ Program coriolis_forces(const model::KinematicTree& tree, const std::string& nam
   const std::vector<Expression> zeros(in.qd.size());
   const LinkMotion base = base_motion(in.base_velocity, {}, {});
   return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, zeros, nullptr));
+}
+
+Program inverse_dynamics_gradient(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  const Program forces = newton_euler(tree, name, loads, formulation);
+  std::vector<std::string> outputs = {"tau"}, inputs = {"q", "qd", "qdd"};
+  if (tree.floating_base) {
+    outputs = {"base_wrench", "tau"};
+    inputs.insert(inputs.end(), {"base_velocity", "base_acceleration"});
+  }
+  std::size_t place = 0;  // the first of the loads
+  while (place < forces.inputs.size() && forces.inputs[place].role != Role::gravity) ++place;
+  return symbolic::with_gradient(forces, outputs, inputs, place);
 }
 
 }  // namespace robcogen::algorithm

@@ -10,6 +10,10 @@ namespace robcogen::algorithm {
 struct Forces {
   std::vector<Expression> tau;  // by joint
   Force base_wrench;            // of a floating base
+  // By link, about its origin in its axes: how it moves, and the wrench that it and all beyond need. The base's wrench
+  // only where it floats; of a link on a fixed base only what its joint feels.
+  std::vector<LinkMotion> motions;
+  std::vector<Force> wrenches;
 };
 
 // The forces of a motion (Featherstone 2008, table 5.1). `loads`: nullptr for none.

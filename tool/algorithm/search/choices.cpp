@@ -51,6 +51,15 @@ const Formulation& FormulationChoices::inertia() {
   });
 }
 
+const Formulation& FormulationChoices::inverse_dynamics_derivatives() {
+  return inverse_dynamics_derivatives_.get([&] {
+    if (original_) return with_representatives(original_->inverse_dynamics_derivatives());
+    return searched(newton_euler(), [&](const KinematicTree& part, const Formulation& f) {
+      return algorithm::inverse_dynamics_derivatives(part, "inverse_dynamics_derivatives", default_loads(tree_), f);
+    });
+  });
+}
+
 const ForwardDynamicsChoice& FormulationChoices::forward_dynamics() {
   return forward_dynamics_.get([&] {
     if (!original_) return forward_dynamics_choice(tree_, common_);

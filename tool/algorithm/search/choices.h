@@ -22,6 +22,7 @@ class FormulationChoices {
   const Formulation& newton_euler();
   const Formulation& unactuated_base();
   const Formulation& inertia();
+  const Formulation& inverse_dynamics_derivatives();
   const ForwardDynamicsChoice& forward_dynamics();
   // For a program that no frames were looked for: those of Newton-Euler, or the model's.
   Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);
@@ -35,7 +36,7 @@ class FormulationChoices {
   FormulationChoices* original_ = nullptr;
   Formulation common_;
   RepresentativeLinks representative_of_model_;
-  Lazy<Formulation> newton_euler_, unactuated_base_, inertia_;
+  Lazy<Formulation> newton_euler_, unactuated_base_, inertia_, inverse_dynamics_derivatives_;
   Lazy<ForwardDynamicsChoice> forward_dynamics_;
 
   // With frames that suit these traces, looked for from those of `start` on.

@@ -33,4 +33,9 @@ Expression dot(const Force& a, const Motion& b) {
   return angular + dot(a.linear, b.linear);
 }
 
+Force cross(const Motion& S, const Force& F) {
+  const Vector3 moment = cross(S.angular, F.moment);
+  return {moment + cross(S.linear, F.linear), cross(S.angular, F.linear)};
+}
+
 }  // namespace robcogen::algorithm

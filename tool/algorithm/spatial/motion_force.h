@@ -27,4 +27,7 @@ Force operator*(const Expression& k, const Force& a);
 // The power of a force along a motion.
 Expression dot(const Force& a, const Motion& b);
 
+// S x* F: the change of a force that moves by S (Featherstone 2008, eq. 2.32).
+Force cross(const Motion& S, const Force& F);
+
 }  // namespace robcogen::algorithm

@@ -1,8 +1,9 @@
 #include "backend/cpp/api.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
-#include <stdexcept>
+#include <set>
 
 #include "backend/cpp/names.h"
 
@@ -78,6 +79,27 @@ std::string alias(Role role) {
   }
 }
 
+// The type of the runtime (results.h) for these outputs; empty: none.
+std::string common_structure(const Program& program) {
+  if (program.outputs.size() != 2) return "";
+  const Role first = program.outputs[0].role, second = program.outputs[1].role;
+  if (first == Role::joint_force && second == Role::base_acceleration) return "InverseDynamics";
+  if (first == Role::joint_force && second == Role::base_wrench) return "GeneralizedForce";
+  if (first == Role::joint_acceleration && second == Role::base_acceleration) return "GeneralizedAcceleration";
+  return "";
+}
+
+// `inverse_dynamics_derivatives` -> `InverseDynamicsDerivatives`.
+std::string name_of_structure(const std::string& function) {
+  std::string name;
+  bool begins = true;
+  for (const char c : function) {
+    if (c != '_') name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = c == '_';
+  }
+  return name;
+}
+
 std::string owner(const Program& program) {
   const bool reads_kept =
       std::any_of(program.inputs.begin(), program.inputs.end(), [](const InputArray& a) { return is_kept(a.role); });
@@ -110,7 +132,7 @@ std::vector<std::string> members_of(const std::string& object, const std::vector
 Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
   const std::vector<Parameter>& names = callable.parameters;
-  Overload result{&callable, result_type(program), {}, !with_gravity, false, {}, {}};
+  Overload result{&callable, result_type(*callable.function), {}, !with_gravity, false, {}, {}};
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
     if (!with_gravity && input.role == Role::gravity) continue;
@@ -234,30 +256,29 @@ bool returns_object(const Program& program) {
   return !program.outputs.empty() && is_kept(program.outputs.front().role);
 }
 
-std::string result_type(const Program& program) {
+std::string result_type(const Function& function) {
+  const Program& program = function.program;
   if (returns_object(program)) return kFactorType;
   if (program.outputs.size() == 1) return type_of(program.outputs.front());
-  if (program.outputs.size() == 2) {
-    const Role first = program.outputs[0].role, second = program.outputs[1].role;
-    if (first == Role::joint_force && second == Role::base_acceleration) return "InverseDynamics";
-    if (first == Role::joint_force && second == Role::base_wrench) return "GeneralizedForce";
-    if (first == Role::joint_acceleration && second == Role::base_acceleration) return "GeneralizedAcceleration";
-  }
-  throw std::logic_error("no C++ type holds the outputs of '" + program.name + "'");
+  const std::string common = common_structure(program);
+  return common.empty() ? name_of_structure(function.name) : common;
+}
+
+bool returns_own_structure(const Program& program) {
+  return program.outputs.size() > 1 && !returns_object(program) && common_structure(program).empty();
+}
+
+std::vector<const Callable*> callables_with_structures(const Api& api) {
+  std::vector<const Callable*> result;
+  std::set<std::string> types;
+  for (const Callable& c : api.callables)
+    if (returns_own_structure(c.function->program) && types.insert(result_type(*c.function)).second)
+      result.push_back(&c);
+  return result;
 }
 
 std::string result_member(const Program& program, const OutputArray& output) {
-  if (program.outputs.size() == 1) return "";
-  switch (output.role) {
-    case Role::joint_force:
-      return "tau";
-    case Role::joint_acceleration:
-      return "qdd";
-    case Role::base_wrench:
-      return "base_wrench";
-    default:
-      return "base_acceleration";
-  }
+  return program.outputs.size() == 1 ? "" : output.name;
 }
 
 std::vector<Overload> overloads(const Api& api, const std::vector<const Callable*>& callables) {

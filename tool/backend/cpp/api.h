@@ -89,11 +89,17 @@ Overload with_sines(const Api& api, const Overload& overload);
 // The scopes of a group's free functions in the order of their first function.
 std::vector<std::string> scopes(const Api& api, const std::string& group);
 
+// The first function of each name that returns a structure of the library's own.
+std::vector<const Callable*> callables_with_structures(const Api& api);
+
 std::string matrix_type(int rows, int columns);
 // C++ type of an input, and of what a function returns. The names are aliases of types.h.
 std::string type_of(const symbolic::InputArray& input);
 std::string type_of(const symbolic::OutputArray& output);
-std::string result_type(const symbolic::Program& program);
+std::string result_type(const Function& function);
+// Whether that is a structure of the library's own, named after the function: of several arrays, where the runtime has
+// no type for these.
+bool returns_own_structure(const symbolic::Program& program);
 // Whether the outputs are members of a result type of the library, which also has the functions that read them as
 // members.
 bool is_kept(symbolic::Role role);

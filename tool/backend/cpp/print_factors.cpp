@@ -35,7 +35,7 @@ std::string caller(const Api& api, const Callable& callable) {
     }
   }
   return declaration(
-             "inline " + result_type(callable.function->program) + " " + name,
+             "inline " + result_type(*callable.function) + " " + name,
              {std::string("const double* ") + (parameters ? "parameters" : "/*parameters*/"),
               std::string("const double* ") + (variables ? "variables" : "/*variables*/")},
              " noexcept {") +

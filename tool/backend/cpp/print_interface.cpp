@@ -48,7 +48,7 @@ std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
     arguments.push_back(is_scalar(output) ? "&" + result : result + (member.empty() ? "" : "." + member) + ".data()");
   }
   const std::string margin(indent, ' ');
-  return arrays + margin + result_type(program) + " " + result + ";\n" + call(kernel_of(overload), arguments, indent) +
+  return arrays + margin + overload.result + " " + result + ";\n" + call(kernel_of(overload), arguments, indent) +
          margin + "return " + result + ";\n";
 }
 
@@ -203,7 +203,8 @@ std::string robot_type(const Api& api) {
   if (library.floating_base)
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
   for (const Callable& c : api.callables)
-    if (returns_object(c.function->program)) names.push_back(result_type(c.function->program));
+    if (returns_object(c.function->program)) names.push_back(result_type(*c.function));
+  for (const Callable* c : callables_with_structures(api)) names.push_back(result_type(*c->function));
   if (api.takes_sines()) names.push_back(kTrigonometryType);
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";

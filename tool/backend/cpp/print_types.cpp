@@ -53,8 +53,38 @@ std::string aliases_of_classes(const Api& api, const std::string& scalar) {
   };
   if (api.takes_sines()) add(kTrigonometryType);
   for (const Callable& c : api.callables)
-    if (returns_object(c.function->program)) add(result_type(c.function->program));
+    if (returns_object(c.function->program)) add(result_type(*c.function));
+  for (const Callable* c : callables_with_structures(api)) add(result_type(*c->function));
   return text;
+}
+
+// A member of a structure of results.
+std::string member_type(const symbolic::OutputArray& output) {
+  switch (output.role) {
+    case symbolic::Role::joint_force:
+    case symbolic::Role::joint_acceleration:
+      return "JointVector<Scalar>";
+    case symbolic::Role::base_wrench:
+      return "robcogen::BasicWrench<Scalar>";
+    case symbolic::Role::base_acceleration:
+      return "robcogen::BasicSpatialAcceleration<Scalar>";
+    default:
+      return "Eigen::Matrix<Scalar, " + std::to_string(output.rows) + ", " + std::to_string(output.columns) + ">";
+  }
+}
+
+// What functions return that give several values.
+std::string structures(const Api& api) {
+  std::vector<std::string> texts;
+  for (const Callable* c : callables_with_structures(api)) {
+    std::string members;
+    for (const symbolic::OutputArray& output : c->function->program.outputs)
+      members += "  " + member_type(output) + " " + output.name + ";\n";
+    texts.push_back(
+        comment("The results of " + c->name + ".") + "template <class Scalar>\nstruct Basic" +
+        result_type(*c->function) + " {\n" + members + "};\n");
+  }
+  return paragraphs(texts);
 }
 
 }  // namespace
@@ -83,7 +113,7 @@ std::string print_types(const Api& api, const std::string& path) {
   const std::string body = paragraphs(
       {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
        "Eigen::Matrix<Scalar, kDof, 1>;\n",
-       trigonometry, factor, both("double"),
+       trigonometry, factor, structures(api), both("double"),
        "// The same in single precision.\n" + in_namespace("f32", both("float"))});
   return paragraphs(
       {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),

@@ -133,6 +133,63 @@ class CompiledRobot {
     }
   }
 
+  // Of (base wrench, tau), or of tau on a fixed base.
+  Derivatives inverse_dynamics_fully_actuated_derivatives(const State& m, const Arguments& arguments) const {
+    return with(arguments, [&](const auto&... extra) {
+      const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+      if constexpr (R::kFloatingBase) {
+        const auto d = robot_.inverse_dynamics_fully_actuated_derivatives(
+            q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity),
+            spatial<BasicSpatialAcceleration<Scalar>>(m.base_acceleration), extra...);
+        Derivatives result = derivatives(d, stacked(vector(d.base_wrench.vector()), vector(d.tau)), d.d_qdd);
+        result.base_acceleration = matrix(d.d_base_acceleration);
+        return result;
+      } else {
+        const auto d = robot_.inverse_dynamics_derivatives(q, qd, qdd, extra...);
+        return derivatives(d, vector(d.tau), d.d_qdd);
+      }
+    });
+  }
+
+  // Of (base acceleration, tau).
+  Derivatives inverse_dynamics_derivatives(const State& m, const Arguments& arguments) const {
+    return with(arguments, [&](const auto&... extra) {
+      const auto d = robot_.inverse_dynamics_derivatives(
+          joints(m.q), joints(m.qd), joints(m.qdd), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
+      return derivatives(d, stacked(vector(d.base_acceleration.vector()), vector(d.tau)), d.d_qdd);
+    });
+  }
+
+  // Of (base acceleration, qdd), or of qdd on a fixed base.
+  Derivatives forward_dynamics_derivatives(const State& m, const Vector<double>& tau, const Arguments& arguments)
+      const {
+    return with(arguments, [&](const auto&... extra) {
+      if constexpr (R::kFloatingBase) {
+        const auto d = robot_.forward_dynamics_derivatives(
+            joints(m.q), joints(m.qd), joints(tau), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
+        return derivatives(d, stacked(vector(d.base_acceleration.vector()), vector(d.qdd)), d.d_tau);
+      } else {
+        const auto d = robot_.forward_dynamics_derivatives(joints(m.q), joints(m.qd), joints(tau), extra...);
+        return derivatives(d, vector(d.qdd), d.d_tau);
+      }
+    });
+  }
+
+  // Blocks q and base_rotation alone; `external` does not enter.
+  Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) {
+      const auto d = robot_.gravity_forces_derivative(joints(q), g...);
+      Derivatives result;
+      if constexpr (R::kFloatingBase) {
+        result.q = matrix(d.d_q);
+        result.base_rotation = matrix(d.d_base_rotation);
+      } else {
+        result.q = matrix(d);
+      }
+      return result;
+    });
+  }
+
   // Of robots with parameters; else it is a constant.
   double total_mass() const { return robot_.total_mass(); }
   Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(joints(q))); }
@@ -223,6 +280,16 @@ class CompiledRobot {
     return result;
   }
 
+  template <class Result, class Last>
+  static Derivatives derivatives(const Result& d, const Vector<double>& value, const Last& last) {
+    Derivatives result{value, matrix(d.d_q), matrix(d.d_qd), matrix(last), {}, {}, {}};
+    if constexpr (R::kFloatingBase) {
+      result.base_rotation = matrix(d.d_base_rotation);
+      result.base_velocity = matrix(d.d_base_velocity);
+    }
+    return result;
+  }
+
   template <class Result>
   static Vector<double> forces(const Result& result) {
     if constexpr (R::kFloatingBase) {
@@ -234,7 +301,7 @@ class CompiledRobot {
 
   // Calls the overload that takes these arguments.
   template <class Call>
-  static Vector<double> with(const Arguments& arguments, const Call& call) {
+  static auto with(const Arguments& arguments, const Call& call) {
     typename R::LinkWrenches wrenches;
     if (arguments.external != nullptr) assign(wrenches, *arguments.external);
     return with_gravity(

@@ -21,6 +21,14 @@ struct TransformForms {
   Matrix<double> force = Matrix<double>(6, 6);
 };
 
+// A result of the dynamics, and its partial derivatives: a column for each variable, rows as those of the result.
+struct Derivatives {
+  Vector<double> value;
+  Matrix<double> q, qd, last;  // by joint; the last are qdd, or tau of forward dynamics
+  Matrix<double> base_rotation, base_velocity,
+      base_acceleration;  // of a floating base, as far as the function has them
+};
+
 inline TransformForms operator*(const TransformForms& a, const TransformForms& b) {
   return {a.homogeneous * b.homogeneous, a.motion * b.motion, a.force * b.force};
 }

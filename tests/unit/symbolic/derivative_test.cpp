@@ -1,0 +1,100 @@
+// Derivatives of programs, by both modes, against differences of the interpreter in long double.
+#include "symbolic/derivative.h"
+
+#include <stdexcept>
+
+#include "programs.h"
+
+namespace robcogen::symbolic {
+namespace {
+
+using Real = long double;
+using Values = std::vector<Real>;
+
+Values results(const Program& program, const Values& a, const std::string& output) {
+  return interpret<Real>(program, {{"a", a}}).at(output);
+}
+
+// Fourth-order central differences: column by column, by the elements of `a`.
+Values differences(const Program& program, const Values& a, const std::string& output) {
+  constexpr Real kStep = 1e-4L;
+  Values columns;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const auto at = [&](Real steps) {
+      Values moved = a;
+      moved[k] += steps * kStep;
+      return results(program, moved, output);
+    };
+    const Values one = at(1), minus_one = at(-1), two = at(2), minus_two = at(-2);
+    for (std::size_t i = 0; i < one.size(); ++i)
+      columns.push_back((8 * (one[i] - minus_one[i]) - (two[i] - minus_two[i])) / (12 * kStep));
+  }
+  return columns;
+}
+
+void expect_both_modes(const Program& program, const Values& a) {
+  constexpr Real kNear = 1e-11L;
+  const Values expected = differences(program, a, "out");
+  const Program forward = with_derivatives(program, {"a"});
+  EXPECT_EQ(verify(forward), "");
+  const Values found = results(forward, a, "d_a");
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_LT(std::abs(found[i] - expected[i]), kNear) << i;
+
+  const Program reverse = with_gradient(program, {"out"}, {"a"}, 0);
+  EXPECT_EQ(verify(reverse), "");
+  EXPECT_EQ(reverse.inputs.front().name, "weights");
+  const std::size_t rows = reverse.inputs.front().elements.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    Values weights(rows);
+    weights[row] = -2;
+    const Values gradient = interpret<Real>(reverse, {{"a", a}, {"weights", weights}}).at("d_a");
+    ASSERT_EQ(gradient.size(), a.size());
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_LT(std::abs(gradient[k] + 2 * expected[row + k * rows]), kNear);
+  }
+}
+
+TEST(Derivative, EveryOperation) {
+  const Values a = {0.3L, 0.7L, -2.0L, 5.0L};
+  for (const char* statement :
+       {"a[0] + a[1]", "a[0] - a[1]", "a[0] * a[2]", "a[0] * a[0]", "a[0] / a[2]", "sqrt a[1]", "sqrt -a[2]",
+        "sin a[3]", "cos a[3]"})
+    expect_both_modes(test::small_program("let x = " + std::string(statement) + "\nreturn out -x\n"), a);
+}
+
+TEST(Derivative, SharedValuesSeveralResultsAndNone) {
+  const Program p = test::small_program(
+      "let s = sin a[0]\nlet c = cos a[0]\nlet x = s * a[1]\nlet y = x / c\nlet z = y - x\nlet r = z * z\n"
+      "return out r 0 a[2] -y\n",
+      4);
+  expect_both_modes(p, {0.3L, 0.7L, -2.0L, 5.0L});
+}
+
+// What does not depend on an input is a literal zero.
+TEST(Derivative, ZerosAreLiteral) {
+  const Program p = with_derivatives(test::small_program("let x = a[0] * a[1]\nreturn out x\n"), {"a"});
+  ASSERT_EQ(p.outputs.size(), 2U);
+  EXPECT_EQ(p.outputs[1].rows, 1);
+  EXPECT_EQ(p.outputs[1].columns, 4);
+  EXPECT_EQ(p.statements.size(), 1U);
+  EXPECT_TRUE(is_constant(p.outputs[1].values[2]));
+}
+
+TEST(Derivative, OfAnExpression) {
+  Graph graph;
+  const Expression x = graph.input(0), y = graph.input(1);
+  EXPECT_EQ(derivative(-(x * y) + graph.constant(3), x), -y);
+  EXPECT_EQ(derivative(x, x), graph.one());
+  EXPECT_EQ(derivative(-sin(x), x), -cos(x));
+  EXPECT_TRUE(derivative(sin(x), y).is_zero());
+  EXPECT_TRUE(derivative(Expression(), x).is_zero());
+}
+
+TEST(Derivative, ByWhatIsNotThere) {
+  const Program p = test::small_program("return out a[0]\n");
+  EXPECT_THROW(with_derivatives(p, {"q"}), std::logic_error);
+  EXPECT_THROW(with_gradient(p, {"out"}, {"q"}, 0), std::logic_error);
+}
+
+}  // namespace
+}  // namespace robcogen::symbolic

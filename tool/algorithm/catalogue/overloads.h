@@ -1,0 +1,27 @@
+// How the functions of a group are put together.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algorithm/catalogue/catalogue.h"
+
+namespace robcogen::algorithm {
+
+// Says how functions are computed.
+void add_method(std::vector<RobotFunction>& list, const std::string& name, const std::string& method);
+
+using Build = std::function<symbolic::Program(const std::string& kernel, Loads loads)>;
+
+// The overloads of one function. With a floating base gravity is always an argument: it says how the base is oriented.
+void add_overloads(
+    std::vector<RobotFunction>& list,
+    const model::KinematicTree& tree,
+    const std::string& group,
+    const std::string& name,
+    std::vector<std::string> summary,
+    const Build& build,
+    bool takes_external = true);
+
+}  // namespace robcogen::algorithm

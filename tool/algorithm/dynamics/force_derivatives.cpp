@@ -1,0 +1,266 @@
+// Derivatives of inverse dynamics, one walk from each joint to the base (in the spirit of Singh, Russell and Wensing
+// 2022), with velocities relative to each link's origin (spread.h) in place of 6 x 6 matrices.
+//
+// A joint's position moves all beyond it like a rigid body. In axes that follow, nothing there changes but what the
+// links have from below: that turned the other way. So the change of all forces beyond is that of a motion field (of
+// the composite body, FieldChange), and the turn of the forces themselves.
+#include "algorithm/dynamics/force_derivatives.h"
+
+#include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drives.h"
+#include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/spread.h"
+#include "algorithm/spatial/describe.h"
+#include "symbolic/derivative.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// How accelerations change per unit of a joint's position, in axes that move with its link.
+FieldChange by_position(const Motion& S, const LinkMotion& motion) {
+  const AngularState& angular = motion.angular;
+  const Vector3 turning = cross(angular.w, S.angular);
+  Motion rate{multiply_u(angular, S.angular), cross(motion.a, S.angular)};
+  rate.linear += multiply_u(angular, S.linear);
+  return {turning + turning, rate};
+}
+
+// Half of how they change per unit of its velocity.
+FieldChange by_velocity(const Motion& S, const LinkMotion& motion) {
+  const Vector3& w = motion.angular.w;
+  return {S.angular, {cross(w, S.angular), cross(w, S.linear)}};
+}
+
+class JointWalks {
+ public:
+  JointWalks(const TracedRobot& robot, const StateInputs& in, const Forces& forces)
+      : robot_(robot),
+        forces_(forces),
+        bodies_(robot, in.qd, in.base_velocity.angular),
+        names_(coordinate_names(robot.tree())),
+        base_(robot.floating() ? 6 : 0) {
+    const std::size_t rows = names_.size(), joints = rows - at(base_);
+    for (Columns* columns : {&result.q, &result.qd, &result.qdd}) columns->assign(joints, Row(rows));
+    if (!robot.floating()) return;
+    result.base_rotation.assign(3, Row(rows));
+    result.base_velocity.assign(6, Row(rows));
+    result.base_acceleration.assign(6, Row(rows));
+  }
+
+  ForceDerivatives result;
+
+  // Row and columns of a joint, as far up as the tree goes.
+  void fill_joint(int index, const Vector3& base_v) {
+    Joint joint = robot_.joint(index);
+    const std::size_t link = at(joint.child);
+    const std::string& moving = robot_.tree().joints[at(index)].name;
+    const std::string& name = robot_.link_name(joint.child);
+    robot_.trace.section(name, "link " + name + ": derivatives of joint " + moving);
+    const Motion S = subspace(joint, robot_.trace.graph);
+    const MassProperties& body = bodies_.composite[link];
+    const Spread& spread = bodies_.spread[link];
+    ChangeOfMotion row = row_of_joint(body, spread, joint, S);
+    Walk walk{
+        index, wrench_of(body, spread, by_velocity(S, forces_.motions[link])),
+        wrench_of(body, spread, by_position(S, forces_.motions[link]))};
+    set_columns(walk, row, joint);
+    walk.by_position += cross(S, forces_.wrenches[link]);
+    while (robot_.parent_matters(joint.child)) {
+      describe_walk(walk, row, robot_.link_name(joint.child));
+      const Pose& X_PC = robot_.pose(joint.index);
+      walk.by_velocity = to_parent(X_PC, walk.by_velocity);
+      walk.by_position = to_parent(X_PC, walk.by_position);
+      row = to_parent(X_PC, bodies_.rates[at(joint.index)], row);
+      const int parent = robot_.tree().parent_joint_of(joint.index);
+      if (parent < 0) break;
+      joint = robot_.joint(parent);
+      set_columns(walk, row, joint);
+      set_row(walk, row, joint);
+    }
+    if (robot_.floating()) fill_base_of_joint(walk, row, base_v);
+  }
+
+  // The base wrench by the base's own motion.
+  void fill_base(const Vector3& v) {
+    robot_.trace.section(robot_.link_name(0), "base: derivatives");
+    const MassProperties& body = bodies_.composite[0];
+    const Vector3& w = bodies_.w[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 axis = unit(k);
+      set(result.base_velocity[k], wrench_of(body, bodies_.spread[0], {axis + axis, {cross(w, axis), cross(axis, v)}}));
+    }
+    const SquareMatrix inertia = matrix(rigid_body_inertia(body));
+    for (int r = 0; r < 6; ++r)
+      for (int c = 0; c < 6; ++c) result.base_acceleration[at(c)][at(r)] = inertia(r, c);
+  }
+
+  // The joints' drives, which nothing but the joint itself moves.
+  void add_drives(const StateInputs& in) {
+    const std::vector<Expression> passive = passive_forces(robot_.trace, in.q, in.qd);
+    for (int j = 0; j < robot_.tree().dof(); ++j) {
+      const std::size_t row = at(base_ + j), column = at(j);
+      result.q[column][row] += symbolic::derivative(passive[column], in.q[column]);
+      result.qd[column][row] += symbolic::derivative(passive[column], in.qd[column]);
+      result.qdd[column][row] += drive_inertia(robot_.trace, j);
+    }
+  }
+
+  // What a turn of the base and its linear velocity change, they change like a linear acceleration of the base.
+  void fill_free_columns(const Vector3& gravity) {
+    for (std::size_t r = 0; r < names_.size(); ++r) {
+      Vector3 linear;
+      for (std::size_t k = 0; k < 3; ++k) linear[k] = result.base_acceleration[3 + k][r];
+      const Vector3 turn = cross(gravity, linear), slide = cross(linear, bodies_.w[0]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        result.base_rotation[k][r] = turn[k];
+        result.base_velocity[3 + k][r] = slide[k];
+      }
+    }
+  }
+
+ private:
+  using Row = std::vector<Expression>;
+
+  // What a joint's own motion changes of the wrench on a link below it; half of it by velocity.
+  struct Walk {
+    int joint;
+    Force by_velocity, by_position;
+  };
+
+  const TracedRobot& robot_;
+  const Forces& forces_;
+  SpreadBodies bodies_;
+  std::vector<std::string> names_;  // of coordinates
+  int base_;                        // rows of the base
+
+  Vector3 unit(std::size_t k) const {
+    Vector3 axis;
+    axis[k] = robot_.trace.graph.one();
+    return axis;
+  }
+
+  static void set(Row& column, const Force& wrench) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      column[k] = wrench.moment[k];
+      column[3 + k] = wrench.linear[k];
+    }
+  }
+
+  void set(Columns& columns, const char* by, int row, int column, const Expression& value) {
+    columns[at(column)][at(base_ + row)] = value;
+    describe(value, "dtau_" + names_[at(base_ + row)] + "_" + by + "_" + names_[at(base_ + column)]);
+  }
+
+  // The force of a joint below, or its own, by the motion of the one that walks.
+  void set_columns(const Walk& walk, const ChangeOfMotion& row, const Joint& below) {
+    const Expression half = project(below, walk.by_velocity);
+    set(result.qdd, "dqdd", below.index, walk.joint, project(below, row.Q));
+    set(result.qd, "dqd", below.index, walk.joint, half + half);
+    set(result.q, "dq", below.index, walk.joint, project(below, walk.by_position));
+  }
+
+  // And the other way round.
+  void set_row(const Walk& walk, const ChangeOfMotion& row, const Joint& below) {
+    const LinkMotion& motion = forces_.motions[at(below.child)];
+    const Motion S = subspace(below, robot_.trace.graph);
+    const Expression half = dot(row, by_velocity(S, motion));
+    set(result.qdd, "dqdd", walk.joint, below.index, project(below, row.Q));
+    set(result.qd, "dqd", walk.joint, below.index, half + half);
+    set(result.q, "dq", walk.joint, below.index, dot(row, by_position(S, motion)));
+  }
+
+  void fill_base_of_joint(const Walk& walk, const ChangeOfMotion& row, const Vector3& base_v) {
+    const std::size_t j = at(walk.joint);
+    set(result.q[j], walk.by_position);
+    set(result.qd[j], walk.by_velocity);
+    for (std::size_t k = 0; k < 6; ++k) result.qd[j][k] += result.qd[j][k];
+    set(result.qdd[j], row.Q);
+    const Vector3& w = bodies_.w[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 axis = unit(k);
+      const FieldChange change{axis + axis, {cross(w, axis), cross(axis, base_v)}};
+      result.base_velocity[k][at(base_) + j] = dot(row, change);
+    }
+    for (std::size_t k = 0; k < 6; ++k) result.base_acceleration[k][at(base_) + j] = result.qdd[j][k];
+  }
+
+  void describe_walk(const Walk& walk, const ChangeOfMotion& row, const std::string& link) const {
+    if (!robot_.trace.graph.keeps_names()) return;
+    const std::string& moving = robot_.tree().joints[at(walk.joint)].name;
+    describe(walk.by_position, moving + "_" + link + "_dq");
+    describe(walk.by_velocity, moving + "_" + link + "_dqd_half");
+    describe(row.Q, moving + "_" + link);
+    describe(row.e, moving + "_" + link + "_e");
+  }
+};
+
+}  // namespace
+
+std::vector<Expression> flat(const Columns& columns) {
+  std::vector<Expression> result;
+  for (const std::vector<Expression>& column : columns) result.insert(result.end(), column.begin(), column.end());
+  return result;
+}
+
+ForceDerivatives force_derivatives(
+    const TracedRobot& robot,
+    const StateInputs& in,
+    const Vector3& gravity,
+    const Forces& forces) {
+  JointWalks walks(robot, in, forces);
+  for (int j = 0; j < robot.tree().dof(); ++j) walks.fill_joint(j, in.base_velocity.linear);
+  if (robot.floating()) {
+    walks.fill_base(in.base_velocity.linear);
+    walks.fill_free_columns(gravity);
+  }
+  walks.add_drives(in);
+  return std::move(walks.result);
+}
+
+void fill_free_fall(Trace& trace, const Vector3& base_w, const Vector3& gravity, ForceDerivatives& d) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector3 axis;
+    axis[k] = trace.graph.one();
+    const Vector3 by_turn = cross(gravity, axis), by_velocity = cross(axis, base_w);
+    std::vector<Expression>&turn = d.base_rotation[k], &slide = d.base_velocity[3 + k];
+    turn.assign(turn.size(), {});
+    slide.assign(slide.size(), {});
+    for (std::size_t i = 0; i < 3; ++i) {
+      turn[3 + i] = by_turn[i];
+      slide[3 + i] = by_velocity[i];
+    }
+  }
+}
+
+Program inverse_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(
+      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
+  Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
+  add_passive_forces(trace, in, forces.tau);
+  const ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
+  const int n = tree.dof(), rows = n + (tree.floating_base ? 6 : 0);
+  trace.output("tau", Role::joint_force, forces.tau);
+  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
+  trace.output("d_q", Role::matrix, rows, n, flat(d.q));
+  trace.output("d_qd", Role::matrix, rows, n, flat(d.qd));
+  trace.output("d_qdd", tree.floating_base ? Role::matrix : Role::inertia_matrix, rows, n, flat(d.qdd));
+  if (tree.floating_base) {
+    trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d.base_rotation));
+    trace.output("d_base_velocity", Role::matrix, rows, 6, flat(d.base_velocity));
+    trace.output("d_base_acceleration", Role::matrix, rows, 6, flat(d.base_acceleration));
+  }
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

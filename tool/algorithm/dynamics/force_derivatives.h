@@ -1,0 +1,35 @@
+// Partial derivatives of the forces of inverse dynamics as expressions, for algorithms that use them.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/dynamics/newton_euler.h"
+
+namespace robcogen::algorithm {
+
+// A matrix by columns.
+using Columns = std::vector<std::vector<Expression>>;
+
+// Of (base wrench, tau), or of tau on a fixed base. The base's columns only where it floats.
+struct ForceDerivatives {
+  Columns q, qd, qdd;         // by joint; qdd: of the joint-space inertia matrix
+  Columns base_rotation;      // 3: by a turn of the base about its own axes, under gravity that stays
+  Columns base_velocity;      // 6
+  Columns base_acceleration;  // 6: of the joint-space inertia matrix
+};
+
+// About the motion that the forces belong to. External wrenches are constant in the coordinates of their links.
+ForceDerivatives force_derivatives(
+    const TracedRobot& robot,
+    const StateInputs& in,
+    const Vector3& gravity,
+    const Forces& forces);
+
+// Of (base acceleration, joints) of a robot whose base nothing holds, by a turn and by the linear velocity of the base:
+// in the world the robot moves as before.
+void fill_free_fall(Trace& trace, const Vector3& base_w, const Vector3& gravity, ForceDerivatives& d);
+
+// One column after the other.
+std::vector<Expression> flat(const Columns& columns);
+
+}  // namespace robcogen::algorithm

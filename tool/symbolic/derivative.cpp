@@ -1,0 +1,246 @@
+#include "symbolic/derivative.h"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "support/index.h"
+#include "symbolic/apply.h"
+#include "symbolic/expression.h"
+
+namespace robcogen::symbolic {
+namespace {
+
+// Of an operation by its operands; the second on demand.
+struct Partials {
+  Expression a;
+  std::function<Expression()> b;
+};
+
+Partials partials(Graph& graph, std::size_t i) {
+  const Node node = graph.nodes()[i];
+  const Expression value = graph.expression(static_cast<int>(i), false);
+  const Expression a = graph.expression(node.a, false);
+  const Expression b = node.b < 0 ? Expression() : graph.expression(node.b, false);
+  const Expression one = graph.one();
+  switch (node.op) {
+    case Op::add:
+      return {one, [one] { return one; }};
+    case Op::subtract:
+      return {one, [one] { return -one; }};
+    case Op::multiply:
+      return {b, [a] { return a; }};
+    case Op::divide: {
+      const Expression reciprocal = one / b;
+      return {reciprocal, [value, reciprocal] { return -(value * reciprocal); }};
+    }
+    case Op::square_root: {
+      const Expression half = 0.5 * (one / value);
+      return {node.a_negative ? -half : half, {}};
+    }
+    case Op::sine:
+      return {cos(a), {}};
+    case Op::cosine:
+      return {-sin(a), {}};
+    default:
+      throw std::logic_error("derivative of an operation on lanes");
+  }
+}
+
+// A program in a graph, to which more is added.
+class Differentiated {
+ public:
+  explicit Differentiated(const Program& program) : Differentiated(program, program.inputs.size(), {}) {}
+
+  // With another input in front of the array `place`.
+  Differentiated(const Program& program, std::size_t place, const InputArray& added)
+      : program_(program), inputs_(program.inputs) {
+    if (program.has_lanes()) throw std::logic_error("derivatives of a program with lanes");
+    const auto last = inputs_.begin() + static_cast<std::ptrdiff_t>(place);
+    if (!added.elements.empty()) inputs_.insert(last, added);
+    int element = 0;
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      const bool is_added = !added.elements.empty() && k == place;
+      for (std::size_t i = 0; i < inputs_[k].elements.size(); ++i)
+        (is_added ? added_ : elements_).push_back(graph.input(element++));
+    }
+    for (const Statement& s : program.statements) copy(s);
+    for (const OutputArray& array : program.outputs) {
+      shapes_.push_back({array.name, array.role, array.rows, array.columns, {}});
+      std::vector<Expression>& values = outputs_.emplace_back();
+      for (const Operand& o : array.values) values.push_back(read(o));
+    }
+    size_ = graph.nodes().size();
+  }
+
+  Graph graph;
+
+  const std::vector<OutputArray>& shapes() const { return shapes_; }
+  const std::vector<Expression>& output(std::size_t k) const { return outputs_[k]; }
+  const std::vector<Expression>& output(const std::string& name) const {
+    const auto found =
+        std::find_if(shapes_.begin(), shapes_.end(), [&](const OutputArray& array) { return array.name == name; });
+    if (found == shapes_.end()) throw std::logic_error("the program has no output '" + name + "'");
+    return outputs_[static_cast<std::size_t>(found - shapes_.begin())];
+  }
+
+  std::vector<Expression> input(const std::string& name) const {
+    std::size_t first = 0;
+    for (const InputArray& array : program_.inputs) {
+      const auto begin = elements_.begin() + static_cast<std::ptrdiff_t>(first);
+      const std::size_t count = array.elements.size();
+      if (array.name == name) return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+      first += count;
+    }
+    throw std::logic_error("the program has no input '" + name + "'");
+  }
+
+  const std::vector<Expression>& added() const { return added_; }
+
+  void add_output(const std::string& name, int rows, int columns, const std::vector<Expression>& values) {
+    shapes_.push_back({name, Role::matrix, rows, columns, {}});
+    outputs_.push_back(values);
+  }
+
+  // By node: the derivatives of the program's nodes by an input.
+  std::vector<Expression> tangents(const Expression& by) {
+    std::vector<Expression> d(size_);
+    d[at(by.node())] = graph.one();
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Node node = graph.nodes()[i];
+      if (node.kind != Node::Kind::operation) continue;
+      const Partials p = partials(graph, i);
+      const Expression of_a = is_zero(d, node.a) ? Expression() : p.a * d[at(node.a)];
+      d[i] = node.b < 0 || is_zero(d, node.b) ? of_a : of_a + p.b() * d[at(node.b)];
+    }
+    return d;
+  }
+
+  // By node: the derivatives of the product of weights and results by the program's nodes.
+  std::vector<Expression> adjoints(const std::vector<Expression>& results, const std::vector<Expression>& weights) {
+    std::vector<Expression> d(size_);
+    for (std::size_t k = 0; k < results.size(); ++k)
+      d[at(results[k].node())] += results[k].negative() ? -weights[k] : weights[k];
+    for (std::size_t i = size_; i-- > 0;) {
+      const Node node = graph.nodes()[i];
+      if (node.kind != Node::Kind::operation || d[i].is_zero()) continue;
+      const Partials p = partials(graph, i);
+      d[at(node.a)] += p.a * d[i];
+      if (node.b >= 0) d[at(node.b)] += p.b() * d[i];
+    }
+    return d;
+  }
+
+  Program finish() const { return graph.program(program_.name, inputs_, shapes_, outputs_); }
+
+ private:
+  const Program& program_;
+  std::vector<InputArray> inputs_;
+  std::vector<Expression> elements_, added_;  // of the program's inputs, of the other
+  std::vector<Expression> values_;            // by statement
+  std::vector<OutputArray> shapes_;
+  std::vector<std::vector<Expression>> outputs_;
+  std::size_t size_ = 0;  // nodes of the program
+  int section_ = -1;
+
+  static bool is_zero(const std::vector<Expression>& d, int node) { return d[at(node)].is_zero(); }
+
+  Expression read(const Operand& o) {
+    const auto i = at(o.index);
+    const Expression e = is_constant(o)                   ? graph.constant(program_.constants[i])
+                         : o.kind == Operand::Kind::input ? elements_[i]
+                                                          : values_[i];
+    return o.negative ? -e : e;
+  }
+
+  void copy(const Statement& s) {
+    if (s.section != section_) {
+      section_ = s.section;
+      const Section& section = program_.sections[at(section_)];
+      graph.begin_section(section.title, section.prefix);
+    }
+    const Expression a = read(s.a);
+    const Expression b = is_binary(s.op) ? read(s.b) : Expression();
+    const Expression value = apply(s.op, a, b);
+    if (s.named) graph.name(value, s.name);
+    if (s.described) graph.describe(value, s.name);
+    values_.push_back(value);
+  }
+};
+
+std::vector<Expression> signed_values(const std::vector<Expression>& by_node, const std::vector<Expression>& of) {
+  std::vector<Expression> result;
+  for (const Expression& e : of) {
+    const Expression& d = by_node[at(e.node())];
+    result.push_back(e.negative() ? -d : d);
+  }
+  return result;
+}
+
+}  // namespace
+
+Expression derivative(const Expression& of, const Expression& by) {
+  if (!of.graph() || of.is_constant()) return {};
+  Graph& graph = *of.graph();
+  const Node node = graph.nodes()[at(of.node())];
+  if (of.node() == by.node()) return of.negative() ? -graph.one() : graph.one();
+  if (node.kind != Node::Kind::operation) return {};
+  const Partials p = partials(graph, at(of.node()));
+  Expression result = p.a * derivative(graph.expression(node.a, false), by);
+  if (node.b >= 0) result += p.b() * derivative(graph.expression(node.b, false), by);
+  return of.negative() ? -result : result;
+}
+
+Program with_derivatives(const Program& program, const std::vector<std::string>& inputs) {
+  Differentiated d(program);
+  for (const std::string& input : inputs) {
+    const std::vector<Expression> variables = d.input(input);
+    std::vector<std::vector<Expression>> columns(program.outputs.size());
+    d.graph.begin_section("derivatives by " + input, "d_" + input);
+    for (const Expression& variable : variables) {
+      const std::vector<Expression> tangents = d.tangents(variable);
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const std::vector<Expression> column = signed_values(tangents, d.output(k));
+        columns[k].insert(columns[k].end(), column.begin(), column.end());
+      }
+    }
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const OutputArray& of = program.outputs[k];
+      const std::string name = program.outputs.size() == 1 ? "d_" + input : of.name + "_d_" + input;
+      d.add_output(name, of.rows * of.columns, static_cast<int>(variables.size()), columns[k]);
+    }
+  }
+  return d.finish();
+}
+
+Program with_gradient(
+    const Program& program,
+    const std::vector<std::string>& outputs,
+    const std::vector<std::string>& inputs,
+    std::size_t place) {
+  InputArray weights{"weights", Role::value, {}};
+  const auto each = [&](const auto& f) {
+    for (const std::string& name : outputs)
+      for (const OutputArray& array : program.outputs)
+        if (array.name == name) f(array);
+  };
+  each([&](const OutputArray& array) {
+    for (std::size_t k = 0; k < array.values.size(); ++k)
+      weights.elements.push_back(array.name + "_" + std::to_string(k));
+  });
+  Differentiated d(program, place, weights);
+  std::vector<Expression> results;
+  each([&](const OutputArray& array) {
+    const std::vector<Expression>& values = d.output(array.name);
+    results.insert(results.end(), values.begin(), values.end());
+  });
+  d.graph.begin_section("gradient", "gradient");
+  const std::vector<Expression> adjoints = d.adjoints(results, d.added());
+  for (const std::string& input : inputs) {
+    const std::vector<Expression> variables = d.input(input);
+    d.add_output("d_" + input, static_cast<int>(variables.size()), 1, signed_values(adjoints, variables));
+  }
+  return d.finish();
+}
+
+}  // namespace robcogen::symbolic

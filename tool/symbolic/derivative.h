@@ -1,0 +1,30 @@
+// Partial derivatives of programs, as programs: each statement is differentiated by itself (Griewank and Walther 2008,
+// ch. 3), and what folds or is there already costs nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symbolic/expression.h"
+#include "symbolic/program.h"
+
+namespace robcogen::symbolic {
+
+// Of an expression of few operations, by an input.
+Expression derivative(const Expression& of, const Expression& by);
+
+// Forward mode: the program, with the derivatives of its outputs by each element of these inputs as further outputs.
+// Those of `y` by `q` are the array `y_d_q`, or `d_q` where the program has one output: a row for each element of y, a
+// column for each of q. Of programs without lanes.
+Program with_derivatives(const Program& program, const std::vector<std::string>& inputs);
+
+// Reverse mode: the program, with the gradient of the product of `weights` and the elements of these outputs, one after
+// the other. Weights are a further input, in front of the input array `place`. The derivatives by an input `q` are the
+// array `d_q`. Costs a small multiple of the program, however many inputs there are.
+Program with_gradient(
+    const Program& program,
+    const std::vector<std::string>& outputs,
+    const std::vector<std::string>& inputs,
+    std::size_t place);
+
+}  // namespace robcogen::symbolic
