@@ -135,6 +135,26 @@ TEST_F(Load, GroupsThatARobotCannotHaveAreErrorsWhereTheyAreAskedFor) {
   EXPECT_FALSE(codes(Severity::error).empty());
 }
 
+// Where a group is not generated though the mass properties allow it: a chain of many links, solved for many columns.
+TEST_F(Load, GroupsWhoseCodeWouldBeTooLongAreErrorsWhereTheyAreAskedFor) {
+  std::string links, joints;
+  constexpr int kLinks = 30;
+  for (int i = 1; i <= kLinks; ++i) {
+    const std::string number = std::to_string(i), next = std::to_string(i + 1);
+    links +=
+        "link l" + number + " { id = " + number +
+        " inertia_params { mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix = 0.1 Iy = 0.2 Iz = 0.2 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 "
+        "} children {" +
+        (i < kLinks ? " l" + next + " via j" + next : "") + " } }\n";
+    joints += "r_joint j" + number + " { ref_frame { translation = (0.3, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }\n";
+  }
+  const std::string text = "Robot Snake { RobotBase ground { children { l1 via j1 } }\n" + links + joints + "}";
+  EXPECT_TRUE(try_load("snake.kindsl", text)) << diagnostics.render();
+  EXPECT_TRUE(try_load("snake.kindsl", text, {.groups = {"inverse_dynamics_derivatives"}}));
+  EXPECT_FALSE(try_load("snake.kindsl", text, {.groups = {"forward_dynamics_derivatives"}}));
+  EXPECT_EQ(codes(Severity::error), Codes{"unavailable-group"}) << diagnostics.render();
+}
+
 TEST_F(Load, ParametersAreListedOnDemand) {
   const std::string text = replaced(kRods, "mass = 2.0", "mass = heavy[2.0]");
   ASSERT_TRUE(try_load("rods.kindsl", text));

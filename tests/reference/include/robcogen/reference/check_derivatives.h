@@ -164,7 +164,8 @@ template <class Subject>
 void check_gravity_forces_derivative(const Subject& subject, const Case& c, Checks& checks) {
   const Motion<double> rest = at_rest(c.sample.motion.q);
   const Overload standard = overloads(c.sample)[0], gravity = overloads(c.sample)[1];
-  for (const Overload& o : {standard, gravity}) {
+  for (Overload o : {standard, gravity}) {
+    o.loads.passive = false;
     Derivatives actual = subject.gravity_forces_derivative(rest.q, o.arguments);
     const int rows = actual.q.rows(), n = rest.q.rows();
     actual.qd = actual.last = Matrix<double>(rows, 0);
