@@ -7,8 +7,44 @@
 #include "robcogen/lane_blocks.h"
 #include "robcogen/lanes.h"
 
+#if defined(__GNUC__)
+#define ROBCOGEN_INLINE inline __attribute__((always_inline))
+#else
+#define ROBCOGEN_INLINE inline
+#endif
+
 namespace robcogen::batch {
 namespace {  // separate in each file, like lanes
+
+// The elements of a result for the states of one block: a kernel writes to it as to an array of values. Element k is at
+// data + k * element.
+template <class Scalar>
+class Columns {
+ public:
+  using Value = NativeLanes<Scalar>;
+
+  class Column {
+   public:
+    ROBCOGEN_INLINE Column(Scalar* data, std::ptrdiff_t element) noexcept : data_(data), element_(element) {}
+    ROBCOGEN_INLINE const Value& operator=(const Value& x) const noexcept {
+      x.store(data_);
+      return x;
+    }
+    // The columns from this one on.
+    ROBCOGEN_INLINE Columns operator&() const noexcept { return {data_, element_}; }
+
+   private:
+    Scalar* data_;
+    std::ptrdiff_t element_;
+  };
+
+  ROBCOGEN_INLINE Columns(Scalar* data, std::ptrdiff_t element) noexcept : data_(data), element_(element) {}
+  ROBCOGEN_INLINE Column operator[](std::ptrdiff_t k) const noexcept { return {data_ + k * element_, element_}; }
+
+ private:
+  Scalar* data_;
+  std::ptrdiff_t element_;
+};
 
 // The states of one block of `count` states. In the last block, lanes without a state repeat the last one, so
 // that no memory beyond it is read or written.
@@ -52,7 +88,21 @@ class Block {
     }
   }
 
+  // Where a kernel writes a result: to its place where the states of the block are contiguous there, else to the
+  // buffer.
+  Columns<Scalar> columns(const Strided<Scalar>& to, Value* buffer) const noexcept {
+    if (is_in_place(to)) return {to.data + first_, to.element};
+    return {reinterpret_cast<Scalar*>(buffer), kSize};
+  }
+  // From the buffer, if it was written there.
+  template <int kElements>
+  void store_buffer(const Value* buffer, const Strided<Scalar>& to) const noexcept {
+    if (!is_in_place(to)) store<kElements>(buffer, to);
+  }
+
  private:
+  bool is_in_place(const Strided<Scalar>& to) const noexcept { return left() >= kSize && to.state == 1; }
+
   // With two lanes, single elements move as fast.
   static constexpr bool kHasRows = kSize > 2;
 
@@ -114,3 +164,17 @@ void spread(const Scalar* from, int count, NativeLanes<Scalar>* to) noexcept {
 
 }  // namespace
 }  // namespace robcogen::batch
+
+namespace robcogen {
+namespace {
+
+// The same number in kCount columns, for kernels that write to them.
+template <int kCount, class Scalar>
+ROBCOGEN_INLINE void fill(const batch::Columns<Scalar>& to, const typename batch::Columns<Scalar>::Value& x) noexcept {
+  for (int i = 0; i < kCount; ++i) to[i] = x;
+}
+
+}  // namespace
+}  // namespace robcogen
+
+#undef ROBCOGEN_INLINE

@@ -153,24 +153,48 @@ std::string lanes_of(const Array& array) {
   return array.name + "_lanes";
 }
 
+// Whether a function over many states writes its result in place: a symmetric matrix, most of whose elements are
+// written twice or are zeros, and which fills the cache when it is stored on the way. Not where the kernel is cut into
+// parts.
+bool writes_columns(const Callable& callable) {
+  const std::vector<OutputArray>& outputs = callable.function->program.outputs;
+  return outputs.size() == 1 && outputs.front().role == Role::inertia_matrix &&
+         lower(callable.function->program, callable.kernel).lines.size() <= kLongest;
+}
+
+// A kernel that writes to columns. Inlined into the loop over blocks, it would keep the address of each column in
+// memory.
+std::string column_kernel(const Callable& callable) {
+  const Kernel kernel = lower(callable.function->program, callable.kernel);
+  std::vector<std::string> list;
+  for (const Parameter& p : kernel.parameters)
+    list.push_back((p.output ? "const Columns " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
+  return "template <class Scalar, class Columns>\n" +
+         declaration("[[gnu::noinline]] void " + callable.kernel, list, " noexcept {") + body(kernel) + "}\n";
+}
+
 std::string definition(const Api& api, const Callable& callable) {
   const Program& program = callable.function->program;
+  const bool in_place = writes_columns(callable);
+  const std::string kernels = in_place ? "::batch::columns::" : "::kernel::";
   std::string values, once, load, store;
   std::vector<std::string> arguments;
   for (const Array& a : arrays(program)) {
     const std::string lanes = lanes_of(a), size = std::to_string(a.size);
     values += "  Value " + lanes + "[" + (a.size == 0 ? "1" : size) + "];\n";
-    arguments.push_back(lanes);
+    const bool is_column = in_place && a.is_output;
+    arguments.push_back(is_column ? "block.columns(" + a.name + ", " + lanes + ")" : lanes);
     if (a.is_parameters)
       once += call("robcogen::batch::spread", {a.name, size, lanes}, 2);
     else if (a.is_output)
-      store += call("block.template store<" + size + ">", {lanes, a.name}, 4);
+      store +=
+          call((is_column ? "block.template store_buffer<" : "block.template store<") + size + ">", {lanes, a.name}, 4);
     else
       load += call("block.template load<" + size + ">", {a.name, lanes}, 4);
   }
   return body_declaration(callable, " noexcept {") + "  using Value = robcogen::NativeLanes<Scalar>;\n" + values +
          once + "  for (robcogen::batch::Block<Scalar> block(n); block.is_left(); block.advance()) {\n" + load +
-         call("::" + api.space + "::kernel::" + callable.kernel, arguments, 4) + store + "  }\n}\n";
+         call("::" + api.space + kernels + callable.kernel, arguments, 4) + store + "  }\n}\n";
 }
 
 // A function of the interface, without gravity where standard gravity takes its place.
@@ -292,11 +316,16 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
 }
 
 std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path) {
-  std::vector<std::string> bodies;
-  for (const Callable* c : callables_of(api, group)) bodies.push_back(definition(api, *c));
+  std::vector<std::string> bodies, in_columns;
+  for (const Callable* c : callables_of(api, group)) {
+    bodies.push_back(definition(api, *c));
+    if (writes_columns(*c)) in_columns.push_back(column_kernel(*c));
+  }
+  const std::string remark = "// Kernels that write to the place of the result in the memory of the caller.\n";
   return paragraphs(
       {banner(*api.library, path, "bodies over many states, compiled once for each processor"), "#pragma once\n",
        includes({"\"robcogen/batch_body.h\"", "\"" + kernel_path(folder(*api.library), group) + "\""}),
+       in_columns.empty() ? "" : remark + in_namespace(api.space + "::batch::columns", paragraphs(in_columns)),
        in_namespace(api.space + "::batch::body", paragraphs(bodies))});
 }
 
