@@ -82,5 +82,16 @@ TEST(Comparison, ChartCountsTheFloatingBase) {
   EXPECT_EQ(panels[0].series[2].points[1].nanoseconds, 640);
 }
 
+// The function that calls the kernel of the processor is small; the other copies are those of one unit.
+TEST(KernelSizes, AreThoseOfTheKernelNotOfItsCaller) {
+  const std::string listing =
+      "0 10 t void robcogen_level::(anonymous namespace)::leg::kernel::core::f<double>(double const*)\n"
+      "0 200 t void robcogen_level::(anonymous namespace)::leg::kernel::f<double>(double const*)\n"
+      "0 6 W void leg::kernel::f<double>(double const*)\n"
+      "0 1ff W void leg::kernel::avx2::f<double>(double const*)\n"
+      "0 8 d leg::kernel::(anonymous namespace)::chosen::f<double>\n";
+  EXPECT_EQ(kernel_sizes(listing), (std::map<std::string, long>{{"f", 0x200}}));
+}
+
 }  // namespace
 }  // namespace robcogen::bench

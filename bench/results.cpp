@@ -160,8 +160,10 @@ std::map<std::string, long> kernel_symbols(const std::string& listing) {
     std::istringstream fields(line);
     std::string address, size;
     if (!(fields >> address >> size)) continue;
-    // Each object file that uses a kernel may hold a copy; the linker keeps one.
-    sizes[line.substr(begin, end - begin)] = std::strtol(size.c_str(), nullptr, 16);
+    // Each object file that uses a kernel may hold a copy; the linker keeps one. Where a program chooses a processor's
+    // kernel, the function of this name only calls it: the largest is that for the baseline.
+    long& largest = sizes[line.substr(begin, end - begin)];
+    largest = std::max(largest, std::strtol(size.c_str(), nullptr, 16));
   }
   return sizes;
 }
