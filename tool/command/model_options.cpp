@@ -51,9 +51,11 @@ std::string dotted(const std::string& scope, const std::string& name) {
 }
 
 void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
-  const bool given =
-      options.floating_base || options.snap_angles || options.free_mimic_joints || options.allow_implausible;
-  if (!given || driver::language_of(model) == driver::Language::urdf) return;
+  const bool for_urdf = options.floating_base || options.snap_angles || options.allow_implausible;
+  if (!for_urdf && !options.free_mimic_joints) return;
+  const driver::Language language = driver::language_of(model);
+  if (language == driver::Language::urdf) return;
+  if (language == driver::Language::mjcf && !for_urdf) return;
   throw Failure{
       wrong_usage, fmt::format(
                        "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints and --allow-implausible "

@@ -35,13 +35,14 @@ std::string canonical_text(const PrintOptions& options, Diagnostics& diagnostics
 
 Status print_document(const PrintOptions& options) {
   const std::filesystem::path file = options.model.file;
-  if (driver::language_of(file) == driver::Language::urdf)
+  const driver::Language language = driver::language_of(file);
+  if (language == driver::Language::urdf || language == driver::Language::mjcf)
     throw Failure{
         wrong_usage, fmt::format(
                          "robcogen: error: '{}' is not a document in a language of robcogen\nhint: 'robcogen convert' "
                          "makes it one",
                          file.string())};
-  if (options.original && driver::language_of(file) != driver::Language::robot)
+  if (options.original && language != driver::Language::robot)
     throw Failure{wrong_usage, "robcogen: error: --original is for robots: a .kindsl file"};
   Diagnostics diagnostics;
   const std::string text = canonical_text(options, diagnostics);

@@ -39,11 +39,12 @@ std::optional<Language> language_of_suffix(const std::filesystem::path& file) {
 
 Language language_of(const std::filesystem::path& file) {
   const std::optional<Language> language = language_of_suffix(file);
-  if (language && language != Language::robot) return *language;
+  if (language && !is_robot(*language)) return *language;
   std::error_code no_such_file;
-  if (file != "-" && !std::filesystem::exists(file, no_such_file)) return Language::robot;
-  const bool is_urdf = language::content_of(read_source(file)->text()) == language::Content::urdf;
-  return is_urdf ? Language::urdf : Language::robot;
+  if (file != "-" && !std::filesystem::exists(file, no_such_file)) return language.value_or(Language::robot);
+  const language::Content content = language::content_of(read_source(file)->text());
+  if (content == language::Content::mjcf) return Language::mjcf;
+  return content == language::Content::urdf ? Language::urdf : language.value_or(Language::robot);
 }
 
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {

@@ -9,15 +9,16 @@
 
 namespace robcogen::driver {
 
-enum class Language { robot, urdf, motions, transforms, desired };
+enum class Language { robot, urdf, mjcf, motions, transforms, desired };
 
 // By the suffix of the file's name; nullopt where that says nothing.
 std::optional<Language> language_of_suffix(const std::filesystem::path& file);
-// A document with another suffix is a URDF if its content is XML, and a robot document otherwise.
+// A robot is in the language that its content shows, whatever its suffix: URDF and MJCF by their root elements, and a
+// robot document otherwise.
 Language language_of(const std::filesystem::path& file);
 
 constexpr bool is_robot(Language language) {
-  return language == Language::robot || language == Language::urdf;
+  return language == Language::robot || language == Language::urdf || language == Language::mjcf;
 }
 
 // The file's text; `-` is standard input. A Failure when it cannot be read or is not text.

@@ -13,6 +13,7 @@
 #include "export/kinematics.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
+#include "import/mjcf.h"
 #include "import/names.h"
 #include "model/plausibility.h"
 
@@ -36,16 +37,28 @@ std::string limits_text(const model::KinematicTree& tree) {
   return text;
 }
 
+// Of a tree that was read from a format of others.
+Model foreign_model(model::KinematicTree tree) {
+  const std::string text = language::kinematics::print(exporting::kinematics_document(tree)) + limits_text(tree);
+  return {Robot{std::move(tree), {}}, text};
+}
+
 std::optional<Model> load_tree(
-    const std::shared_ptr<const Source>& source,
-    bool is_urdf,
+    const std::filesystem::path& file,
     const import::UrdfOptions& options,
     Diagnostics& diagnostics) {
-  if (is_urdf) {
+  const std::shared_ptr<const Source> source = read_source(file);
+  const Language language = language_of(file);
+  if (language == Language::mjcf) {
+    std::optional<import::Mjcf> read = import::mjcf(source, file, {options.free_mimic_joints}, diagnostics);
+    if (!read) return std::nullopt;
+    Model model = foreign_model(std::move(read->tree));
+    model.read = std::move(read->included);
+    return model;
+  }
+  if (language == Language::urdf) {
     std::optional<model::KinematicTree> tree = import::urdf(source, options, diagnostics);
-    if (!tree) return std::nullopt;
-    const std::string text = language::kinematics::print(exporting::kinematics_document(*tree)) + limits_text(*tree);
-    return Model{Robot{std::move(*tree), {}}, text};
+    return tree ? std::optional(foreign_model(std::move(*tree))) : std::nullopt;
   }
   language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
@@ -68,11 +81,10 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
 }
 
 std::optional<Model> load_robot(
-    const std::shared_ptr<const Source>& source,
-    bool is_urdf,
+    const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  std::optional<Model> model = load_tree(source, is_urdf, options.urdf, diagnostics);
+  std::optional<Model> model = load_tree(file, options.urdf, diagnostics);
   if (!model) return std::nullopt;
   if (options.strict) promote_strict_warnings(diagnostics);
   auto& robot = std::get<Robot>(model->content);
@@ -170,8 +182,7 @@ std::optional<Model> load_content(
     Diagnostics& diagnostics) {
   const std::shared_ptr<const Source> source = read_source(file);
   const Language language = language_of(file);
-  if (is_robot(language) || language == Language::desired)
-    return load_robot(source, language == Language::urdf, options, diagnostics);
+  if (is_robot(language) || language == Language::desired) return load_robot(file, options, diagnostics);
   std::optional<Model> model = language == Language::motions ? load_motions(source, options, diagnostics)
                                                              : load_transforms(source, options, diagnostics);
   if (!model) return std::nullopt;
@@ -196,7 +207,7 @@ std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& 
   if (options.strict) promote_strict_warnings(diagnostics);
   if (!model || diagnostics.has_errors()) return std::nullopt;
   model->file = file;
-  model->read.push_back(file);
+  model->read.insert(model->read.begin(), file);
   if (options.desired) model->read.push_back(*options.desired);
   return model;
 }

@@ -41,7 +41,7 @@ struct Model {
 struct LoadOptions {
   std::optional<std::filesystem::path> desired = {};  // the default list, when there is none
   bool strict = false;                                // see promote_strict_warnings
-  import::UrdfOptions urdf = {};                      // for robots in URDF
+  import::UrdfOptions urdf = {};                      // for robots in URDF; free_mimic_joints for MJCF too
   bool lists_parameters = false;                      // a note with the model's parameters
   std::vector<std::string> groups = {};               // asked for by name: one that the robot cannot have is an error
 };

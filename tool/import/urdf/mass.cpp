@@ -127,13 +127,18 @@ Pose pose_of(const Origin& origin) {
 }
 
 std::optional<model::Inertia> lumped(const std::vector<PlacedInertial>& parts) {
+  std::vector<model::Inertia> all;
+  for (const PlacedInertial& part : parts) all.push_back(part_of_body(part));
+  return sum_of(all);
+}
+
+std::optional<model::Inertia> sum_of(const std::vector<model::Inertia>& parts) {
   if (parts.empty()) return std::nullopt;
   model::RigidBodyInertia sum;
   model::Inertia result;
-  for (const PlacedInertial& part : parts) {
-    const model::Inertia own = part_of_body(part);
-    add(sum, model::in_link_frame(own));
-    result.com = own.reference->translation;
+  for (const model::Inertia& part : parts) {
+    add(sum, model::in_link_frame(part));
+    result.com = part.reference->translation;
   }
   result.mass = sum.mass;
   if (parts.size() > 1) {

@@ -18,6 +18,10 @@ struct PlacedInertial {
 
 Pose pose_of(const Origin& origin);
 
+// The sum of the parts, each with a `reference`: about the origin and in the axes of the frame that the references are
+// in. nullopt for no parts.
+std::optional<model::Inertia> sum_of(const std::vector<model::Inertia>& parts);
+
 // About the origin and in the axes of the body's frame; nullopt for no parts.
 std::optional<model::Inertia> lumped(const std::vector<PlacedInertial>& parts);
 

@@ -110,8 +110,9 @@ void refuse(const std::shared_ptr<const Source>& source, Content content, Diagno
       .error(
           "other-format", {source, span},
           fmt::format("this is {}, not a document in a language of robcogen", description(content, text)))
-      .hint = content == Content::urdf ? "'robcogen convert' makes a robot document of it"
-                                       : "robots are read from URDF (.urdf) and robot documents (.kindsl); convert it";
+      .hint = content == Content::urdf || content == Content::mjcf
+                  ? "'robcogen convert' makes a robot document of it"
+                  : "robots are read from URDF (.urdf), MJCF (.xml) and robot documents (.kindsl); convert it";
 }
 
 }  // namespace

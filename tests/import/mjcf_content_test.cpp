@@ -1,0 +1,84 @@
+// What MJCF says in several ways is one robot. (MuJoCo judges the numbers: tests/oracles/mjcf_test.cpp.)
+#include <gtest/gtest.h>
+
+#include "export/kinematics.h"
+#include "import/mjcf.h"
+#include "language/kinematics/document.h"
+
+namespace robcogen {
+namespace {
+
+model::KinematicTree tree_of(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto robot = import::mjcf(std::make_shared<Source>("robot.xml", text), "robot.xml", {}, diagnostics);
+  EXPECT_TRUE(robot) << diagnostics.render();
+  return robot ? robot->tree : model::KinematicTree();
+}
+
+std::string robot_document(const std::string& text) {
+  return language::kinematics::print(exporting::kinematics_document(tree_of(text)));
+}
+
+const char* const kInertial = "<inertial pos='0 0 0.1' mass='1' diaginertia='1 1 1'/>";
+
+// A body `arm` with these attributes and this content, on a hinge.
+std::string arm(const std::string& attributes, const std::string& content, const std::string& before = "") {
+  return "<mujoco model='m'>" + before + "<worldbody><body name='arm' " + attributes + "><joint name='j'/>" +
+         kInertial + content + "</body></worldbody></mujoco>";
+}
+
+TEST(Mjcf, OrientationsAreExact) {
+  const std::string radians = "<compiler angle='radian'/>";
+  const std::string expected = robot_document(arm("euler='90 0 0'", ""));
+  EXPECT_NE(expected.find("rotation = (PI/2.0, 0.0, 0.0)"), std::string::npos) << expected;
+  for (const char* same :
+       {"quat='1 1 0 0'", "quat='-0.707107 -0.707107 0 0'", "axisangle='2 0 0 90'", "axisangle='-1 0 0 -90'",
+        "xyaxes='1 0 0 1 0 2'", "zaxis='0 -3 0'"})
+    EXPECT_EQ(robot_document(arm(same, "")), expected) << same;
+  EXPECT_EQ(robot_document(arm("quat='0 0 1 0'", "", radians)), robot_document(arm("euler='0 180 0'", "")));
+}
+
+TEST(Mjcf, FramesMoveWhatTheyHold) {
+  const std::string nested =
+      "<frame pos='0 0 1' euler='0 0 90'><frame pos='2 0 0'><site name='s' pos='0 1 0'/></frame></frame>";
+  EXPECT_EQ(robot_document(arm("", nested)), robot_document(arm("", "<site name='s' pos='-1 2 1' euler='0 0 90'/>")));
+}
+
+TEST(Mjcf, FramesChooseTheClassOfTheirContent) {
+  const std::string defaults =
+      "<default><site pos='1 0 0'/><default class='far'><site pos='9 0 0' euler='0 0 30'/></default></default>";
+  EXPECT_EQ(
+      robot_document(arm("", "<frame childclass='far'><site name='s' quat='1 0 0 0'/></frame>", defaults)),
+      robot_document(arm("", "<site name='s' pos='9 0 0'/>")));
+}
+
+TEST(Mjcf, LimitsFollowRanges) {
+  const auto limits = [](const std::string& joint, const std::string& compiler = "") {
+    const std::string body = "<body name='b'><joint name='j' " + joint + "/>" + kInertial + "</body>";
+    return tree_of("<mujoco>" + compiler + "<worldbody>" + body + "</worldbody></mujoco>").joints[0].limits;
+  };
+  EXPECT_DOUBLE_EQ(limits("range='-90 180'").upper, 3.14159265358979323846);
+  EXPECT_DOUBLE_EQ(limits("range='-90 180'", "<compiler angle='radian'/>").upper, 180.0);
+  EXPECT_DOUBLE_EQ(limits("type='slide' range='-90 180'").lower, -90.0);
+  EXPECT_EQ(limits("range='-90 180' limited='false'"), model::JointLimits());
+  EXPECT_EQ(limits("range='-90 180'", "<compiler autolimits='false'/>"), model::JointLimits());
+  EXPECT_DOUBLE_EQ(limits("range='0 1' limited='true'", "<compiler autolimits='false' angle='radian'/>").upper, 1.0);
+  EXPECT_DOUBLE_EQ(limits("actuatorfrcrange='-20 30'").effort, 30.0);
+}
+
+TEST(Mjcf, BodiesWithoutJointsAreParts) {
+  const model::KinematicTree tree =
+      tree_of(arm("", "<body name='lid' pos='0 0 1'>" + std::string(kInertial) + "</body>"));
+  ASSERT_EQ(tree.links.size(), 2u);
+  EXPECT_DOUBLE_EQ(model::evaluate(tree.links[1].inertia->mass), 2.0);
+  EXPECT_DOUBLE_EQ(model::evaluate(tree.links[1].inertia->com[2]), 0.6);
+}
+
+TEST(Mjcf, GeomsOfFixedBodiesNeedNoMass) {
+  const model::KinematicTree tree = tree_of(
+      arm("", "").insert(sizeof "<mujoco model='m'><worldbody>" - 1, "<body name='table'><geom type='mesh'/></body>"));
+  EXPECT_EQ(tree.dof(), 1);
+}
+
+}  // namespace
+}  // namespace robcogen

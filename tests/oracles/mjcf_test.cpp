@@ -1,0 +1,193 @@
+// The import of MJCF: the imported robot, run by the interpreter, compared with MuJoCo on the same file. The files are
+// those of the folder mjcf, and those that the program's arguments name.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <set>
+
+#include "import/mjcf.h"
+#include "interpreted_robot.h"
+#include "judge.h"
+
+namespace robcogen::oracles {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using model::Frame;
+using model::KinematicTree;
+using std::filesystem::path;
+
+// Relative to the largest element: two programs in double precision.
+constexpr double kAgreement = 1e-9;
+// MuJoCo takes a rotation to principal axes for complete when its cosine is 1 - 1e-12.
+constexpr double kPrincipalAxes = 1e-6;
+constexpr int kStates = 50;
+constexpr std::uint64_t kSeed = 17;
+
+struct Deleter {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+void ignore(const char*) {}
+
+std::string contents(const path& file) {
+  std::ifstream text(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(text), {}};
+}
+
+KinematicTree imported(const path& file) {
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<Source>(file.filename().string(), contents(file));
+  const auto robot = import::mjcf(source, file, {.free_equality_joints = true}, diagnostics);
+  if (!robot) throw std::runtime_error(diagnostics.render());
+  return robot->tree;
+}
+
+// From the base to every user frame.
+model::DesiredTransforms to_user_frames(const KinematicTree& tree) {
+  model::DesiredTransforms desired;
+  const std::vector<Frame> frames = tree.frames();
+  for (const Frame& frame : frames)
+    if (frame.kind == Frame::Kind::user) desired.transforms.push_back({frames.front(), frame});
+  return desired;
+}
+
+class MjcfTest : public testing::Test {
+ public:
+  explicit MjcfTest(path file) : file_(std::move(file)) {}
+
+  void TestBody() override {
+    mju_user_warning = ignore;
+    char error[1000] = "";
+    model_.reset(mj_loadXML(file_.c_str(), nullptr, error, sizeof error));
+    ASSERT_TRUE(model_) << error;
+    model_->opt.disableflags |= mjDSBL_CONSTRAINT | mjDSBL_ACTUATION;
+    data_.reset(mj_makeData(model_.get()));
+    const KinematicTree tree = imported(file_);
+    floating_ = tree.floating_base;
+    ASSERT_EQ(model_->nv, tree.dof() + (floating_ ? 6 : 0));
+    const numeric::InterpretedRobot robot(tree, to_user_frames(tree));
+    std::mt19937_64 engine(kSeed);
+    for (int i = 0; i < kStates; ++i) {
+      const reference::Motion<double> motion = reference::random_sample(engine, robot.tables()).motion;
+      compare(robot, motion, reference::uniform_vector(engine, tree.dof(), 20.0));
+    }
+  }
+
+ private:
+  // The base is at the origin, and its axes are those of the world. Its velocity is that of the origin, then the
+  // angular one.
+  void set_state(const reference::Motion<double>& m, const reference::Vector<double>& tau) {
+    mj_resetData(model_.get(), data_.get());
+    const VectorXd base = to_eigen(m.base_velocity), q = to_eigen(m.q), qd = to_eigen(m.qd), force = to_eigen(tau);
+    if (floating_) {
+      std::fill(data_->qpos, data_->qpos + 7, 0.0);
+      data_->qpos[3] = 1.0;
+      for (int k = 0; k < 3; ++k) data_->qvel[k] = base(k + 3), data_->qvel[k + 3] = base(k);
+    }
+    std::copy(q.begin(), q.end(), data_->qpos + (floating_ ? 7 : 0));
+    std::copy(qd.begin(), qd.end(), data_->qvel + (floating_ ? 6 : 0));
+    std::copy(force.begin(), force.end(), data_->qfrc_applied + (floating_ ? 6 : 0));
+  }
+
+  // Angular part first.
+  VectorXd reordered(const mjtNum* vector) const {
+    VectorXd result = Eigen::Map<const VectorXd>(vector, model_->nv);
+    if (floating_) result.head<3>().swap(result.segment<3>(3));
+    return result;
+  }
+
+  MatrixXd inertia() const {
+    MatrixXd H(model_->nv, model_->nv);
+    mj_fullM(model_.get(), H.data(), data_->qM);
+    if (!floating_) return H;
+    H.topRows<3>().swap(H.middleRows<3>(3));
+    H.leftCols<3>().swap(H.middleCols<3>(3));
+    return H;
+  }
+
+  void compare(
+      const numeric::InterpretedRobot& robot,
+      const reference::Motion<double>& motion,
+      const reference::Vector<double>& tau) {
+    set_state(motion, tau);
+    mj_forward(model_.get(), data_.get());
+    const Vector3d g = Eigen::Map<const Vector3d>(model_->opt.gravity);
+    const reference::Vector<double> gravity{g(0), g(1), g(2)};
+    const reference::Arguments arguments{&gravity, nullptr};
+
+    // The acceleration of the base's origin differs from the spatial one (Featherstone 2008, sec. 2.11).
+    VectorXd excess = VectorXd::Zero(model_->nv);
+    const VectorXd base = to_eigen(motion.base_velocity);
+    if (floating_) excess.segment<3>(3) = Vector3d(base.head<3>()).cross(Vector3d(base.tail<3>()));
+
+    const MatrixXd H = to_eigen(robot.joint_space_inertia(motion.q));
+    expect_near("inertia matrix", H, inertia());
+    // MuJoCo's friction is a constraint, which is off.
+    VectorXd friction(model_->nv);
+    for (int i = 0; i < model_->nv; ++i)
+      friction(i) = model_->dof_frictionloss[i] * (data_->qvel[i] > 0 ? 1.0 : data_->qvel[i] < 0 ? -1.0 : 0.0);
+    const VectorXd bias = to_eigen(robot.bias_forces(motion, arguments));
+    const VectorXd theirs = reordered(data_->qfrc_bias) - reordered(data_->qfrc_passive) + friction + H * excess;
+    expect_near("bias forces", bias, theirs);
+    // With the friction taken from the forces.
+    reference::Vector<double> applied = tau;
+    for (int j = 0; j < tau.rows(); ++j) applied(j) += friction(j + (floating_ ? 6 : 0));
+    const VectorXd acceleration = to_eigen(robot.forward_dynamics(motion, applied, arguments));
+    expect_near("acceleration", acceleration, reordered(data_->qacc) - excess);
+    compare_frames(robot, motion.q);
+  }
+
+  void compare_frames(const numeric::InterpretedRobot& robot, const reference::Vector<double>& q) {
+    const reflection::Robot tables = robot.tables();
+    for (int i = 0; i < tables.transforms.size; ++i) {
+      const char* name = tables.frames[tables.transforms[i].right].name;
+      const int body = mj_name2id(model_.get(), mjOBJ_BODY, name), site = mj_name2id(model_.get(), mjOBJ_SITE, name);
+      if (body < 0 && site < 0) continue;
+      const mjtNum* position = body >= 0 ? data_->xpos + 3 * body : data_->site_xpos + 3 * site;
+      const mjtNum* rotation = body >= 0 ? data_->xmat + 9 * body : data_->site_xmat + 9 * site;
+      MatrixXd pose = MatrixXd::Identity(4, 4);
+      pose.topLeftCorner<3, 3>() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation);
+      pose.topRightCorner<3, 1>() = Eigen::Map<const Vector3d>(position);
+      expect_near(name, to_eigen(robot.transform(i, q).homogeneous), pose);
+    }
+  }
+
+  void expect_near(const std::string& what, const MatrixXd& ours, const MatrixXd& theirs) const {
+    const bool has_products = file_.stem() == "tensor";
+    ASSERT_EQ(ours.rows(), theirs.rows());
+    ASSERT_TRUE(ours.allFinite() && theirs.allFinite());
+    const double scale = std::max(theirs.cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_LE((ours - theirs).cwiseAbs().maxCoeff(), scale * (has_products ? kPrincipalAxes : kAgreement)) << what;
+  }
+
+  path file_;
+  bool floating_ = false;
+  std::unique_ptr<mjModel, Deleter> model_;
+  std::unique_ptr<mjData, Deleter> data_;
+};
+
+}  // namespace
+}  // namespace robcogen::oracles
+
+int main(int argc, char** argv) {
+  using namespace robcogen::oracles;
+  testing::InitGoogleTest(&argc, argv);
+  std::set<path> files(argv + 1, argv + argc);
+  for (const auto& entry : std::filesystem::directory_iterator(path(TEST_SOURCE_DIR) / "mjcf"))
+    if (entry.path().extension() == ".xml") files.insert(entry.path());
+  for (const path& file : files)
+    testing::RegisterTest("mjcf", file.stem().c_str(), nullptr, nullptr, __FILE__, __LINE__, [=]() -> testing::Test* {
+      return new MjcfTest(file);
+    });
+  return RUN_ALL_TESTS();
+}

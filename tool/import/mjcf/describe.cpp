@@ -1,0 +1,190 @@
+#include "import/mjcf/describe.h"
+
+#include <fmt/format.h>
+
+#include <unordered_set>
+#include <utility>
+
+#include "import/urdf/mass.h"
+#include "support/index.h"
+#include "support/unique_name.h"
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+using from_urdf::inverse;
+using from_urdf::placement_of;
+using from_urdf::rotation_about;
+using from_urdf::rotation_to_axis;
+
+// Where a body is: its link, and its pose in the frame of that link.
+struct Carried {
+  int link = -1;  // index into the links, of which [0] is the base; -1 for what is not part of the robot
+  Pose pose;
+};
+
+Pose inverse_of(const Pose& pose) {
+  const Rotation back = inverse(pose.rotation);
+  const Pose shift = {{-pose.translation[0], -pose.translation[1], -pose.translation[2]}, {}};
+  return Pose{{}, back} * shift;
+}
+
+// The frame of the joint, z along its axis, in the frame of its body.
+Pose pose_of_joint(const Joint& joint) {
+  return {quantities(joint.pos), rotation_to_axis(joint.axis)};
+}
+
+// Back by the reference position: where the joint is at zero.
+Pose to_zero(const Joint& joint) {
+  if (joint.type == model::JointType::revolute) return {{}, rotation_about(2, -joint.reference)};
+  return {{model::Quantity(), model::Quantity(), quantity(-joint.reference)}, {}};
+}
+
+model::Inertia inertia_of(const Part& part, const Pose& body) {
+  model::Inertia result;
+  result.mass = quantity(part.mass);
+  result.ixx = quantity(part.xx), result.iyy = quantity(part.yy), result.izz = quantity(part.zz);
+  // The model holds products of inertia, the tensor their negatives.
+  result.ixy = quantity(-part.xy), result.ixz = quantity(-part.xz), result.iyz = quantity(-part.yz);
+  result.reference = placement_of(body * part.pose);
+  return result;
+}
+
+class Describer {
+ public:
+  Describer(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics)
+      : document_(document), identifiers_(identifiers), diagnostics_(diagnostics) {
+    names_.insert(identifiers.bodies.begin(), identifiers.bodies.end());
+    for (const auto& joints : identifiers.joints) names_.insert(joints.begin(), joints.end());
+  }
+
+  model::Description describe() {
+    const std::size_t base = find_base();
+    description_.name = identifiers_.robot;
+    description_.place = document_.name.place;
+    description_.floating_base = document_.bodies[base].floats;
+    links_.emplace_back();
+    links_[0].name = identifiers_.bodies[base];
+    links_[0].place = document_.bodies[base].name.place;
+    parts_.emplace_back();
+    carried_.resize(document_.bodies.size());
+    for (std::size_t b = 0; b < document_.bodies.size(); ++b) add_body(b, base);
+    for (std::size_t l = 0; l < links_.size(); ++l) {
+      links_[l].inertia = from_urdf::sum_of(parts_[l]);
+      if (l > 0) description_.links.push_back(std::move(links_[l]));
+    }
+    description_.base = std::move(links_[0]);
+    return std::move(description_);
+  }
+
+ private:
+  // The body that floats, else the world.
+  std::size_t find_base() {
+    std::size_t base = 0;
+    for (std::size_t b = 1; b < document_.bodies.size(); ++b) {
+      if (!document_.bodies[b].floats) continue;
+      if (base != 0) {
+        report_second(b, document_.bodies[b].free_joint, base);
+        break;
+      }
+      base = b;
+    }
+    if (base == 0) return base;
+    for (std::size_t b = 1; b < document_.bodies.size(); ++b) {
+      if (document_.bodies[b].joints.empty() || !is_below(b, 0) || is_below(b, base)) continue;
+      report_second(b, document_.bodies[b].joints.front().name.place, base);
+      break;
+    }
+    return base;
+  }
+
+  bool is_below(std::size_t body, std::size_t ancestor) const {
+    for (int b = static_cast<int>(body); b >= 0; b = document_.bodies[at(b)].parent)
+      if (at(b) == ancestor) return true;
+    return false;
+  }
+
+  void report_second(std::size_t body, const Place& place, std::size_t base) {
+    Diagnostic& error = diagnostics_.error(
+        "second-robot", place,
+        fmt::format(
+            "body '{}' moves, but is not part of the robot whose base is '{}'", identifiers_.bodies[body],
+            identifiers_.bodies[base]));
+    error.notes.push_back({document_.bodies[base].free_joint, "that one floats by this free joint"});
+    error.hint = "give each robot a file of its own";
+  }
+
+  void add_body(std::size_t b, std::size_t base) {
+    const Body& body = document_.bodies[b];
+    if (b == base) {
+      carried_[b] = {0, {}};
+    } else if (body.parent >= 0 && carried_[at(body.parent)].link >= 0) {
+      const Carried& parent = carried_[at(body.parent)];
+      carried_[b] = {parent.link, parent.pose * body.pose};
+      for (std::size_t j = 0; j < body.joints.size(); ++j) add_joint(b, j);
+    }
+    const Carried& own = carried_[b];
+    if (own.link < 0) return;
+    model::DescribedLink& link = links_[at(own.link)];
+    const std::string& name = identifiers_.bodies[b];
+    link.frames.push_back({name, placement_of(own.pose), body.name.place});
+    for (std::size_t s = 0; s < body.sites.size(); ++s) {
+      const Site& site = body.sites[s];
+      link.frames.push_back({identifiers_.sites[b][s], placement_of(own.pose * site.pose), site.name.place});
+    }
+    for (const Part& part : body.parts) {
+      if (parts_[at(own.link)].empty()) {
+        link.inertia_place = part.inertia_place;
+        link.mass_place = part.mass_place;
+      }
+      parts_[at(own.link)].push_back(inertia_of(part, own.pose));
+    }
+  }
+
+  // The body moves from the link that carries it so far to a new one.
+  void add_joint(std::size_t b, std::size_t j) {
+    const Body& body = document_.bodies[b];
+    const Joint& joint = body.joints[j];
+    const bool is_last = j + 1 == body.joints.size();
+    const std::string& name = identifiers_.joints[b][j];
+    const std::string& body_name = identifiers_.bodies[b];
+    const std::string link_name = is_last ? body_name : unique_name(fmt::format("{}_{}", body_name, j + 1), names_);
+
+    const Pose in_body = pose_of_joint(joint);
+    Carried& carried = carried_[b];
+    model::DescribedJoint described;
+    described.name = name;
+    described.place = joint.name.place;
+    described.type = joint.type;
+    described.placement = placement_of(carried.pose * in_body * to_zero(joint));
+    described.limits = joint.limits;
+    described.drive = joint.drive;
+    described.drive_places = joint.places;
+    description_.joints.push_back(std::move(described));
+
+    links_[at(carried.link)].children.push_back({link_name, name, body.name.place, joint.name.place});
+    carried = {static_cast<int>(links_.size()), inverse_of(in_body)};
+    links_.emplace_back();
+    links_.back().name = link_name;
+    links_.back().place = body.name.place;
+    parts_.emplace_back();
+  }
+
+  const Document& document_;
+  const Identifiers& identifiers_;
+  Diagnostics& diagnostics_;
+  model::Description description_;
+  std::vector<model::DescribedLink> links_;
+  std::vector<std::vector<model::Inertia>> parts_;  // by link
+  std::vector<Carried> carried_;                    // by body
+  std::unordered_set<std::string> names_;
+};
+
+}  // namespace
+
+model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics) {
+  return Describer(document, identifiers, diagnostics).describe();
+}
+
+}  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,97 @@
+// The mechanics in an MJCF model: a tree of bodies, after defaults are applied.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/mjcf/defaults.h"
+#include "import/mjcf/orientation.h"
+#include "import/mjcf/settings.h"
+#include "model/description.h"
+
+namespace robcogen::import::from_mjcf {
+
+struct Name {
+  std::string text;  // empty when there is none
+  Place place;
+};
+
+// A named point of a body: a user frame of the model.
+struct Site {
+  Name name;
+  Pose pose;  // in the frame of the body
+};
+
+// A part of a body with mass, about its centre of mass and in the axes of its pose.
+struct Part {
+  Pose pose;  // in the frame of the body
+  Number mass;
+  Number xx, yy, zz, xy, xz, yz;  // elements of the tensor: xy = - integral of x y dm
+  Place mass_place;
+  Place inertia_place;
+};
+
+struct Joint {
+  Name name;
+  model::JointType type = model::JointType::revolute;
+  std::array<Number, 3> pos;  // in the frame of the body
+  std::array<Number, 3> axis;
+  Number reference;  // the position in which the bodies have the poses of the file
+  model::JointLimits limits;
+  model::Drive drive;
+  model::DrivePlaces places;
+};
+
+struct Body {
+  Name name;
+  int parent = -1;  // body; -1 for the world
+  Pose pose;        // in the frame of the parent
+  bool floats = false;
+  Place free_joint;           // when it floats
+  std::vector<Joint> joints;  // from the parent to the body
+  std::vector<Part> parts;
+  std::vector<Site> sites;
+};
+
+struct Document {
+  Name name;
+  std::vector<Body> bodies;            // [0] is the world; parents before children, depth first
+  std::map<std::string, int> ignored;  // elements that are not read, by name
+};
+
+struct Options {
+  bool free_equality_joints = false;
+};
+
+// Reports what is missing or malformed, and what the model does not have.
+Document read_document(const Element& root, const Options& options, Diagnostics& diagnostics);
+
+// What readers of elements share.
+struct Context {
+  const Settings& settings;
+  const Defaults& defaults;
+  Diagnostics& diagnostics;
+  const Attribute* childclass = nullptr;
+};
+
+// A hinge or a slide; `element` has its default attributes. nullopt for other types, which are reported.
+std::optional<Joint> read_joint(const Element& element, const Context& context);
+
+// The masses of a body that moves: of its `inertial`, or of its geoms, which are in `frames` of the body. Reports
+// masses that cannot be computed.
+struct PlacedElement {
+  Element element;  // with its default attributes
+  Pose frame;       // of the `frame` elements around it, in the frame of the body
+};
+std::vector<Part> read_parts(
+    const Name& body,
+    const Element* inertial,
+    const std::vector<PlacedElement>& geoms,
+    const Context& context);
+
+// The mass of a geom; nullopt for one without mass, and for one that is reported.
+std::optional<Part> read_geom(const Name& body, const PlacedElement& geom, const Context& context);
+
+}  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,150 @@
+// Masses of geoms: shapes of uniform density.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "import/mjcf/document.h"
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kWater = 1000.0;  // kg/m^3: the density of a geom that gives none
+
+const std::vector<std::string>& shapes() {
+  static const std::vector<std::string> names = {"sphere", "capsule", "ellipsoid", "cylinder", "box",
+                                                 "plane",  "hfield",  "mesh",      "sdf"};
+  return names;
+}
+
+struct Moments {
+  double volume = 0.0;
+  double x = 0.0, y = 0.0, z = 0.0;  // of mass 1
+};
+
+// A solid of half axes a, b, c: `fraction` is the mean of the squared coordinate along an axis of half length 1.
+Moments symmetric(double volume, double fraction, double a, double b, double c) {
+  return {volume, fraction * (b * b + c * c), fraction * (a * a + c * c), fraction * (a * a + b * b)};
+}
+
+Moments of_cylinder(double radius, double length) {
+  const double across = (3.0 * radius * radius + length * length) / 12.0;
+  return {kPi * radius * radius * length, across, across, radius * radius / 2.0};
+}
+
+// A cylinder between two half spheres; the centre of mass of each lies 3/8 of the radius beyond the cylinder's end.
+Moments of_capsule(double radius, double length) {
+  const Moments cylinder = of_cylinder(radius, length);
+  const double sphere_volume = 4.0 / 3.0 * kPi * radius * radius * radius;
+  const double volume = cylinder.volume + sphere_volume;
+  const double share = sphere_volume / volume;  // of the mass
+  const double sphere = 0.4 * radius * radius;
+  const double across = sphere + length * (3.0 * radius + 2.0 * length) / 8.0;
+  return {
+      volume, (1.0 - share) * cylinder.x + share * across, (1.0 - share) * cylinder.y + share * across,
+      (1.0 - share) * cylinder.z + share * sphere};
+}
+
+class GeomReader {
+ public:
+  GeomReader(const Name& body, const PlacedElement& geom, const Context& context)
+      : body_(body), element_(geom.element), frame_(geom.frame), context_(context), values_(context.diagnostics) {}
+
+  std::optional<Part> read() {
+    const Attribute* mass = find(element_, "mass");
+    const Number density = values_.scalar(element_, "density", Number(kWater));
+    const std::string shape = shapes()[values_.word(element_, "type", shapes(), 0)];
+    if (shape == "plane" || shape == "hfield") return std::nullopt;
+    if (mass == nullptr ? density.is_zero() : values_.scalar(element_, "mass").is_zero()) return std::nullopt;
+    if (shape == "mesh" || shape == "sdf" || find(element_, "mesh") != nullptr) return refuse("of a mesh");
+    if (const Attribute* shell = find(element_, "shellinertia"); shell != nullptr && shell->value == "true")
+      return refuse("of a shell");
+    if (context_.settings.group_range.source) return refuse("of geoms of some groups ('inertiagrouprange')");
+
+    Part part;
+    part.pose = {quantities(values_.triple(element_, "pos", {})), {}};
+    const Moments moments = read_shape(shape, part.pose);
+    part.mass = mass != nullptr ? values_.scalar(element_, "mass") : Number(density.value() * moments.volume);
+    part.xx = Number(part.mass.value() * moments.x);
+    part.yy = Number(part.mass.value() * moments.y);
+    part.zz = Number(part.mass.value() * moments.z);
+    part.mass_place = mass != nullptr ? mass->place : element_.place;
+    part.inertia_place = element_.place;
+    part.pose = frame_ * part.pose;
+    if (part.mass.value() < 0.0)
+      context_.diagnostics.error("negative-mass", part.mass_place, "the mass of this geom is negative");
+    return part;
+  }
+
+ private:
+  std::optional<Part> refuse(const std::string& what) {
+    context_.diagnostics
+        .error(
+            "mass-of-geom", element_.place,
+            fmt::format("body '{}' has no inertial, and the mass {} is not computed", body_.text, what))
+        .hint = "write <inertial pos=\"...\" mass=\"...\" diaginertia=\"...\"/>; MuJoCo saves models with inertials";
+    return std::nullopt;
+  }
+
+  // The first `count` numbers of the size.
+  std::array<double, 3> size(std::size_t count) {
+    const Attribute* given = find(element_, "size");
+    if (given == nullptr) {
+      context_.diagnostics.error("missing-attribute", element_.place, "this 'geom' has no attribute 'size'");
+      return {1.0, 1.0, 1.0};
+    }
+    const std::vector<Number> n = values_.numbers(*given, count, 3);
+    std::array<double, 3> result = {1.0, 1.0, 1.0};
+    for (std::size_t i = 0; i < count; ++i) {
+      result[i] = n[i].value();
+      if (result[i] > 0.0) continue;
+      context_.diagnostics.error("geom-size", given->place, "the size of this geom is not positive");
+      return {1.0, 1.0, 1.0};
+    }
+    return result;
+  }
+
+  // Sets the pose. With `fromto`, z leads from one point to the other, and their distance is the length.
+  Moments read_shape(const std::string& shape, Pose& pose) {
+    const Attribute* ends = shape == "sphere" ? nullptr : find(element_, "fromto");
+    double length = 0.0;
+    if (ends == nullptr) {
+      pose.rotation = orientation_of(element_, context_.settings, context_.diagnostics);
+    } else {
+      const std::vector<Number> n = values_.numbers(*ends, 6, 6);
+      const std::array<Number, 3> along = {n[3] - n[0], n[4] - n[1], n[5] - n[2]};
+      const Number half = Number::rational(1, 2);
+      for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(half * (n[i] + n[i + 3]));
+      length = std::hypot(along[0].value(), along[1].value(), along[2].value());
+      if (length > 0.0)
+        pose.rotation = from_urdf::rotation_to_axis(along);
+      else
+        context_.diagnostics.error("no-direction", ends->place, "this 'fromto' gives no direction");
+    }
+    const bool is_round = shape == "cylinder" || shape == "capsule";
+    const std::array<double, 3> s = size(shape == "sphere" || ends != nullptr ? 1 : is_round ? 2 : 3);
+    if (shape == "sphere") return symmetric(4.0 / 3.0 * kPi * s[0] * s[0] * s[0], 0.2, s[0], s[0], s[0]);
+    if (ends == nullptr) length = 2.0 * s[1];
+    if (shape == "cylinder") return of_cylinder(s[0], length);
+    if (shape == "capsule") return of_capsule(s[0], length);
+    const double a = s[0], b = ends != nullptr ? a : s[1], c = ends != nullptr ? length / 2.0 : s[2];
+    if (shape == "box") return symmetric(8.0 * a * b * c, 1.0 / 3.0, a, b, c);
+    return symmetric(4.0 / 3.0 * kPi * a * b * c, 0.2, a, b, c);
+  }
+
+  const Name& body_;
+  const Element& element_;
+  const Pose& frame_;
+  const Context& context_;
+  Values values_;
+};
+
+}  // namespace
+
+std::optional<Part> read_geom(const Name& body, const PlacedElement& geom, const Context& context) {
+  return GeomReader(body, geom, context).read();
+}
+
+}  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,128 @@
+// Joints with one variable.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/mjcf/document.h"
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+class JointReader {
+ public:
+  JointReader(const Element& element, const Context& context)
+      : element_(element), context_(context), diagnostics_(context.diagnostics), values_(context.diagnostics) {}
+
+  std::optional<Joint> read() {
+    const std::size_t type = values_.word(element_, "type", {"hinge", "slide", "ball", "free"}, 0);
+    const Attribute* name = find(element_, "name");
+    joint_.name = name == nullptr ? Name{"", element_.place} : Name{name->value, name->place};
+    if (type == 2) {
+      diagnostics_.error("ball-joint", find(element_, "type")->place, "ball joints are not supported").hint =
+          "write three hinges in its place, with the axes x, y and z: their positions are then three angles";
+      return std::nullopt;
+    }
+    if (type == 3) {
+      diagnostics_
+          .error(
+              "free-joint-inside", find(element_, "type")->place,
+              "a free joint belongs to a body of the world, as its only joint")
+          .hint = "a body that flies on its own is a robot of its own: give it a file";
+      return std::nullopt;
+    }
+    is_hinge_ = type == 0;
+    joint_.type = is_hinge_ ? model::JointType::revolute : model::JointType::prismatic;
+    joint_.pos = values_.triple(element_, "pos", {});
+    read_axis();
+    joint_.reference = position("ref");
+    read_drive();
+    read_limits();
+    return joint_;
+  }
+
+ private:
+  // An angle of a hinge is in the unit of the compiler.
+  Number in_radians(const Number& written) const { return is_hinge_ ? context_.settings.angle(written) : written; }
+
+  Number position(const char* attribute) { return in_radians(values_.scalar(element_, attribute)); }
+
+  void read_axis() {
+    joint_.axis = values_.triple(element_, "axis", {Number(), Number(), Number::rational(1)});
+    const auto is_zero = [](const Number& n) { return n.is_zero(); };
+    if (std::all_of(joint_.axis.begin(), joint_.axis.end(), is_zero))
+      diagnostics_.error("no-direction", find(element_, "axis")->place, "this 'axis' gives no direction");
+  }
+
+  void read_value(const char* attribute, model::Quantity& value, Place& place) {
+    value = quantity(values_.scalar(element_, attribute));
+    if (const Attribute* found = find(element_, attribute)) place = found->place;
+  }
+
+  void read_drive() {
+    read_value("damping", joint_.drive.damping, joint_.places.damping);
+    read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
+    read_value("armature", joint_.drive.armature, joint_.places.armature);
+    read_value("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
+    if (!joint_.drive.stiffness.is_zero()) joint_.drive.rest = quantity(position("springref"));
+    if (const Attribute* rest = find(element_, "springref")) joint_.places.rest = rest->place;
+    const Attribute* damper = find(element_, "springdamper");
+    if (damper == nullptr) return;
+    const std::vector<Number> both = values_.numbers(*damper, 2, 2);
+    if (both[0].is_zero() && both[1].is_zero()) return;
+    diagnostics_
+        .error(
+            "unsupported-attribute", damper->place,
+            "'springdamper' is not supported: it stands for a stiffness and a damping that follow from masses")
+        .hint = "write stiffness=\"...\" and damping=\"...\"";
+  }
+
+  // Whether the attribute `limited`, or the presence of its range, asks for these limits.
+  bool is_limited(const char* limited, const Attribute& range) {
+    const std::size_t choice = values_.word(element_, limited, {"false", "true", "auto"}, 2);
+    if (choice != 2) return choice == 1;
+    if (context_.settings.limits_follow_ranges) return true;
+    diagnostics_
+        .warning(
+            "limits-unclear", range.place,
+            fmt::format("this '{}' does not limit the joint: '{}' is not \"true\"", range.name, limited))
+        .hint = "leave autolimits=\"false\" out, or write limited=\"true\"";
+    return false;
+  }
+
+  void read_limits() {
+    if (const Attribute* range = find(element_, "range")) {
+      const std::vector<Number> n = values_.numbers(*range, 2, 2);
+      const bool is_given = !n[0].is_zero() || !n[1].is_zero();
+      if (is_given && is_limited("limited", *range)) {
+        joint_.limits.lower = in_radians(n[0]).value();
+        joint_.limits.upper = in_radians(n[1]).value();
+        joint_.places.position_limits = range->place;
+      }
+    }
+    if (const Attribute* range = find(element_, "actuatorfrcrange")) {
+      const std::vector<Number> n = values_.numbers(*range, 2, 2);
+      const bool is_given = !n[0].is_zero() || !n[1].is_zero();
+      if (is_given && is_limited("actuatorfrclimited", *range)) {
+        joint_.limits.effort = std::max(std::abs(n[0].value()), std::abs(n[1].value()));
+        joint_.places.effort_limit = range->place;
+      }
+    }
+  }
+
+  const Element& element_;
+  const Context& context_;
+  Diagnostics& diagnostics_;
+  Values values_;
+  Joint joint_;
+  bool is_hinge_ = true;
+};
+
+}  // namespace
+
+std::optional<Joint> read_joint(const Element& element, const Context& context) {
+  return JointReader(element, context).read();
+}
+
+}  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,60 @@
+#include "import/mjcf.h"
+
+#include <fmt/format.h>
+
+#include "import/mjcf/check.h"
+#include "import/mjcf/describe.h"
+
+namespace robcogen::import {
+
+namespace {
+
+using namespace from_mjcf;
+
+// Constraints between bodies change how the robot moves; the rest adds forces, or nothing.
+void mention_ignored(const Document& document, Diagnostics& diagnostics) {
+  std::string list, constraints;
+  for (const auto& [name, count] : document.ignored) {
+    std::string& to = name.starts_with("equality/") ? constraints : list;
+    to += fmt::format("{}{} {}", to.empty() ? "" : ", ", count, name);
+  }
+  if (!constraints.empty())
+    diagnostics.warning(
+        "constraints-ignored", document.name.place,
+        fmt::format("constraints are ignored, and the bodies move without them: {}", constraints));
+  if (!list.empty())
+    diagnostics.note("ignored-elements", document.name.place, fmt::format("elements that are not read: {}", list));
+}
+
+}  // namespace
+
+std::optional<Mjcf> mjcf(
+    const std::shared_ptr<const Source>& source,
+    const std::filesystem::path& file,
+    const MjcfOptions& options,
+    Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  const auto failed = [&] { return diagnostics.error_count() > errors_before; };
+  Mjcf result;
+  const std::optional<Element> root = read_with_includes(source, file, result.included, diagnostics);
+  if (!root) return std::nullopt;
+  if (root->name != "mujoco") {
+    diagnostics
+        .error("not-mjcf", root->place, fmt::format("the root element of a model is 'mujoco', not '{}'", root->name))
+        .hint = "an included file is part of another one: read that";
+    return std::nullopt;
+  }
+  check_attributes(*root, diagnostics);
+  const Document document = read_document(*root, {options.free_equality_joints}, diagnostics);
+  const Identifiers identifiers = identifiers_of(document, diagnostics);
+  if (failed()) return std::nullopt;
+  const model::Description description = describe(document, identifiers, diagnostics);
+  if (failed()) return std::nullopt;
+  mention_ignored(document, diagnostics);
+  std::optional<model::KinematicTree> tree = model::build(description, diagnostics);
+  if (!tree) return std::nullopt;
+  result.tree = std::move(*tree);
+  return result;
+}
+
+}  // namespace robcogen::import

@@ -1,0 +1,170 @@
+#include "import/mjcf/orientation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "support/index.h"
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+using from_urdf::rotation_about;
+
+using Real = long double;
+using Vector = std::array<Real, 3>;
+using Matrix = std::array<Vector, 3>;  // rows
+
+// A few roundings of doubles.
+constexpr Real kRounding = 1e-15L;
+
+Real dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// atan2, as a multiple of PI/4 where it is one up to rounding.
+Number angle_of(Real y, Real x) {
+  const Real tolerance = kRounding * std::hypot(x, y);
+  const int sign = y < 0 ? -1 : 1;
+  if (std::abs(y) <= tolerance) return Number::pi_multiple(x < 0 ? 1 : 0);
+  if (std::abs(x) <= tolerance) return Number::pi_multiple(sign, 2);
+  if (std::abs(std::abs(x) - std::abs(y)) <= tolerance) return Number::pi_multiple(x < 0 ? 3 * sign : sign, 4);
+  return Number(static_cast<double>(std::atan2(y, x)));
+}
+
+// R = Rx Ry Rz. Where Ry is a quarter turn, only a sum of the other angles is determined, and Rz is zero.
+Rotation rotation_of(const Matrix& R) {
+  const Real cosine = std::hypot(R[0][0], R[0][1]);
+  const Number y = angle_of(R[0][2], cosine);
+  const bool is_singular = cosine <= kRounding;
+  const Number z = is_singular ? Number() : angle_of(-R[0][1], R[0][0]);
+  // Of R Rz': exact also where the cosine is small.
+  const Real c = std::cos(static_cast<Real>(z.value())), s = std::sin(static_cast<Real>(z.value()));
+  const Number x = angle_of(R[2][0] * s + R[2][1] * c, R[1][0] * s + R[1][1] * c);
+  return rotation_about(0, x) * rotation_about(1, y) * rotation_about(2, z);
+}
+
+Matrix matrix_of_quaternion(Real w, Real x, Real y, Real z) {
+  const Real n = w * w + x * x + y * y + z * z;
+  w /= std::sqrt(n), x /= std::sqrt(n), y /= std::sqrt(n), z /= std::sqrt(n);
+  return {
+      {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+       {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+       {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+}
+
+class OrientationReader {
+ public:
+  OrientationReader(const Settings& settings, Diagnostics& diagnostics)
+      : settings_(settings), diagnostics_(diagnostics), values_(diagnostics) {}
+
+  Rotation read(const Attribute& attribute) {
+    if (attribute.name == "euler") return of_euler(attribute);
+    if (attribute.name == "xyaxes") return of_axes(attribute);
+    if (attribute.name == "zaxis") return of_z_axis(attribute);
+    const std::vector<Number> n = values_.numbers(attribute, 4, 4);
+    if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, settings_.angle(n[3]));
+    const std::array<Real, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
+    if (q == std::array<Real, 4>()) return no_direction(attribute);
+    return rotation_of(matrix_of_quaternion(q[0], q[1], q[2], q[3]));
+  }
+
+ private:
+  Rotation no_direction(const Attribute& attribute) {
+    diagnostics_.error("no-direction", attribute.place, fmt::format("this '{}' gives no direction", attribute.name));
+    return {};
+  }
+
+  // Small letters are axes of the turning frame, capitals are fixed ones.
+  Rotation of_euler(const Attribute& attribute) {
+    const std::vector<Number> angles = values_.numbers(attribute, 3, 3);
+    Rotation result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const char letter = settings_.euler_sequence[i];
+      const bool is_fixed = letter < 'a';
+      const Rotation turn = rotation_about(letter - (is_fixed ? 'X' : 'x'), settings_.angle(angles[i]));
+      result = is_fixed ? turn * result : result * turn;
+    }
+    return result;
+  }
+
+  // y is made orthogonal to x.
+  Rotation of_axes(const Attribute& attribute) {
+    const std::vector<Number> n = values_.numbers(attribute, 6, 6);
+    Vector x = {n[0].value(), n[1].value(), n[2].value()}, y = {n[3].value(), n[4].value(), n[5].value()};
+    const Real length = std::sqrt(dot(x, x));
+    if (length == 0) return no_direction(attribute);
+    for (Real& element : x) element /= length;
+    const Real along = dot(x, y);
+    for (std::size_t i = 0; i < 3; ++i) y[i] -= along * x[i];
+    const Real rest = std::sqrt(dot(y, y));
+    if (rest <= kRounding * std::abs(along)) return no_direction(attribute);
+    for (Real& element : y) element /= rest;
+    const Vector z = cross(x, y);
+    return rotation_of({{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}});
+  }
+
+  // The smallest rotation that turns z to this direction; about x when it is the opposite one.
+  Rotation of_z_axis(const Attribute& attribute) {
+    const std::vector<Number> n = values_.numbers(attribute, 3, 3);
+    const Vector axis = {n[0].value(), n[1].value(), n[2].value()};
+    const Real length = std::sqrt(dot(axis, axis));
+    if (length == 0) return no_direction(attribute);
+    const Real w = 1 + axis[2] / length;
+    if (w == 0) return rotation_about(0, Number::pi_multiple(1));
+    return rotation_of(matrix_of_quaternion(w, -axis[1] / length, axis[0] / length, 0));
+  }
+
+  Rotation about(const Attribute& attribute, const std::array<Number, 3>& axis, const Number& angle) {
+    const Vector a = {axis[0].value(), axis[1].value(), axis[2].value()};
+    const Real length = std::sqrt(dot(a, a));
+    if (length == 0) return no_direction(attribute);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (axis[(i + 1) % 3].is_zero() && axis[(i + 2) % 3].is_zero())
+        return rotation_about(static_cast<int>(i), a[i] < 0 ? -angle : angle);
+    const Real half = static_cast<Real>(angle.value()) / 2, sine = std::sin(half) / length;
+    return rotation_of(matrix_of_quaternion(std::cos(half), sine * a[0], sine * a[1], sine * a[2]));
+  }
+
+  const Settings& settings_;
+  Diagnostics& diagnostics_;
+  Values values_;
+};
+
+}  // namespace
+
+Rotation orientation_of(const Element& element, const Settings& settings, Diagnostics& diagnostics) {
+  const Attribute* given = nullptr;
+  for (const Attribute& attribute : element.attributes) {
+    if (!is_orientation(attribute)) continue;
+    if (given != nullptr) {
+      diagnostics
+          .error(
+              "two-orientations", attribute.place,
+              fmt::format("this '{}' has two orientations: '{}' and '{}'", element.name, given->name, attribute.name))
+          .notes.push_back({given->place, "the other one is here"});
+      return {};
+    }
+    given = &attribute;
+  }
+  return given == nullptr ? Rotation() : OrientationReader(settings, diagnostics).read(*given);
+}
+
+model::Quantity quantity(const Number& number) {
+  return model::Quantity(number);
+}
+
+std::array<model::Quantity, 3> quantities(const std::array<Number, 3>& numbers) {
+  return {quantity(numbers[0]), quantity(numbers[1]), quantity(numbers[2])};
+}
+
+Pose pose_of(const Element& element, const Settings& settings, Diagnostics& diagnostics) {
+  return {quantities(Values(diagnostics).triple(element, "pos", {})), orientation_of(element, settings, diagnostics)};
+}
+
+}  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,19 @@
+// Poses of elements: `pos`, and the five ways to give an orientation.
+#pragma once
+
+#include "import/mjcf/settings.h"
+#include "import/urdf/pose.h"
+
+namespace robcogen::import::from_mjcf {
+
+using from_urdf::Pose;
+using from_urdf::Rotation;
+
+// Reports more than one orientation, and those without a direction. Angles within rounding of a multiple of PI/4 are
+// exact.
+Rotation orientation_of(const Element& element, const Settings& settings, Diagnostics& diagnostics);
+Pose pose_of(const Element& element, const Settings& settings, Diagnostics& diagnostics);
+model::Quantity quantity(const Number& number);
+std::array<model::Quantity, 3> quantities(const std::array<Number, 3>& numbers);
+
+}  // namespace robcogen::import::from_mjcf

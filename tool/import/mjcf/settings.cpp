@@ -1,0 +1,102 @@
+#include "import/mjcf/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+bool is_euler_sequence(const std::string& text) {
+  return text.size() == 3 && text.find_first_not_of("xyzXYZ") == std::string::npos;
+}
+
+class SettingsReader {
+ public:
+  explicit SettingsReader(Diagnostics& diagnostics) : diagnostics_(diagnostics), values_(diagnostics) {}
+
+  void read_compiler(const Element& e) {
+    settings.degrees = values_.word(e, "angle", {"radian", "degree"}, settings.degrees ? 1 : 0) == 1;
+    if (const Attribute* sequence = find(e, "eulerseq")) read_sequence(*sequence);
+    constexpr std::array kChoices = {InertiaFromGeoms::never, InertiaFromGeoms::always, InertiaFromGeoms::where_absent};
+    settings.inertia_from_geoms = kChoices[values_.word(
+        e, "inertiafromgeom", {"false", "true", "auto"}, static_cast<std::size_t>(settings.inertia_from_geoms))];
+    settings.limits_follow_ranges = flag(e, "autolimits", settings.limits_follow_ranges);
+    settings.balances_inertias = flag(e, "balanceinertia", settings.balances_inertias);
+    settings.least_mass = values_.scalar(e, "boundmass", settings.least_mass);
+    settings.least_moment = values_.scalar(e, "boundinertia", settings.least_moment);
+    if (const Attribute* range = find(e, "inertiagrouprange")) settings.group_range = range->place;
+    if (values_.word(e, "coordinate", {"local", "global"}, 0) == 1)
+      refuse(*find(e, "coordinate"), "global coordinates are not supported").hint =
+          "MuJoCo 2.3.2 and earlier save the model with local ones";
+    if (values_.scalar(e, "settotalmass", Number(-1.0)).value() > 0.0)
+      refuse(*find(e, "settotalmass"), "a total mass, to which all masses are scaled, is not supported").hint =
+          "MuJoCo saves the model with scaled masses";
+  }
+
+  void read_option(const Element& e) {
+    const Attribute* gravity = find(e, "gravity");
+    const auto g = values_.triple(e, "gravity", {Number(), Number(), Number(-9.81)});
+    if (gravity != nullptr && (!g[0].is_zero() || !g[1].is_zero() || g[2].value() != -9.81)) {
+      diagnostics_.note(
+          "other-gravity", gravity->place,
+          fmt::format(
+              "the gravity of this file is ({}, {}, {}); functions use (0, 0, -9.81) where none is given to them",
+              print_double(g[0].value()), print_double(g[1].value()), print_double(g[2].value())));
+    }
+    for (const Element& flags : e.children)
+      if (flags.name == "flag") check_flags(flags);
+    const auto wind = values_.triple(e, "wind", {});
+    const bool has_wind = std::any_of(wind.begin(), wind.end(), [](const Number& n) { return !n.is_zero(); });
+    if (values_.scalar(e, "density").is_zero() && values_.scalar(e, "viscosity").is_zero() && !has_wind) return;
+    diagnostics_.warning("medium-ignored", e.place, "the forces of a medium (density, viscosity, wind) are left out");
+  }
+
+  Settings settings;
+
+ private:
+  bool flag(const Element& e, const char* attribute, bool otherwise) {
+    return values_.word(e, attribute, {"false", "true"}, otherwise ? 1 : 0) == 1;
+  }
+
+  void check_flags(const Element& flags) {
+    for (const char* what : {"gravity", "passive", "spring", "damper"}) {
+      const Attribute* flag = find(flags, what);
+      if (flag == nullptr || flag->value != "disable") continue;
+      diagnostics_.warning(
+          "flag-ignored", flag->place, fmt::format("the flag that disables '{}' in MuJoCo is ignored", what));
+    }
+  }
+
+  Diagnostic& refuse(const Attribute& attribute, const std::string& message) {
+    return diagnostics_.error("unsupported-compiler", attribute.place, message);
+  }
+
+  void read_sequence(const Attribute& sequence) {
+    if (is_euler_sequence(sequence.value)) {
+      settings.euler_sequence = sequence.value;
+      return;
+    }
+    diagnostics_.error(
+        "unknown-word", sequence.place,
+        fmt::format("'{}' is not a sequence of axes: three letters of xyzXYZ", sequence.value));
+  }
+
+  Diagnostics& diagnostics_;
+  Values values_;
+};
+
+}  // namespace
+
+Settings read_settings(const Element& root, Diagnostics& diagnostics) {
+  SettingsReader reader(diagnostics);
+  for (const Element& section : root.children) {
+    if (section.name == "compiler") reader.read_compiler(section);
+    if (section.name == "option") reader.read_option(section);
+  }
+  return reader.settings;
+}
+
+}  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/mjcf/element.h"
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
+constexpr double kTooLarge = 1e15;
+// A quantity as small as this is zero: its reciprocal would overflow.
+constexpr double kZero = 1e-60;
+
+std::vector<std::string> words_of(const std::string& value) {
+  constexpr const char* kBlanks = " \t\n\r";
+  std::vector<std::string> words;
+  for (std::size_t at = 0; (at = value.find_first_not_of(kBlanks, at)) != std::string::npos;) {
+    const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());
+    words.push_back(value.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
+}  // namespace
+
+const Attribute* find(const Element& element, const std::string& attribute) {
+  const auto found = std::find_if(
+      element.attributes.begin(), element.attributes.end(), [&](const Attribute& a) { return a.name == attribute; });
+  return found == element.attributes.end() ? nullptr : &*found;
+}
+
+bool is_orientation(const Attribute& attribute) {
+  constexpr std::array kNames = {"quat", "axisangle", "euler", "xyaxes", "zaxis"};
+  return std::find(kNames.begin(), kNames.end(), attribute.name) != kNames.end();
+}
+
+bool has_orientation(const Element& element) {
+  return std::any_of(element.attributes.begin(), element.attributes.end(), is_orientation);
+}
+
+std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t least, std::size_t most) {
+  constexpr std::size_t kMaxShown = 40;
+  std::vector<Number> result;
+  for (const std::string& word : words_of(attribute.value)) {
+    const std::optional<Number> number = Number::parse(word);
+    if (!number) {
+      diagnostics_.error(
+          "not-a-number", attribute.place,
+          fmt::format("'{}' is not a finite decimal number", word.substr(0, kMaxShown)));
+      return std::vector<Number>(least);
+    }
+    if (std::abs(number->value()) >= kTooLarge) {
+      diagnostics_.error(
+          "too-large", attribute.place,
+          fmt::format("{} is too large: a quantity of a robot is below {} in SI units", word, print_double(kTooLarge)));
+      return std::vector<Number>(least);
+    }
+    result.push_back(std::abs(number->value()) < kZero ? Number() : *number);
+  }
+  if (result.size() >= least && result.size() <= most) return result;
+  const std::string count = least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+  diagnostics_.error(
+      "component-count", attribute.place,
+      fmt::format("'{}' needs {} number{}, found {}", attribute.name, count, most == 1 ? "" : "s", result.size()));
+  return std::vector<Number>(least);
+}
+
+Number Values::scalar(const Element& element, const char* attribute, const Number& otherwise) {
+  const Attribute* found = find(element, attribute);
+  return found == nullptr ? otherwise : numbers(*found, 1, 1)[0];
+}
+
+std::array<Number, 3> Values::triple(
+    const Element& element,
+    const char* attribute,
+    const std::array<Number, 3>& otherwise) {
+  const Attribute* found = find(element, attribute);
+  if (found == nullptr) return otherwise;
+  const std::vector<Number> n = numbers(*found, 3, 3);
+  return {n[0], n[1], n[2]};
+}
+
+std::size_t Values::word(
+    const Element& element,
+    const char* attribute,
+    const std::vector<std::string>& words,
+    std::size_t otherwise) {
+  const Attribute* found = find(element, attribute);
+  if (found == nullptr) return otherwise;
+  const auto at = std::find(words.begin(), words.end(), found->value);
+  if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
+  diagnostics_
+      .error(
+          "unknown-word", found->place,
+          fmt::format(
+              "'{}' of this '{}' is '{}'; it is one of {}", attribute, element.name, found->value,
+              fmt::join(words, ", ")))
+      .hint = did_you_mean(found->value, words);
+  return otherwise;
+}
+
+}  // namespace robcogen::import::from_mjcf
