@@ -1,8 +1,8 @@
-# robcogen_add_robot: makes a static library from a robot document or a URDF.
+# robcogen_add_robot: makes a static library from a robot document, a URDF or an MJCF model.
 #
 #     robcogen_add_robot(
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
-#       MODEL hyl.kindsl            # the robot, .kindsl, .urdf (or .xml, a URDF too) or .urdf.xacro, relative to the calling
+#       MODEL hyl.kindsl            # the robot, .kindsl, .urdf, .xml (a URDF or MJCF) or .urdf.xacro, relative to the calling
 #                                   # CMakeLists.txt
 #       [XACRO_ARGS name:=value…]   # for a .urdf.xacro, which the build expands with the program `xacro`, or with the one
 #                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
@@ -136,7 +136,7 @@ function(_robcogen_check_robot)
   cmake_path(GET library_MODEL EXTENSION LAST_ONLY extension)
   if(NOT extension MATCHES "^\\.(kindsl|urdf|xml|xacro)$")
     _robcogen_refuse(
-      "MODEL must be a .kindsl document, a .urdf or a .urdf.xacro, not '${extension}': ${library_MODEL}")
+      "MODEL must be a .kindsl document, a .urdf, an .xml (URDF or MJCF) or a .urdf.xacro, not '${extension}': ${library_MODEL}")
   endif()
   if(library_XACRO_ARGS AND NOT extension STREQUAL ".xacro")
     _robcogen_refuse("XACRO_ARGS is for a MODEL that xacro expands, called .urdf.xacro or .xacro: ${library_MODEL}")

@@ -24,13 +24,15 @@ TEST(Documents, OfOtherSuffixesAreJudgedByTheirContent) {
   const Folder folder;
   EXPECT_EQ(language_of(folder.file("robot.xml", test::kRodsUrdf)), Language::urdf);
   EXPECT_EQ(language_of(folder.file("robot", test::kRods)), Language::robot);
+  for (const char* name : {"model.xml", "model.urdf", "model.kindsl", "model"})
+    EXPECT_EQ(language_of(folder.file(name, "<?xml version='1.0'?>\n<mujoco model='m'/>")), Language::mjcf) << name;
   EXPECT_EQ(language_of(folder.file("robot.kindsl", test::kRodsUrdf)), Language::urdf);  // a file called wrongly
   EXPECT_EQ(language_of(folder.file("frames.motdsl", test::kRodsUrdf)), Language::motions);
   EXPECT_EQ(language_of("no_such_file"), Language::robot);
 }
 
-TEST(Documents, RobotsComeInTwoLanguages) {
-  EXPECT_TRUE(is_robot(Language::robot) && is_robot(Language::urdf));
+TEST(Documents, RobotsComeInThreeLanguages) {
+  EXPECT_TRUE(is_robot(Language::robot) && is_robot(Language::urdf) && is_robot(Language::mjcf));
   EXPECT_FALSE(is_robot(Language::motions) || is_robot(Language::transforms) || is_robot(Language::desired));
 }
 

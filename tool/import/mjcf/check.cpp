@@ -57,7 +57,7 @@ void check(const Element& element, Diagnostics& diagnostics) {
     if ((may_turn && is_orientation(a)) || std::count(known->second.begin(), known->second.end(), a.name) > 0) continue;
     diagnostics
         .warning(
-            "unknown-attribute", a.place,
+            "unknown-attribute", a.name_place,
             fmt::format("attribute '{}' of this '{}' is unknown and ignored", a.name, element.name))
         .hint = did_you_mean(a.name, known->second);
   }

@@ -17,6 +17,7 @@ struct Attribute {
   std::string name;
   std::string value;
   Place place;  // of the value
+  Place name_place;
 };
 
 struct Element {

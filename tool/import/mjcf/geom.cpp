@@ -84,7 +84,7 @@ class GeomReader {
         .error(
             "mass-of-geom", element_.place,
             fmt::format("body '{}' has no inertial, and the mass {} is not computed", body_.text, what))
-        .hint = "write <inertial pos=\"...\" mass=\"...\" diaginertia=\"...\"/>; MuJoCo saves models with inertials";
+        .hint = "write <inertial pos=\"...\" mass=\"...\" diaginertia=\"...\"/>";
     return std::nullopt;
   }
 

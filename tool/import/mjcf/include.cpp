@@ -20,6 +20,13 @@ std::string without_prefix(const std::string& fault, const fs::path& path) {
       "file '{}': {}", path.string(), at == std::string::npos ? fault : fault.substr(at + marker.size()));
 }
 
+// The name stands before `=` and the value.
+Span name_span(const from_urdf::Attribute& attribute, std::string_view text) {
+  const std::size_t equals = text.rfind('=', attribute.span.begin);
+  const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
+  return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
+}
+
 class IncludeReader {
  public:
   IncludeReader(fs::path folder, std::vector<fs::path>& included, Diagnostics& diagnostics)
@@ -52,7 +59,8 @@ class IncludeReader {
   bool copy(const from_urdf::Element& from, const std::shared_ptr<const Source>& source, Element& to) {
     to.name = from.name;
     to.place = {source, from.span};
-    for (const from_urdf::Attribute& a : from.attributes) to.attributes.push_back({a.name, a.value, {source, a.span}});
+    for (const from_urdf::Attribute& a : from.attributes)
+      to.attributes.push_back({a.name, a.value, {source, a.span}, {source, name_span(a, source->text())}});
     for (const from_urdf::Element& child : from.children) {
       Element copied;
       if (!copy(child, source, copied)) return false;

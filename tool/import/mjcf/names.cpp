@@ -75,6 +75,7 @@ class Namer {
       if (!is_new) {
         diagnostics_.error("duplicate-name", name.place, fmt::format("{} '{}' is declared twice", kind, name.text))
             .notes.push_back({earlier->second, "first declared here"});
+        return "";
       }
     }
     std::string identifier = from_urdf::identifier(wanted);

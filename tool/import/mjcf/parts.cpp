@@ -44,6 +44,7 @@ class PartReader {
   // MuJoCo raises masses and moments to their bounds.
   void check_bounds(const std::vector<Part>& parts) {
     const double mass = context_.settings.least_mass.value(), moment = context_.settings.least_moment.value();
+    if (mass <= 0.0 && moment <= 0.0) return;
     for (const Part& part : parts) {
       if (part.mass.value() >= mass && std::min({part.xx.value(), part.yy.value(), part.zz.value()}) >= moment)
         continue;

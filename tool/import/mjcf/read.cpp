@@ -85,7 +85,8 @@ class DocumentReader {
   void read_equalities(const Element& section) {
     for (const Element& e : section.children) {
       const Attribute* active = find(e, "active");
-      if ((active != nullptr && active->value == "false") || e.name != "joint") {
+      if (active != nullptr && active->value == "false") continue;
+      if (e.name != "joint") {
         ++document_.ignored["equality/" + e.name];
         continue;
       }
@@ -227,7 +228,7 @@ class DocumentReader {
     if (std::find(kUnsupported.begin(), kUnsupported.end(), e.name) != kUnsupported.end()) {
       diagnostics_
           .error("unsupported-element", e.place, fmt::format("element '{}' is not supported: it makes bodies", e.name))
-          .hint = "MuJoCo saves the model with the bodies that it makes (mj_saveLastXML)";
+          .hint = "write these bodies, or let mj_saveLastXML of MuJoCo write them";
     } else if (e.name == "camera" || e.name == "light" || e.name == "plugin") {
       ++document_.ignored[e.name];
     } else {

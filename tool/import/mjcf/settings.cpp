@@ -30,10 +30,10 @@ class SettingsReader {
     if (const Attribute* range = find(e, "inertiagrouprange")) settings.group_range = range->place;
     if (values_.word(e, "coordinate", {"local", "global"}, 0) == 1)
       refuse(*find(e, "coordinate"), "global coordinates are not supported").hint =
-          "MuJoCo 2.3.2 and earlier save the model with local ones";
+          "versions of MuJoCo that read global coordinates save the model with local ones";
     if (values_.scalar(e, "settotalmass", Number(-1.0)).value() > 0.0)
       refuse(*find(e, "settotalmass"), "a total mass, to which all masses are scaled, is not supported").hint =
-          "MuJoCo saves the model with scaled masses";
+          "scale the masses in the file";
   }
 
   void read_option(const Element& e) {
