@@ -61,3 +61,31 @@ file(WRITE ${work_dir}/implausible.kindsl "${document}")
 run(output ${TOOL} convert ${work_dir}/implausible.kindsl ${work_dir}/implausible.urdf)
 expect_words("implausible" "${output}" "[implausible-urdf]")
 run(output ${TOOL} check --allow-implausible ${work_dir}/implausible.urdf)
+
+# A model of MuJoCo under any name: an included file is read and listed, and the robot document of it says the same.
+set(mjcf "<mujoco model='crane'>
+  <include file='parts/jib.inc'/>
+  <worldbody><body name='mast'><joint name='swing' damping='0.5' range='-90 90'/>
+    <inertial pos='0 0.1 0' mass='2' diaginertia='0.1 0.1 0.1'/></body></worldbody>
+</mujoco>")
+file(WRITE ${work_dir}/parts/jib.inc "<mujocoinclude><option gravity='0 0 -9.81'/></mujocoinclude>")
+foreach(name crane.xml crane crane.urdf crane.kindsl)
+  file(WRITE ${work_dir}/${name} "${mjcf}")
+  run(output ${TOOL} check ${work_dir}/${name})
+  expect_equal("${name}: messages" "${output}" "")
+endforeach()
+run(output ${TOOL} generate ${work_dir}/crane.xml -o ${work_dir}/crane_of_mjcf --name crane --depfile
+    ${work_dir}/crane.d --stamp ${work_dir}/crane.stamp)
+file(READ ${work_dir}/crane.d dependencies)
+expect_words("dependencies" "${dependencies}" "parts/jib.inc")
+run(output ${TOOL} convert ${work_dir}/crane.xml ${work_dir}/crane_again.kindsl)
+expect_equal("convert: messages" "${output}" "")
+foreach(model crane.xml crane_again.kindsl)
+  run(output ${TOOL} ops --json ${work_dir}/${model})
+  string(REGEX REPLACE "\"model\": [^\n]*" "" ${model}_ops "${output}")
+endforeach()
+expect_equal("operations after convert" "${crane_again.kindsl_ops}" "${crane.xml_ops}")
+run_failing(output ${TOOL} ops --floating-base ${work_dir}/crane.xml)
+expect_words("options of URDF" "${output}" "states these properties itself")
+run_failing(output ${TOOL} print ${work_dir}/crane.xml)
+expect_words("print" "${output}" "'robcogen convert' makes it one")
