@@ -105,7 +105,8 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
   subcommand.add_flag(
       "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
-      "--free-mimic-joints", options.free_mimic_joints, "URDF, MJCF: a joint that is coupled to another is an independent joint");
+      "--free-mimic-joints", options.free_mimic_joints,
+      "URDF, MJCF: a joint that is coupled to another is an independent joint");
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
 }
