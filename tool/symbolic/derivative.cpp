@@ -97,8 +97,8 @@ class Differentiated {
 
   const std::vector<Expression>& added() const { return added_; }
 
-  void add_output(const std::string& name, int rows, int columns, const std::vector<Expression>& values) {
-    shapes_.push_back({name, Role::matrix, rows, columns, {}});
+  void add_output(const std::string& name, Role role, int rows, int columns, const std::vector<Expression>& values) {
+    shapes_.push_back({name, role, rows, columns, {}});
     outputs_.push_back(values);
   }
 
@@ -207,7 +207,7 @@ Program with_derivatives(const Program& program, const std::vector<std::string>&
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
       const std::string name = program.outputs.size() == 1 ? "d_" + input : of.name + "_d_" + input;
-      d.add_output(name, of.rows * of.columns, static_cast<int>(variables.size()), columns[k]);
+      d.add_output(name, Role::matrix, of.rows * of.columns, static_cast<int>(variables.size()), columns[k]);
     }
   }
   return d.finish();
@@ -238,7 +238,7 @@ Program with_gradient(
   const std::vector<Expression> adjoints = d.adjoints(results, d.added());
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);
-    d.add_output("d_" + input, static_cast<int>(variables.size()), 1, signed_values(adjoints, variables));
+    d.add_output("d_" + input, Role::value, static_cast<int>(variables.size()), 1, signed_values(adjoints, variables));
   }
   return d.finish();
 }
