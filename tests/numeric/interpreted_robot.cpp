@@ -231,6 +231,26 @@ reference::Derivatives InterpretedRobot::forward_dynamics_derivatives(
   return derivatives(run("forward_dynamics_derivatives", arguments, inputs), "base_acceleration", "qdd");
 }
 
+reference::Derivatives InterpretedRobot::inverse_dynamics_gradient(
+    const State& m,
+    const Vector<double>& weights,
+    const Arguments& arguments) const {
+  symbolic::Arrays<double> inputs = inputs_of(m);
+  inputs["weights"] = weights.values();
+  const symbolic::Arrays<double> results = run("inverse_dynamics_gradient", arguments, inputs);
+  const auto column = [&](const std::string& array) {
+    return results.contains(array) ? vector(results.at(array)) : Vector<double>();
+  };
+  return {
+      base_and_joints(floating_, results, "base_wrench", "tau"),
+      column("d_q"),
+      column("d_qd"),
+      column("d_qdd"),
+      {},
+      column("d_base_velocity"),
+      column("d_base_acceleration")};
+}
+
 reference::Derivatives InterpretedRobot::gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments)
     const {
   const Arguments gravity{arguments.gravity, nullptr};
@@ -294,6 +314,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inertia_factor(robot, c, checks);
     check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
+    check_inverse_dynamics_gradient(robot, c, checks);
     // Robots with rotors have none of these, large ones not all.
     if (robot.programs().contains("gravity_forces_derivative")) {
       check_inverse_dynamics_derivatives(robot, c, checks);

@@ -62,6 +62,10 @@ class InterpretedRobot {
       const State& m,
       const Vector<double>& tau,
       const reference::Arguments& arguments) const;
+  reference::Derivatives inverse_dynamics_gradient(
+      const State& m,
+      const Vector<double>& weights,
+      const reference::Arguments& arguments) const;
   reference::Derivatives gravity_forces_derivative(const Vector<double>& q, const reference::Arguments& arguments)
       const;
   Vector<double> center_of_mass(const Vector<double>& q) const;

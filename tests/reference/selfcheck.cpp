@@ -52,6 +52,7 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     if constexpr (kHasInverseDynamicsDerivatives) check_gravity_forces_derivative(subject, c, checks);
     if constexpr (R::kFloatingBase && kHasFreeInverseDynamicsDerivatives)
       check_free_inverse_dynamics_derivatives(subject, c, checks);
+    if constexpr (kHasInverseDynamicsGradient) check_inverse_dynamics_gradient(subject, c, checks);
     if constexpr (kHasForwardDynamicsDerivatives) check_forward_dynamics_derivatives(subject, c, checks);
     if constexpr (kHasCentroidal) check_center_of_mass(subject, c, checks);
     if constexpr (kHasCentroidal) check_centroidal_momentum(subject, c, checks);

@@ -186,6 +186,20 @@ class RightDerivatives : public Right {
     d.base_acceleration = Matrix<double>(d.q.rows(), 0);
     return d;
   }
+  Derivatives inverse_dynamics_gradient(
+      const Motion<double>& m,
+      const Vector<double>& weights,
+      const Arguments& arguments) const {
+    const Derivatives d = inverse_dynamics_fully_actuated_derivatives(m, arguments);
+    const auto weighed = [&](const Matrix<double>& block) { return transpose(block) * weights; };
+    return {d.value,
+            weighed(d.q),
+            weighed(d.qd),
+            weighed(d.last),
+            {},
+            weighed(d.base_velocity),
+            weighed(d.base_acceleration)};
+  }
   Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
     Derivatives d = inverse_dynamics_fully_actuated_derivatives(at_rest(q), {arguments.gravity, nullptr});
     for (int i = 0; !robot_.floating_base && i < d.q.rows(); ++i)
@@ -273,6 +287,7 @@ std::string failures(bool floating) {
       check_free_inverse_dynamics_derivatives(subject, c, checks);
       check_forward_dynamics_derivatives(subject, c, checks);
       check_gravity_forces_derivative(subject, c, checks);
+      check_inverse_dynamics_gradient(subject, c, checks);
     }
     check_center_of_mass(subject, c, checks);
     check_centroidal_momentum(subject, c, checks);
@@ -527,6 +542,20 @@ TEST(Checks, FindAForwardDynamicsOfTheWrongSign) {
   expect_found<Wrong>(
       {"forward_dynamics_derivatives: d_q", "forward_dynamics_derivatives (gravity, wrenches): d_tau",
        "gravity_forces_derivative: d_q"});
+}
+
+TEST(Checks, FindAGradientOfOtherWeights) {
+  struct Wrong : RightDerivatives {
+    using RightDerivatives::RightDerivatives;
+    Derivatives inverse_dynamics_gradient(
+        const Motion<double>& m,
+        const Vector<double>& weights,
+        const Arguments& arguments) const {
+      return RightDerivatives::inverse_dynamics_gradient(m, 1.001 * weights, arguments);
+    }
+  };
+  const std::string all = "inverse_dynamics_gradient (gravity, wrenches)";
+  expect_found<Wrong>({"inverse_dynamics_gradient: d_q", all + ": d_qd", all + ": d_qdd"});
 }
 
 TEST(Checks, FindABaseThatIsHeldInDerivatives) {

@@ -26,6 +26,7 @@ constexpr bool kHasFactor = has_kernel("joint_space_inertia_factor");
 constexpr bool kHasCoriolisMatrix = has_kernel("coriolis_matrix");
 constexpr bool kHasInverseDynamicsDerivatives = has_kernel("gravity_forces_derivative");
 constexpr bool kHasFreeInverseDynamicsDerivatives = has_kernel("inverse_dynamics_derivatives");
+constexpr bool kHasInverseDynamicsGradient = has_kernel("inverse_dynamics_gradient");
 constexpr bool kHasForwardDynamicsDerivatives = has_kernel("forward_dynamics_derivatives");
 constexpr bool kHasCentroidal = has_kernel("center_of_mass");
 constexpr bool kHasEnergy = has_kernel("kinetic_energy");

@@ -159,6 +159,47 @@ void check_forward_dynamics_derivatives(const Subject& subject, const Case& c, C
   }
 }
 
+// The gradient of weights times (base wrench, tau), along the directions of the other checks. The subject gives rows of
+// one element.
+template <class Subject>
+void check_inverse_dynamics_gradient(const Subject& subject, const Case& c, Checks& checks) {
+  std::mt19937_64 engine(static_cast<std::uint64_t>(c.index));
+  const Vector<double> weights = uniform_vector(engine, c.H.rows(), 1);
+  const Matrix<Real> transposed_weights = transpose(weights.cast<Real>());
+  for (const Overload& o : overloads(c.sample)) {
+    const Derivatives actual = subject.inverse_dynamics_gradient(c.sample.motion, weights, o.arguments);
+    const Expected forces = expected_forces(c, c.sample.motion, o.loads);
+    const std::string name = "inverse_dynamics_gradient" + o.suffix;
+    checks.record(name, kForce, error_of(c, actual.value, forces), c.index);
+    const Directions u(c);
+    const Real terms = (magnitude(transposed_weights) * forces.terms)(0);
+    const auto compare = [&](const char* block, const Matrix<double>& gradient, const Vector<double>& direction,
+                             const auto& change) {
+      if (gradient.empty()) return;
+      const Vector<Real> along = direction.template cast<Real>();
+      const Vector<Real> expected = difference([&](Real step) {
+        Situation changed{c.motion, o.loads, {}};
+        change(changed, step * along);
+        return transposed_weights * cut(c.floating, generalized_forces(c.robot, changed.motion, changed.loads));
+      });
+      const Matrix<Real> row = transpose(gradient.template cast<Real>());
+      const Real size = terms + (magnitude(row) * magnitude(along))(0);
+      checks.record(name + ": " + block, kDerivative, std::abs((row * along)(0) - expected(0)) / size, c.index);
+    };
+    using Along = Vector<Real>;
+    compare("d_q", actual.q, u.q, [](Situation& s, const Along& d) { s.motion.q += d; });
+    if (blocks_of(o) == Blocks::d_q) continue;
+    compare("d_qd", actual.qd, u.qd, [](Situation& s, const Along& d) { s.motion.qd += d; });
+    compare("d_qdd", actual.last, u.last, [](Situation& s, const Along& d) { s.motion.qdd += d; });
+    compare("d_base_velocity", actual.base_velocity, u.base_velocity, [](Situation& s, const Along& d) {
+      s.motion.base_velocity += d;
+    });
+    compare("d_base_acceleration", actual.base_acceleration, u.base_acceleration, [](Situation& s, const Along& d) {
+      s.motion.base_acceleration += d;
+    });
+  }
+}
+
 // Only by q and by a turn of the base.
 template <class Subject>
 void check_gravity_forces_derivative(const Subject& subject, const Case& c, Checks& checks) {

@@ -175,6 +175,32 @@ class CompiledRobot {
     });
   }
 
+  // Of weights times (base wrench, tau): columns.
+  Derivatives inverse_dynamics_gradient(const State& m, const Vector<double>& weights, const Arguments& arguments)
+      const {
+    return with(arguments, [&](const auto&... extra) {
+      Eigen::Matrix<Scalar, R::InertiaMatrix::RowsAtCompileTime, 1> w;
+      for (int i = 0; i < weights.rows(); ++i) w[i] = static_cast<Scalar>(weights(i));
+      const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+      if constexpr (R::kFloatingBase) {
+        const auto d = robot_.inverse_dynamics_gradient(
+            q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity),
+            spatial<BasicSpatialAcceleration<Scalar>>(m.base_acceleration), w, extra...);
+        return Derivatives{
+            stacked(vector(d.base_wrench.vector()), vector(d.tau)),
+            vector(d.d_q),
+            vector(d.d_qd),
+            vector(d.d_qdd),
+            {},
+            vector(d.d_base_velocity),
+            vector(d.d_base_acceleration)};
+      } else {
+        const auto d = robot_.inverse_dynamics_gradient(q, qd, qdd, w, extra...);
+        return Derivatives{vector(d.tau), vector(d.d_q), vector(d.d_qd), vector(d.d_qdd), {}, {}, {}};
+      }
+    });
+  }
+
   // Blocks q and base_rotation alone; `external` does not enter.
   Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
