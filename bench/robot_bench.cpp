@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("robot", robot.name);
   benchmark::AddCustomContext("flags", ROBCOGEN_BENCH_FLAGS);
   benchmark::AddCustomContext("states", std::to_string(bench::kStates));
-  benchmark::AddCustomContext("joints", std::to_string(robot.joints.size));
+  benchmark::AddCustomContext("joints", std::to_string(robot.dof()));
   benchmark::AddCustomContext("floating_base", robot.floating_base ? "yes" : "no");
   const R instance = bench::instance<R>(robot);
   const std::vector<bench::State<R>> states = bench::random_states<R>(robot, instance);

@@ -252,6 +252,12 @@ rc::Gen<kinematics::Joint> joint() {
       rc::gen::set(&Joint::comments, comments()));
 }
 
+rc::Gen<kinematics::Coupling> coupling() {
+  using kinematics::Coupling;
+  return rc::gen::build<Coupling>(
+      rc::gen::set(&Coupling::joint, robot_name()), rc::gen::set(&Coupling::value, expression(3)));
+}
+
 rc::Gen<kinematics::Document> robot() {
   using kinematics::Document, kinematics::Joint, kinematics::Link;
   const auto links = rc::gen::map(
@@ -263,7 +269,9 @@ rc::Gen<kinematics::Document> robot() {
   return rc::gen::build<Document>(
       rc::gen::set(&Document::robot, robot_name()), rc::gen::set(&Document::comments, comments()),
       rc::gen::set(&Document::trailing_comments, comments()), rc::gen::set(&Document::links, links),
-      rc::gen::set(&Document::joints, rc::gen::resize(5, rc::gen::container<std::vector<Joint>>(joint()))));
+      rc::gen::set(&Document::joints, rc::gen::resize(5, rc::gen::container<std::vector<Joint>>(joint()))),
+      rc::gen::set(
+          &Document::couplings, rc::gen::resize(4, rc::gen::container<std::vector<kinematics::Coupling>>(coupling()))));
 }
 
 rc::Gen<desired::Document> list() {

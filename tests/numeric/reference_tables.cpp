@@ -102,12 +102,23 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
   reference::Tables tables(robot.name, robot.floating_base);
   for (const model::Link& link : robot.links)
     tables.add_link(link.name, link.inertia ? body(*link.inertia, parameters) : reference::Tables::Body{});
-  for (const model::Joint& joint : robot.joints)
+  // Coupled joints behind the others, as in generated tables.
+  std::vector<int> order = robot.coordinates();
+  for (const model::Coupling& coupling : robot.couplings) order.push_back(coupling.joint);
+  for (const int j : order) {
+    const model::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
     tables.add_joint(
         joint.name, joint.type == model::JointType::revolute, joint.parent, joint.child,
         values(joint.placement.translation, parameters), values(joint.placement.rotation, parameters));
-  for (std::size_t j = 0; j < robot.joints.size(); ++j)
-    tables.set_drive(static_cast<int>(j), drive_of(robot.joints[j], parameters));
+    tables.set_drive(tables.robot().joints.size - 1, drive_of(joint, parameters));
+  }
+  for (const model::Coupling& coupling : robot.couplings) {
+    std::vector<double> factors(order.size() - robot.couplings.size());
+    for (const model::Coupling::Term& term : coupling.terms)
+      factors[static_cast<std::size_t>(std::find(order.begin(), order.end(), term.joint) - order.begin())] =
+          model::evaluate(term.factor, parameters);
+    tables.add_coupling(factors, model::evaluate(coupling.offset, parameters));
+  }
   for (const model::Frame& frame : robot.frames()) {
     const auto index = static_cast<std::size_t>(frame.index);
     model::Placement placement;

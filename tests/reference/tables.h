@@ -56,6 +56,12 @@ class Tables {
 
   void set_drive(int joint, const JointDrive& drive) { joints_[static_cast<std::size_t>(joint)].drive = drive; }
 
+  // Of the last joints, in their order: the next one follows the others by these factors.
+  void add_coupling(const std::vector<double>& factors, double offset) {
+    const std::vector<double>& kept = factors_.emplace_back(factors);
+    couplings_.push_back({kept.data(), offset});
+  }
+
   // Returns the frame's index.
   int add_frame(const std::string& name, int link, const Triple& translation = {}, const Triple& rotation = {}) {
     frames_.push_back({stored(name), link, {}, {}});
@@ -86,9 +92,11 @@ class Tables {
   }
 
   reflection::Robot robot() const {
-    return {name_,         floating_base_,    view(links_),     view(joints_),
-            view(frames_), view(transforms_), view(jacobians_), view(frame_functions_),
-            {nullptr, 0}};
+    reflection::Robot robot = {name_,         floating_base_,    view(links_),     view(joints_),
+                               view(frames_), view(transforms_), view(jacobians_), view(frame_functions_),
+                               {nullptr, 0}};
+    robot.couplings = view(couplings_);
+    return robot;
   }
 
  private:
@@ -107,6 +115,8 @@ class Tables {
   std::vector<reflection::Frame> frames_;
   std::vector<reflection::Transform> transforms_;
   std::deque<std::vector<int>> columns_;
+  std::deque<std::vector<double>> factors_;
+  std::vector<reflection::Coupling> couplings_;
   std::vector<reflection::Jacobian> jacobians_;
   std::vector<reflection::FrameFunction> frame_functions_;
 };

@@ -46,9 +46,22 @@ struct JointData {
   std::optional<DriveData> drive = {};
 };
 
+// A joint whose position is a sum of factor * q of the joints that have positions of their own, and of `offset`.
+struct CoupledJointData {
+  JointData joint;
+  std::vector<double> factors;  // one a joint of Library::joints
+  double offset = 0;            // rad or m
+};
+
+inline std::vector<JointData> joints_of(const std::vector<CoupledJointData>& coupled) {
+  std::vector<JointData> joints;
+  for (const CoupledJointData& c : coupled) joints.push_back(c.joint);
+  return joints;
+}
+
 struct LinkData {
   std::string name;
-  int parent_joint = -1;  // -1: base
+  int parent_joint = -1;  // -1: base; counted on from Library::joints to Library::coupled
   double mass = 0;
   std::array<double, 3> com{};  // link frame
   std::array<double, 6>
@@ -126,8 +139,9 @@ struct Library {
   std::string model_hash;         // of the canonical document
   std::string generator_version;  // of the tool: printed in one file only, so that a new version recompiles little
   bool floating_base = false;
-  std::vector<LinkData> links;  // [0] is the base; none: there is no robot, but transforms of `variables`
-  std::vector<JointData> joints;
+  std::vector<LinkData> links;    // [0] is the base; none: there is no robot, but transforms of `variables`
+  std::vector<JointData> joints;  // those of joint arrays
+  std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
   std::vector<ParameterData> parameters;  // constants above that depend on one without default are not a number
   std::vector<std::string> variables;     // with no robot: in the document's order of their first use
@@ -137,7 +151,8 @@ struct Library {
   // read the cache as their parameters). Each update computes a part of the cache from the parameters: the values that
   // depend on kinematics parameters alone, on dynamics parameters alone, and on both; the parts follow one another.
   std::vector<Function> updates;
-  // Of the same robots: the numbers of `links`, `joints` and `frames`, a column each, from the parameters.
+  // Of the same robots: the numbers of `links`, `joints` (then `coupled`) and `frames`, a column each, from the
+  // parameters; where joints are coupled, then a column of factors and offset of each of these.
   std::vector<Function> numbers;
   // Of a robot, for languages whose functions take precomputed sines and cosines: those of all angles, first the
   // position of each joint, then sums.
@@ -152,8 +167,15 @@ struct Library {
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
 
   bool has_robot() const { return !links.empty(); }
+  // The joints of joint arrays, then coupled ones.
+  std::vector<JointData> all_joints() const {
+    std::vector<JointData> all = joints;
+    for (const CoupledJointData& c : coupled) all.push_back(c.joint);
+    return all;
+  }
   bool has_drives() const {
-    return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) { return joint.drive.has_value(); });
+    const std::vector<JointData> all = all_joints();
+    return std::any_of(all.begin(), all.end(), [](const JointData& joint) { return joint.drive.has_value(); });
   }
 };
 

@@ -62,6 +62,19 @@ void require_values(const driver::Model& model, const Robot& robot) {
           model.file.string(), robot.tree.name, fmt::join(names, ", "))};
 }
 
+// Fails where a joint follows several others.
+void require_mimics(const driver::Model& model, const Robot& robot) {
+  for (const model::Coupling& coupling : robot.tree.couplings) {
+    if (exporting::may_be_mimic(robot.tree, coupling)) continue;
+    throw Failure{
+        wrong_input, fmt::format(
+                         "{}: error: a joint of URDF mimics one other at most, but joint '{}' of robot '{}' follows {} "
+                         "[coupling-urdf]",
+                         model.file.string(), robot.tree.joints[static_cast<std::size_t>(coupling.joint)].name,
+                         robot.tree.name, coupling.terms.size())};
+  }
+}
+
 // A comment that names the source of the document.
 std::vector<std::string> origin(const ConvertOptions& options) {
   return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
@@ -72,8 +85,9 @@ void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagno
   const std::vector<int> order = exporting::joints_parents_first(robot.tree);
   if (std::is_sorted(order.begin(), order.end())) return;
   std::vector<std::string> written, declared;
-  for (const int j : order) written.push_back(robot.tree.joints[static_cast<std::size_t>(j)].name);
-  for (const model::Joint& joint : robot.tree.joints) declared.push_back(joint.name);
+  for (const int j : order)
+    if (robot.tree.coupling_of(j) == nullptr) written.push_back(robot.tree.joints[static_cast<std::size_t>(j)].name);
+  for (const int j : robot.tree.coordinates()) declared.push_back(robot.tree.joints[static_cast<std::size_t>(j)].name);
   const model::Joint& first = robot.tree.joints.front();
   diagnostics
       .note(
@@ -142,18 +156,19 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
       return robot_document(options, robot);
     case Language::urdf: {
       require_values(*model, robot);
+      require_mimics(*model, robot);
       std::string text = exporting::urdf(robot.tree);
       mention_implausible(text, model->file, diagnostics);
       return text;
     }
     case Language::motions:
-      return motion_document(options, model::motions_of(robot.tree));
+      return motion_document(options, model::motions_over_coordinates(robot.tree));
     default:
       break;
   }
   std::vector<model::FrameNames> pairs;
   for (const model::FramePair& pair : robot.desired.transforms) pairs.emplace_back(pair.left.name, pair.right.name);
-  return transforms_document(options, model::motions_of(robot.tree), pairs);
+  return transforms_document(options, model::motions_over_coordinates(robot.tree), pairs);
 }
 
 std::optional<std::string> convert_motions(const ConvertOptions& options, Diagnostics& diagnostics) {

@@ -31,6 +31,7 @@ std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::F
   std::vector<NamePattern> found;
   for (const std::string& group : algorithm::groups_between_frames())
     for (const RobotFunction& f : algorithm::functions(tree, desired, group, formulations)) {
+      if (f.frames.left.name.empty()) continue;  // of the whole robot
       const std::size_t begin = pair.left.name.size();
       found.push_back(
           {group, dotted(f.scope, ""), f.name.substr(begin, f.name.size() - begin - pair.right.name.size())});
@@ -54,12 +55,14 @@ std::optional<model::FramePair> frames_in(
   return std::nullopt;
 }
 
-// Groups of the whole robot, first the one with the name of the function.
+// All groups, first the one with the name of the function, last those whose functions are between frames: few of them
+// are of the whole robot.
 std::vector<std::string> groups_of_robot(const std::string& name) {
-  const std::vector<std::string>& others = algorithm::groups_between_frames();
-  std::vector<std::string> groups;
-  for (const std::string& group : algorithm::groups())
-    if (std::find(others.begin(), others.end(), group) == others.end()) groups.push_back(group);
+  const std::vector<std::string>& last = algorithm::groups_between_frames();
+  std::vector<std::string> groups = algorithm::groups();
+  std::stable_partition(groups.begin(), groups.end(), [&](const std::string& group) {
+    return std::find(last.begin(), last.end(), group) == last.end();
+  });
   std::stable_partition(groups.begin(), groups.end(), [&](const std::string& group) { return group == name; });
   return groups;
 }

@@ -1,11 +1,14 @@
 #include "driver/model_data.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "support/index.h"
 
 namespace robcogen::driver {
 namespace {
@@ -66,6 +69,16 @@ class Constants {
     return data;
   }
 
+  backend::CoupledJointData of(const model::Coupling& coupling) const {
+    backend::CoupledJointData data = {of(tree_.joints[at(coupling.joint)]), {}, value(coupling.offset)};
+    for (const int j : tree_.coordinates()) {
+      const auto term = std::find_if(
+          coupling.terms.begin(), coupling.terms.end(), [&](const auto& candidate) { return candidate.joint == j; });
+      data.factors.push_back(term == coupling.terms.end() ? 0.0 : value(term->factor));
+    }
+    return data;
+  }
+
   backend::FrameData of(const model::Frame& frame) const {
     backend::FrameData data;
     data.name = frame.name;
@@ -94,7 +107,11 @@ class Constants {
 void add_model(const model::KinematicTree& tree, backend::Library& library) {
   const Constants constants(tree);
   for (const model::Link& link : tree.links) library.links.push_back(constants.of(link));
-  for (const model::Joint& joint : tree.joints) library.joints.push_back(constants.of(joint));
+  for (const int j : tree.coordinates()) library.joints.push_back(constants.of(tree.joints[at(j)]));
+  for (const model::Coupling& coupling : tree.couplings) library.coupled.push_back(constants.of(coupling));
+  const std::vector<int> order = model::independent_joints_first(tree);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    library.links[at(tree.joints[at(order[k])].child)].parent_joint = static_cast<int>(k);
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
   for (const model::Parameter& p : tree.parameters) {
     backend::ParameterData data = {p.name};

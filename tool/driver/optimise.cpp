@@ -61,6 +61,10 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
   functions.numbers.push_back(function_of(
       "parameters", algorithm::model_numbers(robot.tree),
       {"The numbers of the model, a column for each link, joint and frame."}));
+  if (!robot.tree.couplings.empty())
+    functions.numbers.push_back(function_of(
+        "parameters", algorithm::coupling_numbers(robot.tree),
+        {"The numbers of couplings, a column for each coupled joint: its factors, then its offset."}));
   return functions;
 }
 
@@ -90,9 +94,12 @@ Functions split_angles(const Robot& robot, Functions functions) {
   std::vector<pass::WithLanes> programs;
   for (const Function& function : functions.list)
     programs.push_back({function.traced.program, function.in_lanes ? &*function.in_lanes : nullptr});
-  std::vector<std::string> joints;
-  for (const model::Joint& joint : robot.tree.joints) joints.push_back(joint.name);
-  pass::SplitAngles split = pass::split_angles(programs, joints);
+  std::vector<pass::Position> positions;
+  for (const int j : robot.tree.coordinates()) {
+    const model::Joint& joint = robot.tree.joints[at(j)];
+    positions.push_back({joint.name, joint.type == model::JointType::revolute});
+  }
+  pass::SplitAngles split = pass::split_angles(programs, positions);
   for (std::size_t i = 0; i < programs.size(); ++i) functions.list[i].parts = std::move(split.parts[i]);
   functions.trigonometry = {
       split.angle_count, std::move(split.angles),

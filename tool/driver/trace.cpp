@@ -55,11 +55,12 @@ Functions trace_transforms(const Transforms& transforms) {
 
 void require_traceable(const Model& model) {
   const model::KinematicTree& tree = model.robot()->tree;
-  if (tree.dof() <= kMaxJoints) return;
+  const int joints = static_cast<int>(tree.joints.size());
+  if (joints <= kMaxJoints) return;
   throw Failure{
       wrong_input, fmt::format(
                        "{}: error: robot '{}' has {} joints; programs are made for at most {} [too-many-joints]",
-                       model.file.string(), tree.name, tree.dof(), kMaxJoints)};
+                       model.file.string(), tree.name, joints, kMaxJoints)};
 }
 
 Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes) {

@@ -39,6 +39,7 @@ class Writer {
     document.robot.text = tree_.name;
     for (std::size_t i = 0; i < tree_.links.size(); ++i) document.links.push_back(link(i));
     for (const model::Joint& joint : tree_.joints) document.joints.push_back(write(joint));
+    for (const model::Coupling& coupling : tree_.couplings) document.couplings.push_back(write(coupling));
     return document;
   }
 
@@ -152,6 +153,21 @@ class Writer {
     return written;
   }
 
+  kinematics::Coupling write(const model::Coupling& from) const {
+    std::vector<std::string> names = {"rad", "m"};
+    for (const model::Joint& joint : tree_.joints) names.push_back(joint.name);
+    const Quantity rad = Quantity::variable(0), m = Quantity::variable(1);
+    const auto slides = [&](int joint) { return tree_.joints[at(joint)].type == model::JointType::prismatic; };
+    Quantity value;
+    for (const model::Coupling::Term& term : from.terms) {
+      // The unit of a factor between joints of different kinds.
+      Quantity factor = term.factor;
+      if (slides(from.joint) != slides(term.joint)) factor = slides(from.joint) ? factor * m / rad : factor * rad / m;
+      value = value + factor * Quantity::variable(2 + term.joint);
+    }
+    return {{tree_.joints[at(from.joint)].name, {}}, expression(value + from.offset, tree_.parameters, names)};
+  }
+
   const model::KinematicTree& tree_;
   std::vector<std::vector<const model::UserFrame*>> frames_;  // by link
 };
@@ -165,7 +181,7 @@ kinematics::Document kinematics_document(const model::KinematicTree& tree) {
 std::vector<int> joints_parents_first(const model::KinematicTree& tree) {
   std::vector<int> order;
   std::vector<bool> is_placed(tree.joints.size(), false);
-  for (int declared = 0; declared < tree.dof(); ++declared) {
+  for (int declared = 0; declared < static_cast<int>(tree.joints.size()); ++declared) {
     std::vector<int> path;  // from this joint towards the base
     for (int j = declared; j >= 0 && !is_placed[at(j)]; j = tree.parent_joint_of(j)) {
       path.push_back(j);

@@ -225,6 +225,17 @@ std::string motion(const Joint& joint, const Vector3& axis) {
   return text + limit(joint);
 }
 
+// Of a joint that follows one other, or stands still: then it follows any joint, with multiplier 0.
+std::string mimic(const KinematicTree& tree, int index) {
+  const model::Coupling* coupling = tree.coupling_of(index);
+  if (coupling == nullptr) return "";
+  const bool follows = !coupling->terms.empty();
+  const int followed = follows ? coupling->terms.front().joint : tree.coordinates().front();
+  return fmt::format(
+      "    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n", escaped(tree.joints[at(followed)].name),
+      follows ? number(value(coupling->terms.front().factor)) : "0", number(value(coupling->offset)));
+}
+
 std::string heading(const KinematicTree& tree) {
   return fmt::format(
       "<?xml version=\"1.0\"?>\n"
@@ -233,6 +244,10 @@ std::string heading(const KinematicTree& tree) {
 }
 
 }  // namespace
+
+bool may_be_mimic(const KinematicTree& tree, const model::Coupling& coupling) {
+  return coupling.terms.size() == 1 || (coupling.terms.empty() && tree.dof() > 0);
+}
 
 std::string urdf(const KinematicTree& tree) {
   assert(tree.parameters.empty());
@@ -251,12 +266,13 @@ std::string urdf(const KinematicTree& tree) {
   for (const FrameLink& made : names.frame_links) text += massless_link(made.link);
 
   if (tree.floating_base) text += joint(names.root_joint, "floating", {}, names.root_link, tree.links[0].name);
-  for (const Joint& from : tree.joints) {
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    const Joint& from = tree.joints[j];
     const Pose& child = link_X_urdf[at(from.child)];
     const Pose pose = inverse_of(link_X_urdf[at(from.parent)]) * pose_of(from.placement) * child;
     text += joint(
         from.name, type_of(from), pose, tree.links[at(from.parent)].name, tree.links[at(from.child)].name,
-        motion(from, joint_axis(child)));
+        motion(from, joint_axis(child)) + mimic(tree, static_cast<int>(j)));
   }
   for (const FrameLink& made : names.frame_links) {
     const int carrier = made.frame->link;

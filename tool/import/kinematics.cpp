@@ -1,5 +1,6 @@
 #include "import/kinematics.h"
 
+#include "import/couplings.h"
 #include "import/drive.h"
 #include "import/parameters.h"
 
@@ -33,6 +34,7 @@ std::vector<const Expression*> expressions_of(const kinematics::Document& docume
     add_placement(joint.placement);
     for (const language::ExpressionPtr& e : expressions_of_drive(joint)) add(e);
   }
+  for (const kinematics::Coupling& coupling : document.couplings) add(coupling.value);
   return all;
 }
 
@@ -56,6 +58,7 @@ class Describer {
       }
     }
     for (const kinematics::Joint& joint : document_.joints) description.joints.push_back(describe(joint));
+    description.couplings = read_couplings(document_, reader_, diagnostics_);
     description.parameters = reader_.parameters();
     reader_.report_accidents();
     return description;

@@ -24,6 +24,8 @@ const char* kind_name(ParameterKind kind) {
       return "a length";
     case ParameterKind::angle:
       return "an angle";
+    case ParameterKind::ratio:
+      return "a ratio";
     case ParameterKind::inertial:
       break;
   }

@@ -39,6 +39,11 @@ class QuantityReader {
   // values). A constant close to zero becomes zero.
   model::Quantity read(const language::Expression& expression, model::ParameterKind kind);
 
+  // Whether the expressions declare a parameter of this name, or those that were read use one.
+  bool knows_parameter(const std::string& name) const {
+    return parameter_indices_.contains(name) || with_default_.contains(name) || parameters_by_spelling_.contains(name);
+  }
+
   // Warns of names that may be parameters by accident. To be called after all expressions were read.
   void report_accidents() const { uses_.report(diagnostics_); }
 

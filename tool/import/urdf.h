@@ -14,7 +14,7 @@ struct UrdfOptions {
   // Angles within 1e-6 of a multiple of PI/12 become that multiple exactly, with a note on each change. Otherwise one
   // note counts them.
   bool snap_angles = false;
-  // A joint that mimics another is a joint of its own; otherwise it is an error.
+  // A joint that mimics another is a joint of its own; otherwise it is coupled to the other.
   bool free_mimic_joints = false;
   // Negative masses and inertias are warnings, not errors.
   bool allow_implausible = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/couplings.h"
 #include "model/description.h"
 #include "model/name_index.h"
 #include "model/plausibility.h"
@@ -344,6 +345,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   if (diagnostics.error_count() == errors_before) {
     for (std::size_t j = 0; j < a.tree.joints.size(); ++j) resolve_carrier(a, j);
   }
+  a.tree.couplings = resolve_couplings(description, a.joints, a.joints_repeat, diagnostics);
   check_link_ids(description, diagnostics);
   check_mass_properties(description, diagnostics);
   check_drives(description, diagnostics);

@@ -65,6 +65,19 @@ struct DescribedJoint {
   std::optional<std::string> rotor_carrier = {};  // the joint's parent where none is named
 };
 
+// The position of a joint as a sum over other joints, which may follow others in turn.
+struct DescribedCoupling {
+  struct Term {
+    std::string joint;
+    Quantity factor;
+    Place place;
+  };
+  std::string joint;
+  Place place;
+  std::vector<Term> terms;
+  Quantity offset;
+};
+
 struct Description {
   std::string name;
   Place place;
@@ -72,6 +85,7 @@ struct Description {
   DescribedLink base;
   std::vector<DescribedLink> links;    // in declaration order
   std::vector<DescribedJoint> joints;  // in declaration order
+  std::vector<DescribedCoupling> couplings = {};
   std::vector<Parameter> parameters;
 };
 
@@ -81,8 +95,8 @@ inline const DescribedLink& described_link(const Description& description, std::
 }
 
 // Connects the elements and checks them: one parent each, no island, no cycle, names, every joint used once, reference
-// frames, ids (warnings), plausible mass properties (warnings with the numbers; a warning that names the joint where
-// the inertia matrix is singular for every q). nullopt when an error was reported.
+// frames, couplings, ids (warnings), plausible mass properties (warnings with the numbers; a warning that names the
+// joint where the inertia matrix is singular for every q). nullopt when an error was reported.
 std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics);
 
 }  // namespace robcogen::model

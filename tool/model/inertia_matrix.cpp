@@ -129,9 +129,13 @@ double drive_inertia(const Drive& drive, const std::vector<double>& parameters) 
                      : armature;
 }
 
+std::size_t direction_of(const Joint& joint) {
+  return joint.type == JointType::revolute ? 2 : 5;
+}
+
 struct Pivots {
-  std::vector<double> joints;
-  std::vector<double> base;  // of a floating base; empty for a fixed one
+  std::vector<double> joints;  // of coupled robots: coordinates
+  std::vector<double> base;    // of a floating base; empty for a fixed one
 };
 
 enum class Beyond { free, locked };  // the joints beyond the one under examination
@@ -153,7 +157,7 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
     add_in_proportion(inertia, addition);
     Matrix6 projected = inertia;
     const double own = drive_inertia(joint.drive, parameters);
-    pivots.joints[at(*it)] = eliminate(projected, joint.type == JointType::revolute ? 2 : 5, own);
+    pivots.joints[at(*it)] = eliminate(projected, direction_of(joint), own);
     add_transformed(
         articulated[at(joint.parent)], motion_transform(joint, q[at(*it)], parameters),
         beyond == Beyond::free ? projected : inertia);
@@ -161,6 +165,83 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
   if (tree.floating_base) {
     add_in_proportion(articulated[0], addition);
     for (std::size_t i = 6; i-- > 0;) pivots.base.push_back(eliminate(articulated[0], i));
+  }
+  return pivots;
+}
+
+// H with rows of all joints, then of the base; composite bodies with the addition (Featherstone 2008, section 6.2).
+std::vector<std::vector<double>> inertia_of_joints(const KinematicTree& tree, double addition) {
+  OrdinaryNumbers numbers;
+  const std::vector<double> parameters = numbers.next(tree.parameters.size());
+  const std::vector<double> q = numbers.next(tree.joints.size());
+  std::vector<Matrix6> composite(tree.links.size(), Matrix6{});
+  for (std::size_t i = 0; i < tree.links.size(); ++i)
+    if (tree.links[i].inertia) composite[i] = spatial_inertia(*tree.links[i].inertia, parameters);
+  std::vector<Matrix6> X(tree.joints.size());
+  const std::vector<int> order = tree.topological();
+  for (auto it = order.rbegin(); it != order.rend(); ++it) {
+    const Joint& joint = tree.joints[at(*it)];
+    X[at(*it)] = motion_transform(joint, q[at(*it)], parameters);
+    add_in_proportion(composite[at(joint.child)], addition);
+    add_transformed(composite[at(joint.parent)], X[at(*it)], composite[at(joint.child)]);
+  }
+  add_in_proportion(composite[0], addition);
+  const std::size_t joints = tree.joints.size(), size = joints + (tree.floating_base ? 6 : 0);
+  std::vector<std::vector<double>> H(size, std::vector<double>(size));
+  for (std::size_t j = 0; j < joints; ++j) {
+    std::array<double, 6> wrench = composite[at(tree.joints[j].child)][direction_of(tree.joints[j])];
+    for (int i = static_cast<int>(j); i >= 0; i = tree.parent_joint_of(i)) {
+      H[at(i)][j] = H[j][at(i)] = wrench[direction_of(tree.joints[at(i)])];
+      std::array<double, 6> seen{};
+      for (std::size_t r = 0; r < 6; ++r)
+        for (std::size_t c = 0; c < 6; ++c) seen[c] += X[at(i)][r][c] * wrench[r];
+      wrench = seen;
+    }
+    H[j][j] += drive_inertia(tree.joints[j].drive, parameters);
+    for (std::size_t k = joints; k < size; ++k) H[k][j] = H[j][k] = wrench[k - joints];
+  }
+  for (std::size_t r = joints; r < size; ++r)
+    for (std::size_t c = joints; c < size; ++c) H[r][c] = composite[0][r - joints][c - joints];
+  return H;
+}
+
+// The same of coordinates, G' H G, then of the base.
+std::vector<std::vector<double>> inertia_of_coordinates(const KinematicTree& tree, double addition) {
+  const std::vector<std::vector<double>> H = inertia_of_joints(tree, addition);
+  const std::vector<double> parameters = OrdinaryNumbers().next(tree.parameters.size());
+  const std::vector<int> independent = tree.coordinates();
+  // By row of H: its coordinates and factors.
+  std::vector<std::vector<std::pair<std::size_t, double>>> G(H.size());
+  for (std::size_t k = 0; k < independent.size(); ++k) G[at(independent[k])] = {{k, 1.0}};
+  for (const Coupling& coupling : tree.couplings) {
+    for (const Coupling::Term& term : coupling.terms)
+      G[at(coupling.joint)].emplace_back(G[at(term.joint)].front().first, evaluate(term.factor, parameters));
+  }
+  const std::size_t gone = tree.couplings.size();
+  for (std::size_t row = tree.joints.size(); row < H.size(); ++row) G[row] = {{row - gone, 1.0}};
+  std::vector<std::vector<double>> result(H.size() - gone, std::vector<double>(H.size() - gone));
+  for (std::size_t i = 0; i < H.size(); ++i) {
+    for (std::size_t j = 0; j < H.size(); ++j) {
+      if (H[i][j] == 0.0) continue;
+      for (const auto& [row, left] : G[i])
+        for (const auto& [column, right] : G[j]) result[row][column] += left * H[i][j] * right;
+    }
+  }
+  return result;
+}
+
+// Of a robot with coupled joints, whose matrix is not that of a tree.
+Pivots pivots_of_coordinates(const KinematicTree& tree, Beyond beyond, double addition) {
+  std::vector<std::vector<double>> H = inertia_of_coordinates(tree, addition);
+  Pivots pivots;
+  for (std::size_t i = 0; i < H.size(); ++i) {
+    const std::vector<double> row = H[i];
+    (i < at(tree.dof()) ? pivots.joints : pivots.base).push_back(row[i]);
+    if (beyond == Beyond::locked || row[i] == 0.0) continue;
+    for (std::size_t r = i + 1; r < H.size(); ++r) {
+      if (row[r] == 0.0) continue;
+      for (std::size_t c = i + 1; c < H.size(); ++c) H[r][c] -= row[r] * row[c] / row[i];
+    }
   }
   return pivots;
 }
@@ -180,9 +261,24 @@ struct Zeros {
   std::vector<bool> base;
 };
 
+// No programs are made of larger robots, whose joints are taken as free here.
+constexpr std::size_t kMaxCoupled = 2000;
+
+bool is_matrix_needed(const KinematicTree& tree) {
+  return !tree.couplings.empty() && tree.joints.size() <= kMaxCoupled;
+}
+
 Zeros zero_pivots(const KinematicTree& tree, Beyond beyond) {
-  const Pivots once = pivots_of(tree, beyond, kAddition);
-  const Pivots twice = pivots_of(tree, beyond, 2.0 * kAddition);
+  Pivots once = pivots_of(tree, beyond, kAddition);
+  Pivots twice = pivots_of(tree, beyond, 2.0 * kAddition);
+  if (is_matrix_needed(tree)) {
+    // A base on locked joints is the same, coupled or not.
+    for (auto [pivots, factor] : {std::pair(&once, 1.0), std::pair(&twice, 2.0)}) {
+      Pivots coupled = pivots_of_coordinates(tree, beyond, factor * kAddition);
+      if (beyond == Beyond::locked) coupled.base = pivots->base;
+      *pivots = std::move(coupled);
+    }
+  }
   return {zeros(once.joints, twice.joints), zeros(once.base, twice.base)};
 }
 
@@ -229,9 +325,10 @@ InertiaDefects inertia_defects(const KinematicTree& tree) {
   const Zeros locked = zero_pivots(tree, Beyond::locked);
   defects.no_inertia = !some_have;
   defects.no_mass = has_no_mass(tree);
-  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
-    if (!free.joints[i]) continue;
-    defects.joints.push_back({static_cast<int>(i), locked.joints[i]});
+  const std::vector<int> coordinates = tree.coordinates();
+  for (std::size_t k = 0; k < free.joints.size(); ++k) {
+    if (!free.joints[k]) continue;
+    defects.joints.push_back({is_matrix_needed(tree) ? coordinates[k] : static_cast<int>(k), locked.joints[k]});
   }
   defects.free_base = any(free.base);
   defects.locked_base = any(locked.base);

@@ -33,6 +33,30 @@ std::vector<int> KinematicTree::topological() const {
   return order;
 }
 
+std::vector<int> KinematicTree::coordinates() const {
+  std::vector<int> independent;
+  auto next = couplings.begin();
+  for (int j = 0; j < static_cast<int>(joints.size()); ++j) {
+    if (next != couplings.end() && next->joint == j)
+      ++next;
+    else
+      independent.push_back(j);
+  }
+  return independent;
+}
+
+const Coupling* KinematicTree::coupling_of(int joint) const {
+  const auto found = std::lower_bound(
+      couplings.begin(), couplings.end(), joint, [](const Coupling& c, int index) { return c.joint < index; });
+  return found == couplings.end() || found->joint != joint ? nullptr : &*found;
+}
+
+std::vector<int> independent_joints_first(const KinematicTree& tree) {
+  std::vector<int> joints = tree.coordinates();
+  for (const Coupling& coupling : tree.couplings) joints.push_back(coupling.joint);
+  return joints;
+}
+
 std::vector<Frame> KinematicTree::frames() const {
   std::vector<Frame> all;
   all.reserve(links.size() + joints.size() + user_frames.size());

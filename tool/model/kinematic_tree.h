@@ -69,6 +69,17 @@ struct Joint {
 // Of the joint's rotor: of unit length, in axes of its carrier.
 std::array<Quantity, 3> rotor_axis(const Joint& joint);
 
+// A joint that follows others: q_joint = offset + sum of factor * q_k, over independent joints k.
+struct Coupling {
+  struct Term {
+    int joint = -1;   // independent
+    Quantity factor;  // not the constant zero
+  };
+  int joint = -1;
+  std::vector<Term> terms;  // none: the joint stands still
+  Quantity offset;          // rad or m
+};
+
 struct UserFrame {
   std::string name;
   int link = -1;
@@ -109,13 +120,19 @@ class KinematicTree {
  public:
   std::string name;
   bool floating_base = false;
-  std::vector<Link> links;    // [0] is the base, then the links as declared
-  std::vector<Joint> joints;  // as declared; q, qd, tau, … have this order
+  std::vector<Link> links;               // [0] is the base, then the links as declared
+  std::vector<Joint> joints;             // as declared; q, qd, tau, … have the independent ones, in this order
+  std::vector<Coupling> couplings = {};  // of the other joints, in their order
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
   InertiaDefects inertia_defects = {};
 
-  int dof() const { return static_cast<int>(joints.size()); }
+  // Independent coordinates: what q, qd, tau, … have elements of.
+  int dof() const { return static_cast<int>(joints.size() - couplings.size()); }
+  // The independent joints: coordinate k is the position of joint coordinates()[k].
+  std::vector<int> coordinates() const;
+  // nullptr for an independent joint.
+  const Coupling* coupling_of(int joint) const;
   // Joint indices, parents before children, depth first, children in the order of the document.
   std::vector<int> topological() const;
   // -1 for the parent of the base.
@@ -130,6 +147,9 @@ class KinematicTree {
   // The link that a frame moves with: a joint frame is fixed to the parent link of its joint.
   int link_of(const Frame& frame) const;
 };
+
+// All joints: those of coordinates, then coupled ones.
+std::vector<int> independent_joints_first(const KinematicTree& tree);
 
 struct FramePair {
   Frame left;

@@ -10,7 +10,13 @@
 namespace robcogen::model {
 
 std::vector<int> limb_shapes(const KinematicTree& tree) {
-  std::map<std::tuple<JointType, std::vector<bool>, std::vector<int>>, int> known;
+  std::vector<bool> is_tied(tree.joints.size(), false);
+  for (const Coupling& coupling : tree.couplings) {
+    is_tied[at(coupling.joint)] = true;
+    for (const Coupling::Term& term : coupling.terms) is_tied[at(term.joint)] = true;
+  }
+  constexpr int kUntied = -1;
+  std::map<std::tuple<JointType, std::vector<bool>, int, std::vector<int>>, int> known;
   std::vector<int> shape(tree.joints.size(), -1);
   const std::vector<int> order = tree.topological();
   for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
@@ -19,7 +25,9 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     std::sort(beyond.begin(), beyond.end());
     const auto number = static_cast<int>(known.size());
     const Joint& own = tree.joints[at(*joint)];
-    shape[at(*joint)] = known.try_emplace({own.type, own.drive.present(), std::move(beyond)}, number).first->second;
+    const int tied = is_tied[at(*joint)] ? *joint : kUntied;
+    shape[at(*joint)] =
+        known.try_emplace({own.type, own.drive.present(), tied, std::move(beyond)}, number).first->second;
   }
   return shape;
 }

@@ -12,8 +12,9 @@
 
 namespace robcogen::model {
 
-// Follows from where a parameter stands: in the translation or the rotation of a placement, or only in mass properties.
-enum class ParameterKind { length, angle, inertial };
+// Follows from where a parameter stands: in the translation or the rotation of a placement, in a factor of a coupling,
+// or only in mass properties.
+enum class ParameterKind { length, angle, ratio, inertial };
 
 struct Parameter {
   std::string name;

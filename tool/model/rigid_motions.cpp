@@ -58,4 +58,25 @@ RigidMotions motions_of(const KinematicTree& tree) {
   return motions;
 }
 
+RigidMotions motions_over_coordinates(const KinematicTree& tree) {
+  RigidMotions motions = motions_of(tree);
+  if (tree.couplings.empty()) return motions;
+  std::vector<Quantity> positions(tree.joints.size());  // by joint
+  std::vector<std::string> names;
+  for (const int joint : tree.coordinates()) {
+    positions[at(joint)] = Quantity::variable(static_cast<int>(names.size()));
+    names.push_back(motions.variables[at(joint)]);
+  }
+  for (const Coupling& coupling : tree.couplings) {
+    Quantity& position = positions[at(coupling.joint)];
+    for (const Coupling::Term& term : coupling.terms) position = position + term.factor * positions[at(term.joint)];
+    position = position + coupling.offset;
+  }
+  for (Motion& motion : motions.motions)
+    for (ElementaryMotion& step : motion.steps)
+      if (step.amount.op() == Quantity::Op::variable) step.amount = positions[at(step.amount.index())];
+  motions.variables = std::move(names);
+  return motions;
+}
+
 }  // namespace robcogen::model

@@ -43,4 +43,7 @@ struct RigidMotions {
 // named `q_<joint>`. (`fr_<parent> -> fr_<joint>`, `fr_<joint> -> fr_<child>`, `fr_<link> -> <frame>`.)
 RigidMotions motions_of(const KinematicTree& tree);
 
+// The same over independent joints: coupled ones follow them.
+RigidMotions motions_over_coordinates(const KinematicTree& tree);
+
 }  // namespace robcogen::model

@@ -53,8 +53,11 @@ struct SinCos {
 // The angles of all programs, in one graph whose inputs are parameters and joint positions.
 class Angles {
  public:
-  Angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints)
-      : q_{"q", Role::joint_position, joints}, labels_(joints), taken_(joints.begin(), joints.end()) {
+  Angles(const std::vector<WithLanes>& programs, const std::vector<Position>& positions)
+      : q_{"q", Role::joint_position, {}}, positions_(positions) {
+    for (const Position& p : positions) q_.elements.push_back(p.joint);
+    labels_ = q_.elements;
+    taken_ = {labels_.begin(), labels_.end()};
     for (const WithLanes& p : programs)
       if (const Place place = place_of(p.program, Role::parameters); place.array) parameters_ = *place.array;
     for (int k = 0; k < joint_count(); ++k) {
@@ -179,6 +182,7 @@ class Angles {
   // The number of an angle, that it gets when it is new; nullopt where the addition theorems do not reach it.
   std::optional<int> number(const Expression& angle) {
     const auto known = numbers_.find(angle.node());
+    if (reads_slide(angle)) return std::nullopt;
     if (known != numbers_.end()) return known->second;
     Graph graph;
     if (follows_from_parameters(angle) || !sum(graph, angle)) return std::nullopt;
@@ -194,6 +198,14 @@ class Angles {
     if (n.kind == Node::Kind::input) return n.a < parameter_count();
     if (n.kind == Node::Kind::constant) return true;
     return follows_from_parameters(operand(n.a)) && (n.b < 0 || follows_from_parameters(operand(n.b)));
+  }
+
+  // Whether the angle depends on the position of a joint that slides.
+  bool reads_slide(const Expression& e) const {
+    const Node& n = node(e);
+    if (n.kind == Node::Kind::input)
+      return n.a >= parameter_count() && !positions_[at(n.a - parameter_count())].is_angle;
+    return n.kind == Node::Kind::operation && (reads_slide(operand(n.a)) || (n.b >= 0 && reads_slide(operand(n.b))));
   }
 
   Expression operand(int node) const { return const_cast<Graph&>(graph_).expression(node, false); }
@@ -259,6 +271,7 @@ class Angles {
   }
 
   InputArray q_, parameters_;
+  std::vector<Position> positions_;
   Graph graph_;
   std::vector<Expression> all_;
   std::vector<std::string> labels_;
@@ -345,8 +358,8 @@ std::set<int> angles_read(const Angles::Readings& readings) {
 
 }  // namespace
 
-SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints) {
-  Angles angles(programs, joints);
+SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<Position>& positions) {
+  Angles angles(programs, positions);
   std::vector<Angles::Readings> readings, readings_in_lanes;
   for (const WithLanes& p : programs) readings.push_back(angles.add(p.program));
   for (const WithLanes& p : programs)

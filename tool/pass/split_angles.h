@@ -28,8 +28,15 @@ struct WithLanes {
   const symbolic::Program* in_lanes = nullptr;
 };
 
-// A sine or cosine of anything other than a sum of positions, constants and parameters stays where it is. All programs
-// have the positions of these joints as inputs, and the same parameters or none.
-SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<std::string>& joints);
+// The position of a joint that turns, or slides: then its sine and cosine are not known, but a coupled joint may turn
+// by it.
+struct Position {
+  std::string joint;
+  bool is_angle = true;
+};
+
+// A sine or cosine of anything other than a sum of angles, constants and parameters stays where it is. All programs
+// have these positions as inputs, and the same parameters or none.
+SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vector<Position>& positions);
 
 }  // namespace robcogen::pass

@@ -187,12 +187,12 @@ class AnyRobot {
       std::same_as<typename R::Scalar, double> AnyRobot(const R& robot, const reflection::Robot& tables)
       : tables_(&tables),
   functions_(std::make_shared<const any::FunctionsOf<R> >(robot)) {
-    if (tables.joints.size != R::kDof || tables.links.size != R::kLinkCount || tables.floating_base != R::kFloatingBase)
+    if (tables.dof() != R::kDof || tables.links.size != R::kLinkCount || tables.floating_base != R::kFloatingBase)
       throw std::invalid_argument("AnyRobot: the tables belong to another robot");
   }
 
   const char* name() const noexcept { return tables_->name; }
-  int dof() const noexcept { return tables_->joints.size; }
+  int dof() const noexcept { return tables_->dof(); }
   int size() const noexcept { return dof() + (floating_base() ? 6 : 0); }
   bool floating_base() const noexcept { return tables_->floating_base; }
   // Names of joints, links and frames, transforms and Jacobians; of a robot with parameters, numbers are of the

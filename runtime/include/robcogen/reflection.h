@@ -223,6 +223,12 @@ struct Parameter {
   bool shared = false;   // a parameter of mass properties that is a length or an angle too
 };
 
+// A joint whose position follows others: offset + the sum of factor * q.
+struct Coupling {
+  const double* factors;  // one an element of q
+  double offset;          // rad or m
+};
+
 template <class T>
 struct Table {
   const T* data;
@@ -237,8 +243,8 @@ using BatchFunctions = Table<BatchFunction>;
 struct Robot {
   const char* name;
   bool floating_base;
-  Table<Link> links;  // [0] is the base
-  Table<Joint> joints;
+  Table<Link> links;    // [0] is the base
+  Table<Joint> joints;  // those of the elements of q, then coupled ones
   Table<Frame> frames;
   Table<Transform> transforms;
   Table<Jacobian> jacobians;
@@ -252,6 +258,11 @@ struct Robot {
   void (*numbers)(const double* parameters, double* links, double* joints, double* frames) noexcept = nullptr;
   // Whether the numbers of a joint include those of its drive, in the order of JointDrive, behind its rotation.
   bool numbers_of_drives = false;
+  // And of each coupling its factors, then its offset.
+  void (*coupling_numbers)(const double* parameters, double* couplings) noexcept = nullptr;
+  Table<Coupling> couplings = {nullptr, 0};  // of the last joints, in order
+
+  constexpr int dof() const { return joints.size - couplings.size; }  // elements of q
 };
 
 }  // namespace robcogen::reflection

@@ -166,7 +166,7 @@ TEST_P(Kinematics, Jacobians) {
   constexpr double kDifferences = 1e-9;  // of the step's square, and roundings over the step
   for (const FramePair& pair : all_pairs(tree)) {
     SCOPED_TRACE(pair.left.name + "_J_" + pair.right.name);
-    const std::vector<int> columns = chain_joints(tree, pair);
+    const std::vector<int> columns = chain_coordinates(tree, pair);
     const Eigen::MatrixXd j = run(geometric_jacobian(tree, pair, "j"));
     ASSERT_EQ(j.rows(), 6);
     ASSERT_EQ(j.cols(), static_cast<Eigen::Index>(columns.size()));
@@ -191,10 +191,10 @@ FramePair pair_of(const KinematicTree& tree, const char* left, const char* right
 
 TEST(KinematicChain, ColumnsAreTheJointsFromLeftToRight) {
   const KinematicTree tree = robot(true);  // joints: e c b a
-  EXPECT_EQ(chain_joints(tree, pair_of(tree, "camera", "finger")), (std::vector<int>{3, 2, 0}));
-  EXPECT_EQ(chain_joints(tree, pair_of(tree, "finger", "camera")), (std::vector<int>{0, 2, 3}));
-  EXPECT_EQ(chain_joints(tree, pair_of(tree, "finger", "sole")), (std::vector<int>{0, 2, 1}));
-  EXPECT_EQ(chain_joints(tree, pair_of(tree, "fr_base", "fr_a")), (std::vector<int>{}));
+  EXPECT_EQ(chain_coordinates(tree, pair_of(tree, "camera", "finger")), (std::vector<int>{3, 2, 0}));
+  EXPECT_EQ(chain_coordinates(tree, pair_of(tree, "finger", "camera")), (std::vector<int>{0, 2, 3}));
+  EXPECT_EQ(chain_coordinates(tree, pair_of(tree, "finger", "sole")), (std::vector<int>{0, 2, 1}));
+  EXPECT_EQ(chain_coordinates(tree, pair_of(tree, "fr_base", "fr_a")), (std::vector<int>{}));
 }
 
 TEST(KinematicChain, FramesOfOneLinkHaveAJacobianWithoutColumns) {

@@ -17,7 +17,7 @@ enum class Needs {
   inertia,          // some
   mass,             // they divide by the total mass
   inertia_inverse,  // they divide by the joint-space inertia matrix
-  no_rotors,        // some, and the recursion does not know rotors
+  free_joints,      // some, and the recursion knows neither rotors nor couplings
   many_solutions,   // both, for many right-hand sides in code without loops
 };
 
@@ -38,7 +38,7 @@ constexpr std::array kGroups = {
     Group{"joint_space_inertia", true, Needs::inertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, Needs::inertia_inverse, joint_space_inertia_factor_functions, nullptr},
     Group{"coriolis_matrix", false, Needs::inertia, coriolis_matrix_functions, nullptr},
-    Group{"inverse_dynamics_derivatives", false, Needs::no_rotors, inverse_dynamics_derivatives_functions, nullptr},
+    Group{"inverse_dynamics_derivatives", false, Needs::free_joints, inverse_dynamics_derivatives_functions, nullptr},
     Group{"inverse_dynamics_gradient", false, Needs::inertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
         "forward_dynamics_derivatives", false, Needs::many_solutions, forward_dynamics_derivatives_functions, nullptr},
@@ -87,10 +87,11 @@ bool is_available(const Group& group, const KinematicTree& tree) {
       return !defects.no_mass;
     case Needs::inertia_inverse:
       return !defects.no_inertia && !defects.is_singular();
-    case Needs::no_rotors:
-      return !defects.no_inertia && !has_rotors(tree);
+    case Needs::free_joints:
+      return !defects.no_inertia && !has_rotors(tree) && tree.couplings.empty();
     case Needs::many_solutions:
-      return !defects.no_inertia && !defects.is_singular() && !has_rotors(tree) && !has_many_operations(tree);
+      return !defects.no_inertia && !defects.is_singular() && !has_rotors(tree) && tree.couplings.empty() &&
+             !has_many_operations(tree);
   }
   return true;
 }
@@ -128,8 +129,9 @@ bool is_available(const KinematicTree& tree, const std::string& group) {
 
 std::string reason_of_absence(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
-  if (!found || (found->needs != Needs::no_rotors && found->needs != Needs::many_solutions)) return "";
+  if (!found || (found->needs != Needs::free_joints && found->needs != Needs::many_solutions)) return "";
   if (has_rotors(tree)) return "derivatives of robots with rotors are not generated";
+  if (!tree.couplings.empty()) return "derivatives of robots with coupled joints are not generated";
   if (found->needs == Needs::many_solutions && has_many_operations(tree))
     return "with so many joints its code without loops would outgrow the caches of processors";
   return "";

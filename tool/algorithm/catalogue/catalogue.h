@@ -18,7 +18,7 @@ struct RobotFunction {
   std::string scope;                 // "", inertia_factor, transforms::homogeneous, transforms::motion, jacobians, …
   std::string name;                  // `inverse_dynamics`, `fr_base_X_fr_foot`
   std::vector<std::string> summary;  // what, frames, units, source
-  std::vector<int> columns;          // jacobians: the joint of each column
+  std::vector<int> columns;          // jacobians: the coordinate of each column
   model::FramePair frames;           // of functions between two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
   std::string method = {};           // how it is computed, where there was a choice

@@ -35,10 +35,17 @@ void add_for_jacobians(
          scope,
          name,
          {summary(pair.left.name, pair.right.name)},
-         has_columns ? chain_joints(tree, pair) : std::vector<int>{},
+         has_columns ? chain_coordinates(tree, pair) : std::vector<int>{},
          pair,
          std::move(program)});
   }
+}
+
+std::string names_of_coupled(const KinematicTree& tree) {
+  std::string names;
+  for (const model::Coupling& coupling : tree.couplings)
+    names += (names.empty() ? "" : ", ") + tree.joints[at(coupling.joint)].name;
+  return names;
 }
 
 }  // namespace
@@ -64,6 +71,16 @@ std::vector<RobotFunction> transforms_functions(const KinematicTree& tree, const
         pair,
         transform_along(tree, paths[i], kind.form, kind.scope + "_" + name)};
   });
+  if (!tree.couplings.empty())
+    list.push_back(
+        {"transforms",
+         "",
+         "joint_positions",
+         {"Positions of all joints (rad, m): first those of q, then those of the joints that follow them: " +
+          names_of_coupled(tree) + "."},
+         {},
+         {},
+         joint_positions(tree, "joint_positions")});
   return list;
 }
 

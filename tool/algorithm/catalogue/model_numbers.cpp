@@ -68,7 +68,8 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
   }
   const bool has_drives = std::any_of(
       tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return !joint.drive.is_absent(); });
-  for (const model::Joint& joint : tree.joints) {
+  for (const int j : model::independent_joints_first(tree)) {
+    const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint " + joint.name);
     add_placement({trace, joints}, joint.placement);
     if (has_drives) add_drive({trace, joints}, joint);
@@ -84,6 +85,26 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
   output("joints", kNumbersOfPlacement + (has_drives ? kNumbersOfDrive : 0), joints);
   output("frames", kNumbersOfPlacement, frames);
   return trace.program("model_numbers");
+}
+
+symbolic::Program coupling_numbers(const model::KinematicTree& tree) {
+  Trace trace(tree);
+  const std::vector<int> coordinates = tree.coordinates();
+  const int rows = tree.dof() + 1;
+  std::vector<Expression> values;
+  for (const model::Coupling& coupling : tree.couplings) {
+    const std::string& name = tree.joints[at(coupling.joint)].name;
+    trace.section(name, "joint " + name);
+    std::vector<Expression> column(at(rows));
+    for (const model::Coupling::Term& term : coupling.terms) {
+      const auto place = std::lower_bound(coordinates.begin(), coordinates.end(), term.joint);
+      column[static_cast<std::size_t>(place - coordinates.begin())] = trace.lift(term.factor);
+    }
+    column.back() = trace.lift(coupling.offset);
+    values.insert(values.end(), column.begin(), column.end());
+  }
+  trace.output("couplings", Role::value, rows, static_cast<int>(tree.couplings.size()), values);
+  return trace.program("coupling_numbers");
 }
 
 }  // namespace robcogen::algorithm

@@ -2,6 +2,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
@@ -44,6 +45,11 @@ Force unit_momentum(const WholeBody& body, int joint) {
     describe(momentum.linear, moving.name + "_" + seen_from + "_p");
   }
   return momentum;
+}
+
+// The same when one coordinate moves: these joints.
+Force unit_momentum(const WholeBody& body, const std::vector<Share>& moved) {
+  return sum_of(moved, [&](int joint) { return unit_momentum(body, joint); });
 }
 
 void append(std::vector<Expression>& columns, const Vector3& v) {
@@ -90,7 +96,8 @@ Program center_of_mass_jacobian(
     for (std::size_t k = 0; k < 3; ++k) append(columns, cross(unit_vector(trace, k), body.com));
     for (std::size_t k = 0; k < 3; ++k) append(columns, unit_vector(trace, k));
   }
-  for (int j = 0; j < tree.dof(); ++j) append(columns, body.per_mass * unit_momentum(body, j).linear);
+  for (const std::vector<Share>& moved : shares(trace))
+    append(columns, body.per_mass * unit_momentum(body, moved).linear);
   trace.output("J", Role::matrix, 3, static_cast<int>(columns.size() / 3), columns);
   return trace.program(name);
 }
@@ -118,8 +125,8 @@ Program centroidal_momentum_matrix(
       append(columns, body.total.mass * unit_vector(trace, k));
     }
   }
-  for (int j = 0; j < tree.dof(); ++j) {
-    const Force momentum = unit_momentum(body, j);
+  for (const std::vector<Share>& moved : shares(trace)) {
+    const Force momentum = unit_momentum(body, moved);
     append(columns, momentum.moment - cross(body.com, momentum.linear));
     append(columns, momentum.linear);
   }

@@ -5,6 +5,7 @@
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/ldl.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
@@ -86,17 +87,47 @@ void add_composite_forces(
   descend(0, base_acceleration);
 }
 
+namespace {
+
+std::vector<int> joints_of(const model::KinematicTree& tree) {
+  std::vector<int> all;
+  for (int j = 0; j < static_cast<int>(tree.joints.size()); ++j) all.push_back(j);
+  return all;
+}
+
+// Of a floating base's rows, then of those of these joints.
+std::vector<std::string> names_of_rows(const model::KinematicTree& tree, const std::vector<int>& joints) {
+  std::vector<std::string> names;
+  if (tree.floating_base) names = {"wx", "wy", "wz", "vx", "vy", "vz"};
+  for (const int joint : joints) names.push_back(tree.joints[at(joint)].name);
+  return names;
+}
+
+// From joints to coordinates.
+SquareMatrix reduced(const TracedRobot& robot, const SquareMatrix& by_joint) {
+  if (robot.tree().couplings.empty()) return by_joint;
+  robot.trace.section("coupled", "inertia of coupled joints");
+  const SquareMatrix H = symmetric_by_coordinate(robot.trace, by_joint, robot.floating() ? 6 : 0);
+  const std::vector<std::string> names = coordinate_names(robot.tree());
+  for (int r = 0; r < H.size(); ++r)
+    for (int c = 0; c <= r; ++c) describe(H(r, c), "H_" + names[at(r)] + "_" + names[at(c)]);
+  return H;
+}
+
+}  // namespace
+
 SquareMatrix joint_space_inertia(const TracedRobot& robot) {
   const model::KinematicTree& tree = robot.tree();
   const std::vector<MassProperties> composite = composite_bodies(robot);
   const int base = tree.floating_base ? 6 : 0;
-  SquareMatrix H(base + tree.dof());
-  const std::vector<std::string> names = coordinate_names(tree);
+  const int joints = static_cast<int>(tree.joints.size());
+  SquareMatrix H(base + joints);
+  const std::vector<std::string> names = names_of_rows(tree, joints_of(tree));
   const auto set = [&](int row, int column, const Expression& value) {
     H(row, column) = H(column, row) = value;
     describe(value, "H_" + names[at(row)] + "_" + names[at(column)]);
   };
-  for (int j = 0; j < tree.dof(); ++j) {
+  for (int j = 0; j < joints; ++j) {
     Joint joint = robot.joint(j);
     const std::string& link = robot.link_name(joint.child);
     robot.trace.section(link, "link " + link + ": column of joint " + tree.joints[at(j)].name);
@@ -123,22 +154,11 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c) H(r, c) = body(r, c);
   }
-  return H;
+  return reduced(robot, H);
 }
 
 std::vector<std::string> coordinate_names(const model::KinematicTree& tree) {
-  std::vector<std::string> names;
-  if (tree.floating_base) names = {"wx", "wy", "wz", "vx", "vy", "vz"};
-  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
-  return names;
-}
-
-std::vector<int> elimination_order(const model::KinematicTree& tree) {
-  std::vector<int> order;
-  const int base = tree.floating_base ? 6 : 0;
-  for (int k = 0; k < base; ++k) order.push_back(k);
-  for (const int j : tree.topological()) order.push_back(base + j);
-  return order;
+  return names_of_rows(tree, tree.coordinates());
 }
 
 Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {

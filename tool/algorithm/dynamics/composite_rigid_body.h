@@ -24,13 +24,10 @@ void add_composite_forces(
     std::vector<Expression>& tau);
 
 // The joint-space inertia matrix H (Featherstone 2008, table 6.2); a floating base's 6 rows and columns first. Zeros
-// that branches induce are the constant zero.
+// that branches induce are the constant zero. Of coupled joints G' H G.
 SquareMatrix joint_space_inertia(const TracedRobot& robot);
 
-// Of the rows of the joint-space inertia matrix: those of a floating base, then joints.
+// Of the rows of the joint-space inertia matrix: those of a floating base, then coordinates.
 std::vector<std::string> coordinate_names(const model::KinematicTree& tree);
-
-// The rows of H, ancestors first: elimination from the last row to the first fills in no zeros.
-std::vector<int> elimination_order(const model::KinematicTree& tree);
 
 }  // namespace robcogen::algorithm

@@ -8,6 +8,7 @@
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/spread.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
@@ -104,10 +105,12 @@ Program coriolis_matrix(const model::KinematicTree& tree, const std::string& nam
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q, formulation);
   const SpreadBodies bodies(robot, in.qd, in.base_velocity.angular);
-  const int size = tree.dof() + (tree.floating_base ? 6 : 0);
-  SquareMatrix c(size);
-  for (int j = 0; j < tree.dof(); ++j) fill_joint(robot, bodies, j, c);
+  const int base = tree.floating_base ? 6 : 0, joints = static_cast<int>(tree.joints.size());
+  SquareMatrix c(base + joints);
+  for (int j = 0; j < joints; ++j) fill_joint(robot, bodies, j, c);
   if (tree.floating_base) fill_base(robot, bodies, c);
+  c = by_coordinate(trace, c, base);
+  const int size = c.size();
   trace.output("C", Role::matrix, size, size, c.columns());
   return trace.program(name);
 }

@@ -1,6 +1,7 @@
 #include "algorithm/dynamics/drives.h"
 
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
@@ -25,7 +26,7 @@ Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link) {
 std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
   std::vector<TracedRotor> rotors;
   if (robot.is_base(link) && !robot.floating()) return rotors;
-  for (int j = 0; j < robot.tree().dof(); ++j) {
+  for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) {
     const std::optional<model::Rotor>& rotor = robot.tree().joints[at(j)].drive.rotor;
     if (rotor && rotor->carrier == link) rotors.push_back({j, rotor_momentum(robot, j, link)});
   }
@@ -71,16 +72,18 @@ void add_passive_forces(Trace& trace, const StateInputs& in, std::vector<Express
 }
 
 void subtract_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau) {
-  const std::vector<Expression> forces = passive_forces(trace, in.q, in.qd);
-  for (std::size_t j = 0; j < tau.size(); ++j) tau[j] -= forces[j];
+  const std::vector<Expression> forces = by_coordinate(trace, passive_forces(trace, in.q, in.qd));
+  for (std::size_t k = 0; k < tau.size(); ++k) tau[k] -= forces[k];
 }
 
 symbolic::Program motor_torques(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const StateInputs in(trace, {State::force});
   std::vector<Expression> torques = in.tau;
-  for (std::size_t j = 0; j < torques.size(); ++j)
-    if (const auto& rotor = tree.joints[j].drive.rotor) torques[j] = torques[j] / trace.lift(rotor->ratio);
+  const std::vector<int> coordinates = tree.coordinates();
+  for (std::size_t k = 0; k < torques.size(); ++k)
+    if (const auto& rotor = tree.joints[at(coordinates[k])].drive.rotor)
+      torques[k] = torques[k] / trace.lift(rotor->ratio);
   trace.output("torque", symbolic::Role::joint_force, torques);
   return trace.program(name);
 }
@@ -88,7 +91,7 @@ symbolic::Program motor_torques(const model::KinematicTree& tree, const std::str
 symbolic::Program passive_forces(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity});
-  trace.output("tau", symbolic::Role::joint_force, passive_forces(trace, in.q, in.qd));
+  trace.output("tau", symbolic::Role::joint_force, by_coordinate(trace, passive_forces(trace, in.q, in.qd)));
   return trace.program(name);
 }
 

@@ -29,7 +29,8 @@ std::vector<Expression> passive_forces(
     Trace& trace,
     const std::vector<Expression>& q,
     const std::vector<Expression>& qd);
-// Adds them to the forces that a motion takes, or subtracts them from those that are there to move the robot.
+// Adds them to the forces that a motion takes, by joint, or subtracts them from those that are there to move the robot,
+// by coordinate.
 void add_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau);
 void subtract_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau);
 

@@ -65,8 +65,9 @@ struct ForwardDynamicsChoice {
   Formulation formulation;
 };
 
-// False where a rotor is on a link that moves and is not the parent of its joint: then the articulated inertia of the
-// parent is not all that the joint meets, and forward dynamics is always by the inertia matrix.
+// False where joints are coupled, which move together, and where a rotor is on a link that moves and is not the parent
+// of its joint: then the articulated inertia of the parent is not all that the joint meets, and forward dynamics is
+// always by the inertia matrix.
 bool allows_articulated_bodies(const model::KinematicTree& tree);
 
 // q, qd, tau [, base_velocity] -> qdd [, base_acceleration].

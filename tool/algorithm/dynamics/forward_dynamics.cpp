@@ -5,9 +5,11 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/elimination.h"
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
+#include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -21,7 +23,7 @@ struct Elimination {
   SquareMatrix a;
 
   explicit Elimination(const model::KinematicTree& tree, const SquareMatrix& H)
-      : order(elimination_order(tree)), a(H.size()) {
+      : order(elimination_tree(tree).order), a(H.size()) {
     const std::vector<std::string> all = coordinate_names(tree);
     for (const int k : order) names.push_back(all[at(k)]);
     for (int r = 0; r < H.size(); ++r)
@@ -52,7 +54,8 @@ ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in,
     for (const Expression& e : bias.base_wrench.linear.element) missing.push_back(-e);
   }
   robot.trace.section("solution", "solution with the joint-space inertia matrix");
-  for (std::size_t j = 0; j < in.tau.size(); ++j) missing.push_back(in.tau[j] - bias.tau[j]);
+  const std::vector<Expression> needed = by_coordinate(robot.trace, bias.tau);
+  for (std::size_t k = 0; k < in.tau.size(); ++k) missing.push_back(in.tau[k] - needed[k]);
   const Elimination elimination(tree, H);
   const std::vector<Expression> x =
       elimination.unordered(solve(elimination.a, elimination.ordered(missing), elimination.names));
@@ -79,6 +82,7 @@ void solve_columns(const TracedRobot& robot, const SquareMatrix& H, std::vector<
 }  // namespace
 
 bool allows_articulated_bodies(const model::KinematicTree& tree) {
+  if (!tree.couplings.empty()) return false;
   return std::all_of(tree.joints.begin(), tree.joints.end(), [&](const model::Joint& joint) {
     const std::optional<model::Rotor>& rotor = joint.drive.rotor;
     return !rotor || rotor->carrier == joint.parent || (rotor->carrier == 0 && !tree.floating_base);

@@ -4,6 +4,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/traced_robot.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
@@ -74,7 +75,7 @@ Program gravity_forces(
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
   const HeldRobot held = hold(robot, load.gravity);
-  trace.output("tau", Role::joint_force, held.tau);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, held.tau));
   if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, wrench_of(held.body[0], -load.gravity));
   return trace.program(name);
 }

@@ -6,6 +6,7 @@
 
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/elimination.h"
 #include "algorithm/spatial/describe.h"
 #include "support/index.h"
 #include "symbolic/count.h"
@@ -26,27 +27,16 @@ struct Coordinate {
   std::vector<int> ancestors;  // nearest last
 };
 
-// A floating base's six coordinates, each the ancestor of the next, then the joints.
-std::vector<Coordinate> coordinates_of(const KinematicTree& tree) {
+std::vector<Coordinate> coordinates_of(const KinematicTree& tree, const EliminationTree& elimination) {
   static const std::array<const char*, 6> kBase = {"base_wx", "base_wy", "base_wz", "base_vx", "base_vy", "base_vz"};
   std::vector<Coordinate> list;
-  std::vector<int> base;
-  if (tree.floating_base) {
-    for (const char* name : kBase) {
-      list.push_back({name, name + 5, tree.links[0].name, base});
-      base.push_back(static_cast<int>(base.size()));
-    }
+  if (tree.floating_base)
+    for (const char* name : kBase) list.push_back({name, name + 5, tree.links[0].name, {}});
+  for (const int j : tree.coordinates()) {
+    const model::Joint& joint = tree.joints[at(j)];
+    list.push_back({joint.name, joint.name, tree.links[at(joint.child)].name, {}});
   }
-  const int first = static_cast<int>(base.size());
-  for (const model::Joint& joint : tree.joints)
-    list.push_back({joint.name, joint.name, tree.links[at(joint.child)].name, base});
-  for (const int j : tree.topological()) {
-    const int parent = tree.parent_joint_of(j);
-    if (parent < 0) continue;
-    std::vector<int>& ancestors = list[at(first + j)].ancestors;
-    ancestors = list[at(first + parent)].ancestors;
-    ancestors.push_back(first + parent);
-  }
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].ancestors = elimination.ancestors[i];
   return list;
 }
 
@@ -58,7 +48,9 @@ void enter(ProgramTrace& trace, const Coordinate& c, const std::string& what) {
 struct GivenFactor {
   // Elements that the factor's own program leaves at zero, whatever q is, are zero here too.
   GivenFactor(ProgramTrace& trace, const KinematicTree& tree, const Program& factor)
-      : coordinates(coordinates_of(tree)), order(elimination_order(tree)), L(size()) {
+      : GivenFactor(trace, tree, elimination_tree(tree), factor) {}
+  GivenFactor(ProgramTrace& trace, const KinematicTree& tree, const EliminationTree& elimination, const Program& factor)
+      : coordinates(coordinates_of(tree, elimination)), order(elimination.order), L(size()) {
     std::vector<std::string> elements, diagonal;
     for (const Coordinate& column : coordinates)
       for (const Coordinate& row : coordinates) elements.push_back(row.name + "_" + column.name);
@@ -109,8 +101,9 @@ Program factor(
     Elimination elimination) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position});
-  const std::vector<Coordinate> coordinates = coordinates_of(tree);
-  const std::vector<int> order = elimination_order(tree);
+  const EliminationTree tied = elimination_tree(tree);
+  const std::vector<Coordinate> coordinates = coordinates_of(tree, tied);
+  const std::vector<int>& order = tied.order;
   const int size = static_cast<int>(coordinates.size());
   SquareMatrix H = joint_space_inertia(TracedRobot(trace, in.q, formulation));
   SquareMatrix L(size);

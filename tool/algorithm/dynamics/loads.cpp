@@ -17,7 +17,7 @@ StateInputs::StateInputs(Trace& trace, std::initializer_list<State> list) {
         qdd = trace.joint_input("qdd", Role::joint_acceleration);
         break;
       case State::force:
-        tau = trace.joint_input("tau", Role::joint_force);
+        tau = trace.coordinate_input("tau", Role::joint_force);
         break;
       case State::base_velocity:
         if (trace.tree.floating_base) base_velocity = trace.motion_input("base_velocity", Role::base_velocity);

@@ -25,7 +25,7 @@ inline constexpr double kStandardGravity = 9.81;  // m/s^2, along -z of the base
 
 enum class State { position, velocity, acceleration, force, base_velocity, base_acceleration };
 
-// By joint; the last two are of a floating base.
+// By joint, forces by coordinate; the last two are of a floating base.
 struct StateInputs {
   // Declares those that are listed, in this order; the base's only where it floats.
   StateInputs(Trace& trace, std::initializer_list<State> list);

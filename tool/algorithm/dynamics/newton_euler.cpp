@@ -4,6 +4,7 @@
 
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 #include "symbolic/derivative.h"
 
@@ -82,7 +83,7 @@ class Recursion {
 };
 
 Program write_forces(Trace& trace, const std::string& name, const Forces& forces) {
-  trace.output("tau", Role::joint_force, forces.tau);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
   if (trace.tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
   return trace.program(name);
 }

@@ -5,6 +5,7 @@
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
+#include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
 
@@ -45,7 +46,7 @@ symbolic::Program unactuated_base_inverse_dynamics(
   std::vector<Expression> tau = free.forces.tau;
   add_composite_forces(robot, free.composite, free.acceleration, tau);
   add_passive_forces(trace, in, tau);
-  trace.output("tau", Role::joint_force, tau);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, tau));
   trace.output("base_acceleration", Role::base_acceleration, free.acceleration);
   return trace.program(name);
 }

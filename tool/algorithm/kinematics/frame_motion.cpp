@@ -120,12 +120,14 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   std::vector<MovingSubspace> columns;
+  std::vector<int> joints;
   Vector3 w, velocity, last;  // of the frame reached, and of its point at `last`
   const Path path = path_between(tree, frames);
   const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
     velocity += cross(w, here.position - last);
     last = here.position;
     const auto& [joint, backward] = *segment.joint;
+    joints.push_back(joint.index);
     const Motion S = in_axes(here.rotation, subspace(joint, trace.graph), backward);
     columns.push_back({S, last, w, velocity});
     const Expression& rate = qd[at(joint.index)];
@@ -133,15 +135,15 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
     velocity += rate * S.linear;
   });
   velocity += cross(w, end.position - last);
-  std::vector<Expression> values;
+  std::vector<Motion> by_joint;
   for (const MovingSubspace& column : columns) {
     const Vector3 angular = cross(column.w, column.S.angular);
     Vector3 linear = cross(column.w, column.S.linear);
     linear += cross(angular, end.position - column.point);
     linear += cross(column.S.angular, velocity - column.velocity);
-    for (const Vector3& part : {angular, linear}) values.insert(values.end(), part.element.begin(), part.element.end());
+    by_joint.push_back({angular, linear});
   }
-  trace.output("Jd", Role::jacobian_derivative, 6, static_cast<int>(columns.size()), values);
+  output_columns(trace, "Jd", Role::jacobian_derivative, joints, by_joint);
   return trace.program(name);
 }
 

@@ -2,6 +2,7 @@
 
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/path.h"
+#include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -46,28 +47,43 @@ Program geometric_jacobian(
   const bool back = reference == JacobianReference::in_target;
   const Path path = path_between(tree, back ? model::FramePair{frames.right, frames.left} : frames);
   std::vector<Column> columns;
+  std::vector<int> joints;
   const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
     const bool negated = segment.joint->backward != back;
+    joints.push_back(segment.joint->joint.index);
     columns.push_back({in_axes(here.rotation, subspace(segment.joint->joint, trace.graph), negated), here.position});
   });
-  if (back) std::reverse(columns.begin(), columns.end());
+  if (back) {
+    std::reverse(columns.begin(), columns.end());
+    std::reverse(joints.begin(), joints.end());
+  }
   // Whose velocity the linear part is: that of the target's origin, or of the target's point at the left origin.
   const Vector3 point = reference == JacobianReference::in_left ? end.position : Vector3();
-  std::vector<Expression> values;
-  for (const auto& [S, origin] : columns) {
-    const Vector3 linear = S.linear + cross(S.angular, point - origin);
-    for (const Vector3& part : {S.angular, linear})
-      values.insert(values.end(), part.element.begin(), part.element.end());
-  }
-  trace.output("J", role_of(reference), 6, static_cast<int>(columns.size()), values);
+  std::vector<Motion> by_joint;
+  for (const auto& [S, origin] : columns) by_joint.push_back({S.angular, S.linear + cross(S.angular, point - origin)});
+  output_columns(trace, "J", role_of(reference), joints, by_joint);
   return trace.program(name);
 }
 
-std::vector<int> chain_joints(const model::KinematicTree& tree, const model::FramePair& frames) {
+void output_columns(
+    Trace& trace,
+    const std::string& name,
+    Role role,
+    const std::vector<int>& joints,
+    const std::vector<Motion>& by_joint) {
+  const std::vector<Motion> columns = columns_by_coordinate(trace, joints, by_joint);
+  std::vector<Expression> values;
+  for (const Motion& column : columns)
+    for (const Vector3& part : {column.angular, column.linear})
+      values.insert(values.end(), part.element.begin(), part.element.end());
+  trace.output(name, role, 6, static_cast<int>(columns.size()), values);
+}
+
+std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model::FramePair& frames) {
   std::vector<int> joints;
   for (const PathSegment& segment : path_between(tree, frames))
     if (segment.joint) joints.push_back(segment.joint->joint.index);
-  return joints;
+  return coordinates_of(tree, joints);
 }
 
 }  // namespace robcogen::algorithm

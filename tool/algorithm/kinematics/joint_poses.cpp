@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "algorithm/kinematics/kinematics.h"
 #include "model/rigid_motions.h"
 
 namespace robcogen::algorithm {
@@ -20,6 +21,15 @@ std::vector<Pose> joint_poses(Trace& trace, const std::vector<Expression>& q) {
     poses.push_back(pose_of(trace, transform->primitives, q));
   }
   return poses;
+}
+
+symbolic::Program joint_positions(const model::KinematicTree& tree, const std::string& name) {
+  Trace trace(tree);
+  const std::vector<Expression> q = trace.joint_input("q", symbolic::Role::joint_position);
+  std::vector<Expression> positions;
+  for (const int joint : model::independent_joints_first(tree)) positions.push_back(q[at(joint)]);
+  trace.output("positions", symbolic::Role::value, positions);
+  return trace.program(name);
 }
 
 }  // namespace robcogen::algorithm

@@ -30,8 +30,9 @@ enum class JacobianReference {
   spatial,    // twist about the origin of `left`: velocity of the point of `right` that is there, in axes of `left`
 };
 
-// left_J_right, angular rows first: q -> J, 6 x k, one column for each joint of the chain (Siciliano et al. 2009, ch.
-// 3). A joint that the chain passes from child to parent moves the other way.
+// left_J_right, angular rows first: q -> J, 6 x k, one column for each joint of the chain, or each coordinate that
+// joints of it follow (Siciliano et al. 2009, ch. 3). A joint that the chain passes from child to parent moves the
+// other way.
 symbolic::Program geometric_jacobian(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
@@ -63,7 +64,10 @@ symbolic::Program frame_acceleration(
     const model::FramePair& frames,
     const std::string& name);
 
-// The joints of the chain from left to right, in order: the columns of the Jacobian.
-std::vector<int> chain_joints(const model::KinematicTree& tree, const model::FramePair& frames);
+// The coordinates that move the joints of the chain from left to right, in order: the columns of the Jacobian.
+std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model::FramePair& frames);
+
+// Positions of all joints, coupled ones behind the others: q -> positions.
+symbolic::Program joint_positions(const model::KinematicTree& tree, const std::string& name);
 
 }  // namespace robcogen::algorithm

@@ -63,4 +63,12 @@ void output_transform(
     TransformForm form,
     int moment_from);
 
+// A matrix of six rows by its columns of these joints, as columns of coordinates (kinematics.h: chain_coordinates).
+void output_columns(
+    Trace& trace,
+    const std::string& name,
+    symbolic::Role role,
+    const std::vector<int>& joints,
+    const std::vector<Motion>& by_joint);
+
 }  // namespace robcogen::algorithm

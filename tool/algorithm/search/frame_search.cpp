@@ -49,7 +49,7 @@ class Search {
         left_(kStatements * formulation.effort) {
     if (frames_.empty()) frames_.resize(tree.joints.size());
     const std::shared_ptr<const LinkNumbers> numbers = candidates_.numbers();
-    for (int j = 0; j < tree.dof(); ++j) {
+    for (int j = 0; j < static_cast<int>(tree.joints.size()); ++j) {
       LimbView view = limb_view(tree, j);
       std::shared_ptr<const LinkNumbers> of_view = numbers ? numbers_of(view, *numbers) : nullptr;
       views_.push_back({std::move(view), std::move(of_view), nullptr, 0.0});

@@ -49,10 +49,27 @@ std::vector<Expression> ProgramTrace::input(const std::string& name, Role role, 
   return values;
 }
 
-std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
+std::vector<Expression> Trace::coordinate_input(const std::string& name, Role role) {
   std::vector<std::string> names;
-  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
+  for (const int joint : tree.coordinates()) names.push_back(tree.joints[at(joint)].name);
   return input(name, role, std::move(names));
+}
+
+std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
+  std::vector<Expression> coordinates = coordinate_input(name, role);
+  if (tree.couplings.empty()) return coordinates;
+  std::vector<Expression> joints(tree.joints.size());
+  const std::vector<int> independent = tree.coordinates();
+  for (std::size_t k = 0; k < independent.size(); ++k) joints[at(independent[k])] = coordinates[k];
+  for (const model::Coupling& coupling : tree.couplings) {
+    const std::string& follower = tree.joints[at(coupling.joint)].name;
+    section(follower, "joint " + follower + ": " + name);
+    Expression& value = joints[at(coupling.joint)];
+    for (const model::Coupling::Term& term : coupling.terms) value += lift(term.factor) * joints[at(term.joint)];
+    if (role == Role::joint_position) value += lift(coupling.offset);
+    graph.describe(value, name + "_" + follower);
+  }
+  return joints;
 }
 
 Vector3 Trace::vector_input(const std::string& name, Role role) {

@@ -60,7 +60,9 @@ class Trace : public ProgramTrace {
 
   const model::KinematicTree& tree;
 
-  // Joint arrays have one element a joint.
+  // One element a coordinate.
+  std::vector<Expression> coordinate_input(const std::string& name, symbolic::Role role);
+  // Positions, velocities or accelerations of all joints, from an input of those of the coordinates.
   std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);

@@ -10,6 +10,8 @@
 namespace robcogen::backend::cpp {
 namespace {
 
+constexpr const char* kCoupledCount = "kCoupledJointCount";
+
 std::string enumeration(const std::string& name, const std::vector<std::string>& enumerators) {
   if (enumerators.empty()) return "enum class " + name + " : int {};\n";
   std::string result = "enum class " + name + " : int {\n";
@@ -57,7 +59,9 @@ double total_mass(const Library& library) {
 std::string sizes(const Library& library) {
   const auto count = [](std::size_t n) { return std::to_string(n); };
   if (!library.has_robot()) return constant("int kFrameCount", count(library.frames.size()));
-  const std::string result = constant("int kDof", count(library.joints.size())) +
+  const std::string coupled =
+      library.coupled.empty() ? "" : constant(std::string("int ") + kCoupledCount, count(library.coupled.size()));
+  const std::string result = constant("int kDof", count(library.joints.size())) + coupled +
                              constant("int kLinkCount", count(library.links.size())) +
                              constant("int kFrameCount", count(library.frames.size())) +
                              constant("bool kFloatingBase", library.floating_base ? "true" : "false");
@@ -78,17 +82,17 @@ std::string limits(const JointLimits& l) {
 }
 
 // What drives add to the dynamics, where a joint has one.
-std::string drives(const Api& api) {
-  if (!api.library->has_drives()) return "";
+std::vector<std::string> drives(const std::vector<JointData>& joints) {
   std::vector<std::string> all;
-  for (const JointData& joint : api.library->joints)
+  for (const JointData& joint : joints)
     all.push_back("robcogen::JointDrive" + (joint.drive ? braced(drive_numbers(*joint.drive)) : "{}"));
-  return array("robcogen::JointDrive", "kDof", "kJointDrives", all, api.joints);
+  return all;
 }
 
 // Whether a drive has a number without value: it depends on a parameter without default.
 bool is_incomplete(const Library& library) {
-  return std::any_of(library.joints.begin(), library.joints.end(), [](const JointData& joint) {
+  const std::vector<JointData> joints = library.all_joints();
+  return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) {
     if (!joint.drive) return false;
     const std::vector<std::string> numbers = drive_numbers(*joint.drive);
     return std::any_of(numbers.begin(), numbers.end(), [](const std::string& number) {
@@ -100,36 +104,83 @@ bool is_incomplete(const Library& library) {
 std::string enumerations(const Api& api) {
   const std::string frames = enumeration("Frame", api.frames), index_of_frame = index_function("Frame", "frame");
   if (!api.library->has_robot()) return paragraphs({frames, index_of_frame});
+  const bool is_coupled = !api.coupled.empty();
   return paragraphs(
       {"// In the order of joint vectors.\n" + enumeration("Joint", api.joints),
+       is_coupled
+           ? "// Joints that follow those: no elements of joint vectors.\n" + enumeration("CoupledJoint", api.coupled)
+           : "",
        "// The base first.\n" + enumeration("Link", api.links), frames, index_function("Joint", "joint"),
-       index_function("Link", "link"), index_of_frame});
+       is_coupled ? index_function("CoupledJoint", "joint") : "", index_function("Link", "link"), index_of_frame});
 }
 
-std::string joint_tables(const Api& api) {
-  if (!api.library->has_robot()) return "";
+// The constants of these joints: `kJointNames`, ….
+std::vector<std::string> tables_of_joints(
+    const Api& api,
+    const std::vector<JointData>& joints,
+    const std::vector<std::string>& enumerators,
+    const std::string& size,
+    const std::string& prefix) {
   std::vector<std::string> types, parents, children, all_limits;
-  for (const JointData& joint : api.library->joints) {
+  for (const JointData& joint : joints) {
     all_limits.push_back(limits(joint.limits));
     types.push_back(joint.revolute ? "robcogen::JointType::revolute" : "robcogen::JointType::prismatic");
     parents.push_back("Link::" + api.links[at(joint.parent)]);
     children.push_back("Link::" + api.links[at(joint.child)]);
   }
+  return {
+      names(size, prefix + "Names", joints),
+      array("robcogen::JointType", size, prefix + "Types", types, enumerators),
+      array("Link", size, prefix + "Parents", parents, enumerators),
+      array("Link", size, prefix + "Children", children, enumerators),
+      "// Lower and upper position, velocity, effort; unlimited where the model gives no limit.\n" +
+          array("robcogen::JointLimits", size, prefix + "Limits", all_limits, enumerators),
+      api.library->has_drives() ? array("robcogen::JointDrive", size, prefix + "Drives", drives(joints), enumerators)
+                                : ""};
+}
+
+// How coupled joints follow the others, where that does not depend on parameters.
+std::string coupling_tables(const Api& api) {
+  const Library& library = *api.library;
+  if (!library.numbers.empty()) return "";
+  std::vector<std::string> factors, offsets;
+  for (const CoupledJointData& coupled : library.coupled) {
+    std::vector<std::string> row;
+    for (const double factor : coupled.factors) row.push_back(print_double(factor));
+    factors.push_back("std::array<double, kDof>" + braced(row));
+    offsets.push_back(print_double(coupled.offset));
+  }
   return paragraphs(
-      {names("kDof", "kJointNames", api.library->joints),
-       array("robcogen::JointType", "kDof", "kJointTypes", types, api.joints),
-       array("Link", "kDof", "kJointParents", parents, api.joints),
-       array("Link", "kDof", "kJointChildren", children, api.joints),
-       "// Lower and upper position, velocity, effort; unlimited where the model gives no limit.\n" +
-           array("robcogen::JointLimits", "kDof", "kJointLimits", all_limits, api.joints),
-       drives(api)});
+      {"// The position of a coupled joint is its offset plus the sum of factor times position of the joints.\n" +
+           array("std::array<double, kDof>", kCoupledCount, "kCouplingFactors", factors, api.coupled),
+       array("double", kCoupledCount, "kCouplingOffsets", offsets, api.coupled)});
+}
+
+std::string joint_tables(const Api& api) {
+  const Library& library = *api.library;
+  if (!library.has_robot()) return "";
+  std::vector<std::string> tables = tables_of_joints(api, library.joints, api.joints, "kDof", "kJoint");
+  if (!library.coupled.empty()) {
+    for (std::string& table :
+         tables_of_joints(api, joints_of(library.coupled), api.coupled, kCoupledCount, "kCoupledJoint"))
+      tables.push_back(std::move(table));
+    tables.push_back(coupling_tables(api));
+  }
+  return paragraphs(tables);
+}
+
+// Index of a joint, counted on to coupled ones.
+std::string joint_index(const Api& api, int joint) {
+  const std::size_t dof = api.joints.size();
+  if (joint < 0) return "-1";
+  if (at(joint) < dof) return "index(Joint::" + api.joints[at(joint)] + ")";
+  return "kDof + index(CoupledJoint::" + api.coupled[at(joint) - dof] + ")";
 }
 
 std::string link_tables(const Api& api) {
   if (!api.library->has_robot()) return "";
   std::vector<std::string> parents;
-  for (const LinkData& link : api.library->links)
-    parents.push_back(link.parent_joint < 0 ? "-1" : "index(Joint::" + api.joints[at(link.parent_joint)] + ")");
+  for (const LinkData& link : api.library->links) parents.push_back(joint_index(api, link.parent_joint));
   return paragraphs(
       {names("kLinkCount", "kLinkNames", api.library->links),
        "// Index of the joint that carries the link; -1 for the base.\n" +

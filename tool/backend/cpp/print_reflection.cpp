@@ -43,13 +43,29 @@ Table links(const Library& library) {
 
 Table joints(const Library& library) {
   std::vector<std::vector<Field>> rows;
-  for (const JointData& j : library.joints) {
+  for (const JointData& j : library.all_joints()) {
     rows.push_back(
         {quoted(j.name), j.revolute ? "true" : "false", j.parent, j.child, numbers(j.translation),
          numbers(j.rotation)});
     if (j.drive) rows.back().push_back(drive_numbers(*j.drive));
   }
   return table("Joint", "kJoints", rows);
+}
+
+// Of the last joints, with a list of factors each.
+Table couplings(const Library& library) {
+  std::vector<std::vector<Field>> rows;
+  std::string lists;
+  for (std::size_t k = 0; k < library.coupled.size(); ++k) {
+    const std::string name = "coupling_" + std::to_string(k) + "_factors";
+    std::vector<std::string> factors;
+    for (const double factor : library.coupled[k].factors) factors.push_back(model_number(factor));
+    if (!factors.empty()) lists += numbered_list("inline constexpr double " + name + "[]", factors);
+    rows.push_back({factors.empty() ? "nullptr" : name, model_number(library.coupled[k].offset)});
+  }
+  Table result = table("Coupling", "kCouplings", rows);
+  result.definition = paragraphs({lists, result.definition});
+  return result;
 }
 
 Table frames(const Library& library) {
@@ -308,7 +324,8 @@ std::string print_reflection(const Api& api, const std::string& path) {
   std::vector<std::string> remarks = {"name",      "floating base",    "links",     "joints",
                                       "frames",    "transforms",       "Jacobians", "frame functions",
                                       "functions", "sines and cosines"};
-  if (api.is_parametric()) remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
+  const bool is_coupled = !library.coupled.empty();
+  if (api.is_parametric() || is_coupled) remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
   std::vector<std::string> parts = {
       "using robcogen::reflection::At;\nusing robcogen::reflection::kFlat;\nusing robcogen::reflection::kFlatCore;\n",
       flat_trigonometry(api)};
@@ -322,11 +339,23 @@ std::string print_reflection(const Api& api, const std::string& path) {
     const Table t = parameters(library);
     parts.push_back(t.definition);
     fields.push_back(t.reference);
+  } else if (is_coupled) {
+    fields.emplace_back("{nullptr, 0}");
   }
-  for (const Callable& c : api.numbers) fields.push_back(address(c));
-  if (api.is_parametric() && library.has_drives()) {
-    fields.push_back("true");
-    remarks.push_back("numbers of drives");
+  if (!api.numbers.empty())
+    fields.push_back(address(api.numbers.front()));
+  else if (is_coupled)
+    fields.emplace_back("nullptr");
+  const bool has_numbers_of_drives = api.is_parametric() && library.has_drives();
+  if (has_numbers_of_drives || is_coupled) {
+    fields.emplace_back(has_numbers_of_drives ? "true" : "false");
+    remarks.emplace_back("numbers of drives");
+  }
+  if (is_coupled) {
+    const Table t = couplings(library);
+    parts.push_back(t.definition);
+    fields.insert(fields.end(), {api.numbers.size() > 1 ? address(api.numbers[1]) : "nullptr", t.reference});
+    remarks.insert(remarks.end(), {"numbers of couplings", "couplings"});
   }
   parts.push_back(remarked_list("inline constexpr robcogen::reflection::Robot robot", fields, remarks));
   std::string batch_kernels;

@@ -38,9 +38,9 @@ std::string columns(const std::string& field, const Items& items, std::size_t ro
   return matrix("model." + field, cells);
 }
 
-std::string joint_fields(const std::vector<JointData>& joints) {
-  std::string text = names("joints", texts(joints, [](const JointData& j) { return quoted(j.name); }));
-  const auto field = [&](const std::string& name, auto value) { text += column(name, texts(joints, value)); };
+std::string joint_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
+  std::string text = names(prefix + "joints", texts(joints, [](const JointData& j) { return quoted(j.name); }));
+  const auto field = [&](const std::string& name, auto value) { text += column(prefix + name, texts(joints, value)); };
   field("is_revolute", [](const JointData& j) { return std::string(j.revolute ? "true" : "false"); });
   field("parent_link", [](const JointData& j) { return std::to_string(j.parent + 1); });
   field("child_link", [](const JointData& j) { return std::to_string(j.child + 1); });
@@ -48,16 +48,16 @@ std::string joint_fields(const std::vector<JointData>& joints) {
   field("upper_limit", [](const JointData& j) { return number(j.limits.upper); });
   field("velocity_limit", [](const JointData& j) { return number(j.limits.velocity); });
   field("effort_limit", [](const JointData& j) { return number(j.limits.effort); });
-  text += columns("joint_translation", joints, 3, [](const JointData& j) { return j.translation; });
-  return text + columns("joint_rotation", joints, 3, [](const JointData& j) { return j.rotation; });
+  text += columns(prefix + "joint_translation", joints, 3, [](const JointData& j) { return j.translation; });
+  return text + columns(prefix + "joint_rotation", joints, 3, [](const JointData& j) { return j.rotation; });
 }
 
 // Of robots with drives.
-std::string drive_fields(const std::vector<JointData>& joints) {
+std::string drive_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
   std::string text;
   const auto field = [&](const std::string& name, double DriveData::*value) {
-    text +=
-        column(name, texts(joints, [&](const JointData& j) { return number(j.drive.value_or(DriveData()).*value); }));
+    text += column(
+        prefix + name, texts(joints, [&](const JointData& j) { return number(j.drive.value_or(DriveData()).*value); }));
   };
   field("damping", &DriveData::damping);
   field("friction", &DriveData::friction);
@@ -67,10 +67,25 @@ std::string drive_fields(const std::vector<JointData>& joints) {
   field("rest", &DriveData::rest);
   field("rotor_inertia", &DriveData::rotor_inertia);
   field("rotor_ratio", &DriveData::rotor_ratio);
-  text += columns("rotor_axis", joints, 3, [](const JointData& j) { return j.drive.value_or(DriveData()).rotor_axis; });
-  return text + column("rotor_carrier", texts(joints, [](const JointData& j) {
+  text += columns(
+      prefix + "rotor_axis", joints, 3, [](const JointData& j) { return j.drive.value_or(DriveData()).rotor_axis; });
+  return text + column(prefix + "rotor_carrier", texts(joints, [](const JointData& j) {
                          return std::to_string(j.drive.value_or(DriveData()).rotor_carrier + 1);
                        }));
+}
+
+std::string coupling_fields(const Library& library) {
+  const std::vector<CoupledJointData>& coupled = library.coupled;
+  if (coupled.empty()) return "";
+  std::vector<std::vector<std::string>> factors;
+  for (const CoupledJointData& c : coupled)
+    factors.push_back(texts(c.factors, [](double factor) { return number(factor); }));
+  return "\n" + joint_fields(joints_of(coupled), "coupled_") +
+         (library.has_drives() ? drive_fields(joints_of(coupled), "coupled_") : "") +
+         (coupled.front().factors.empty()
+              ? "  model.coupling_factors = zeros(" + std::to_string(coupled.size()) + ", 0);\n"
+              : matrix("model.coupling_factors", factors)) +
+         column("coupling_offsets", texts(coupled, [](const CoupledJointData& c) { return number(c.offset); }));
 }
 
 std::string link_fields(const std::vector<LinkData>& links) {
@@ -112,6 +127,10 @@ std::string print_model(const Library& library) {
       "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
       "products xy, xz, yz of positive sign.");
   text += comment("  frames: frame_link, the link that it moves with, and its placement in the frame of this link.");
+  if (!library.coupled.empty())
+    text += comment(
+        "  coupled_joints: the same of joints that follow the others, counted behind them; their positions are "
+        "coupling_factors * q + coupling_offsets.");
   if (!library.parameters.empty())
     text +=
         comment("  Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");
@@ -121,7 +140,7 @@ std::string print_model(const Library& library) {
   text += std::string("  model.floating_base = ") + (library.floating_base ? "true" : "false") + ";\n";
   text += "\n" + joint_fields(library.joints);
   if (library.has_drives()) text += drive_fields(library.joints);
-  text += "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
+  text += coupling_fields(library) + "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
   return text + "end\n";
 }
 

@@ -1,5 +1,6 @@
 #include "import/urdf/describe.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "import/urdf/mass.h"
@@ -53,6 +54,18 @@ model::DescribedJoint described(
   return result;
 }
 
+model::DescribedCoupling coupling(
+    const Document& document,
+    const Identifiers& identifiers,
+    const std::string& joint,
+    const Mimic& mimic) {
+  const auto followed = std::find_if(
+      document.joints.begin(), document.joints.end(), [&](const Joint& j) { return j.name.text == mimic.joint.text; });
+  const std::string& name = identifiers.joints[static_cast<std::size_t>(followed - document.joints.begin())];
+  const Place& place = mimic.joint.place;
+  return {joint, place, {{name, model::Quantity(mimic.multiplier), place}}, model::Quantity(mimic.offset)};
+}
+
 }  // namespace
 
 model::Description describe(
@@ -60,7 +73,8 @@ model::Description describe(
     const Topology& topology,
     const Identifiers& identifiers,
     const std::vector<model::JointLimits>& limits,
-    bool floating_base) {
+    bool floating_base,
+    bool free_mimic_joints) {
   // A root that only carries a floating joint is not part of the robot.
   int base = topology.root;
   bool floats = floating_base;
@@ -97,6 +111,8 @@ model::Description describe(
     description.joints.push_back(described(joint, identifiers.joints[j], parent, limits[j]));
     bodies[at(parent.body)].children.push_back(
         {identifiers.links[at(topology.child[j])], identifiers.joints[j], joint.child.place, joint.name.place});
+    if (joint.mimic && !free_mimic_joints)
+      description.couplings.push_back(coupling(document, identifiers, identifiers.joints[j], *joint.mimic));
   }
   for (std::size_t l = 0; l < document.links.size(); ++l) {
     const int link = static_cast<int>(l);

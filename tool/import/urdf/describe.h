@@ -8,15 +8,16 @@
 namespace robcogen::import::from_urdf {
 
 // Reports joints that the model does not have: planar joints, floating joints except one below a massless root (a
-// note), and joints that mimic others (errors, or one note with `free_mimic_joints`).
+// note), and joints that mimic what does not move; with `free_mimic_joints` one note on all that mimic others.
 void check_joints(const Document& document, const Topology& topology, bool free_mimic_joints, Diagnostics& diagnostics);
 
-// `limits` are those of each joint of the document.
+// `limits` are those of each joint of the document. Joints that mimic others are coupled, unless they are free.
 model::Description describe(
     const Document& document,
     const Topology& topology,
     const Identifiers& identifiers,
     const std::vector<model::JointLimits>& limits,
-    bool floating_base);
+    bool floating_base,
+    bool free_mimic_joints);
 
 }  // namespace robcogen::import::from_urdf

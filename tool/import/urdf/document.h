@@ -48,6 +48,13 @@ struct Limit {
   std::optional<Number> lower, upper, effort, velocity;
 };
 
+// q = multiplier * q_joint + offset, in the units of the joints.
+struct Mimic {
+  Name joint;
+  Number multiplier = Number::rational(1);
+  Number offset;
+};
+
 struct Joint {
   Name name;
   JointType type = JointType::fixed;
@@ -57,7 +64,7 @@ struct Joint {
   Origin origin;
   std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
   std::optional<Limit> limit;
-  std::optional<Name> mimic;  // the joint that this one follows
+  std::optional<Mimic> mimic;
 };
 
 inline bool is_movable(const Joint& joint) {

@@ -30,6 +30,30 @@ void check_floating(const Document& document, const Topology& topology, std::siz
           joint.name.text));
 }
 
+constexpr const char* kMimic = "mimic-joint";
+
+// Cycles are found where the couplings of the model are resolved.
+void check_mimic(const Document& document, const Joint& joint, Diagnostics& diagnostics) {
+  const Mimic& mimic = *joint.mimic;
+  if (mimic.joint.text.empty()) return;  // reported
+  const std::string follows = fmt::format("joint '{}' mimics joint '{}'", joint.name.text, mimic.joint.text);
+  const auto followed = std::find_if(
+      document.joints.begin(), document.joints.end(), [&](const Joint& j) { return j.name.text == mimic.joint.text; });
+  if (followed == document.joints.end()) {
+    std::vector<std::string> names;
+    for (const Joint& other : document.joints) names.push_back(other.name.text);
+    diagnostics.error(kMimic, mimic.joint.place, follows + ", which is not declared").hint =
+        did_you_mean(mimic.joint.text, names);
+  } else if (!is_movable(*followed)) {
+    diagnostics.error(kMimic, mimic.joint.place, fmt::format("{}, which is {}", follows, name_of(followed->type)))
+        .hint = "--free-mimic-joints makes it an independent joint";
+  } else if (mimic.multiplier.is_zero()) {
+    diagnostics.warning(
+        "mimic-stands-still", mimic.joint.place,
+        fmt::format("{} with multiplier 0: it stands still at {}", follows, print_double(mimic.offset.value())));
+  }
+}
+
 }  // namespace
 
 void check_joints(
@@ -47,13 +71,9 @@ void check_joints(
     }
     if (joint.type == JointType::floating) check_floating(document, topology, j, diagnostics);
     if (joint.mimic && !free_mimic_joints) {
-      diagnostics
-          .error(
-              "mimic-joint", joint.mimic->place,
-              fmt::format("joint '{}' mimics joint '{}', which is not supported", joint.name.text, joint.mimic->text))
-          .hint = "--free-mimic-joints makes it an independent joint";
+      check_mimic(document, joint, diagnostics);
     } else if (joint.mimic) {
-      if (freed.empty()) first_freed = joint.mimic->place;
+      if (freed.empty()) first_freed = joint.mimic->joint.place;
       freed += fmt::format("{}'{}'", freed.empty() ? "" : ", ", joint.name.text);
     }
   }

@@ -382,7 +382,7 @@ class DocumentReader {
     result.origin = origin(own);
     if (!has_type || !is_movable(result)) return result;  // the rest has no meaning
     if (const auto axis = own.find("axis"); axis != own.end()) read_axis(*axis->second, result);
-    if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = name(*mimic->second, "joint");
+    if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = this->mimic(*mimic->second);
     if (const auto found = own.find("limit"); found != own.end()) {
       result.limit = limit(*found->second, result);
     } else if (result.type != JointType::continuous) {
@@ -425,6 +425,15 @@ class DocumentReader {
     diagnostics_.error(
         "zero-axis", place(xyz->span),
         fmt::format("the axis of joint '{}' is zero: it has no direction", joint.name.text));
+  }
+
+  Mimic mimic(const Element& element) {
+    Mimic result;
+    result.joint = name(element, "joint");
+    check_attributes(element, {"multiplier", "offset"}, {"joint", "multiplier", "offset"}, false);
+    if (const Attribute* found = find(element, "multiplier")) result.multiplier = numbers(*found, 1, Range::any)[0];
+    if (const Attribute* found = find(element, "offset")) result.offset = numbers(*found, 1, Range::any)[0];
+    return result;
   }
 
   Limit limit(const Element& element, const Joint& joint) {

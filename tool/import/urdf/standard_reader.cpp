@@ -76,7 +76,7 @@ std::string text_of(const Joint& joint) {
       text_of(joint.origin));
   if (is_movable(joint))
     text += fmt::format("<axis xyz={}/>{}", quoted(joint.axis), text_of(joint.limit.value_or(Limit())));
-  if (joint.mimic) text += fmt::format("<mimic joint={}/>", quoted(joint.mimic->text));
+  if (joint.mimic) text += fmt::format("<mimic joint={}/>", quoted(joint.mimic->joint.text));
   return text + "</joint>\n";
 }
 

@@ -65,7 +65,9 @@ std::optional<model::KinematicTree> urdf(
 
   treat_near_multiples(document, options.snap_angles, diagnostics);
   note_ignored(document, diagnostics);
-  return build_tree(describe(document, *topology, identifiers, limits, options.floating_base), diagnostics);
+  return build_tree(
+      describe(document, *topology, identifiers, limits, options.floating_base, options.free_mimic_joints),
+      diagnostics);
 }
 
 }  // namespace robcogen::import

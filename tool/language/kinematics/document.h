@@ -99,6 +99,12 @@ struct Joint {
   Span span;
 };
 
+// `joint = value`, linear in other joints.
+struct Coupling {
+  Name joint;
+  ExpressionPtr value;
+};
+
 struct Document {
   std::shared_ptr<const Source> source;
   Name robot;
@@ -106,6 +112,8 @@ struct Document {
   std::vector<std::string> trailing_comments;  // before the closing brace and after it
   std::vector<Link> links;                     // the base first, then in declaration order
   std::vector<Joint> joints;                   // in declaration order
+  std::vector<Coupling> couplings;             // of all blocks, in order
+  std::vector<std::string> coupling_comments;  // before these blocks and in them
 };
 
 // Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be

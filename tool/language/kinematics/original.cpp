@@ -30,6 +30,7 @@ class Judge {
     if (document_.joints.empty()) refuse(document_.robot.span, "a robot without joints");
     for (const Link& link : document_.links) judge(link);
     for (const Joint& joint : document_.joints) judge(joint);
+    if (!document_.couplings.empty()) refuse(document_.couplings.front().joint.span, "'couplings'");
     return is_original_;
   }
 

@@ -16,6 +16,7 @@ const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "
 const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
 const WordList kJointItems = {"id", "ref_frame", "damping", "friction", "armature", "spring", "rotor", "limits"};
 const WordList kPlacementItems = {"translation", "rotation"};
+constexpr std::string_view kCouplings = "couplings";
 
 // Elements stand in the block of the robot, items in the block of an element, both in any order.
 class Parser : private BlockParser {
@@ -75,6 +76,8 @@ class Parser : private BlockParser {
           link();
         } else if (cursor_.at_any({"r_joint", "p_joint"})) {
           joint();
+        } else if (at_couplings()) {
+          couplings();
         } else {
           unknown_element();
         }
@@ -85,14 +88,18 @@ class Parser : private BlockParser {
     }
   }
 
+  // Not a keyword: elements may have this name.
+  bool at_couplings() const { return cursor_.at(kCouplings) && cursor_.at("{", 1); }
+
   void unknown_element() {
     may_have_skipped_base_ = true;
     const Token& token = cursor_.peek();
     if (!cursor_.is_faulty_here()) {
       Diagnostic& d = cursor_.error(
           "unknown-element", fmt::format("expected {} or '}}', found {}", quoted(kElements), describe(token)));
-      if (token.kind == Token::Kind::identifier)
-        d.hint = suggest_keyword(token.text, {kElements.begin(), kElements.end()});
+      std::vector<std::string> words(kElements.begin(), kElements.end());
+      words.emplace_back(kCouplings);
+      if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
     }
     cursor_.skip_until([&] { return cursor_.at("{") || cursor_.at("}") || at_element(); });
     if (!cursor_.accept("{")) return;
@@ -292,6 +299,21 @@ class Parser : private BlockParser {
     placement.span.end = cursor_.previous().span.end;
     if (!sound || !check_complete(owner, owner_span, found, kPlacementItems)) return std::nullopt;
     return placement;
+  }
+
+  void couplings() {
+    const Token word = cursor_.take();
+    block(
+        fmt::format("'{}'", word.text), [&] { return cursor_.at_name() && cursor_.at("=", 1); },
+        [&] {
+          Coupling coupling;
+          coupling.joint = name("the name of a joint");
+          cursor_.expect("=", fmt::format("after '{}'", coupling.joint.text));
+          coupling.value = scalar();
+          document_.couplings.push_back(std::move(coupling));
+        });
+    for (std::string& comment : cursor_.comments_before(cursor_.previous().span.end))
+      document_.coupling_comments.push_back(std::move(comment));
   }
 };
 

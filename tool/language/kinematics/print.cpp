@@ -104,6 +104,13 @@ std::string joint(const Joint& j) {
   return out + drive(j.drive) + rotor(j.rotor) + limits(j.limits) + "    }\n";
 }
 
+std::string couplings(const Document& d) {
+  if (d.couplings.empty()) return comments(d.coupling_comments, "    ");
+  std::string out = "\n" + comments(d.coupling_comments, "    ") + "    couplings {\n";
+  for (const Coupling& c : d.couplings) out += "        " + name(c.joint) + " = " + language::print(*c.value) + "\n";
+  return out + "    }\n";
+}
+
 bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
   return a && b ? language::equal(*a, *b) : a == b;
 }
@@ -128,6 +135,10 @@ bool same(const Child& a, const Child& b) {
 
 bool same(const Frame& a, const Frame& b) {
   return a.name.text == b.name.text && same(a.placement, b.placement);
+}
+
+bool same(const Coupling& a, const Coupling& b) {
+  return a.joint.text == b.joint.text && same(a.value, b.value);
 }
 
 bool same(const Link& a, const Link& b);
@@ -174,13 +185,15 @@ std::string print(const Document& d) {
   std::string out = comments(d.comments, "") + "Robot " + name(d.robot) + " {\n";
   for (const Link& l : d.links) out += link(l);
   for (const Joint& j : d.joints) out += joint(j);
+  out += couplings(d);
   if (!d.trailing_comments.empty()) out += "\n" + comments(d.trailing_comments, "    ");
   return out + "}\n";
 }
 
 bool equal(const Document& a, const Document& b) {
   return a.robot.text == b.robot.text && a.comments == b.comments && a.trailing_comments == b.trailing_comments &&
-         all_same(a.links, b.links) && all_same(a.joints, b.joints);
+         all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
+         a.coupling_comments == b.coupling_comments;
 }
 
 Document without_comments(Document document) {
@@ -188,6 +201,7 @@ Document without_comments(Document document) {
   document.trailing_comments.clear();
   for (Link& link : document.links) link.comments.clear();
   for (Joint& joint : document.joints) joint.comments.clear();
+  document.coupling_comments.clear();
   return document;
 }
 

@@ -17,8 +17,10 @@ struct FactorResults {
 };
 
 // Whether coordinate b is a, or carries it: with a floating base, its six come first, each the ancestor of the next.
+// Coupled joints may tie any coordinates, in the order of the library's choice.
 inline bool carries(const Robot& robot, int b, int a) {
   const int first = robot.floating_base ? 6 : 0;
+  if (robot.couplings.size > 0) return true;
   if (b < first) return b <= a;
   if (a < first) return false;
   const std::vector<int> path = supporting_joints(robot, robot.joints[a - first].child);
@@ -29,7 +31,7 @@ inline bool carries(const Robot& robot, int b, int a) {
 using Ancestors = std::vector<std::vector<bool>>;
 
 inline Ancestors ancestors(const Robot& robot) {
-  const int size = robot.joints.size + (robot.floating_base ? 6 : 0);
+  const int size = robot.dof() + (robot.floating_base ? 6 : 0);
   Ancestors table;
   for (int a = 0; a < size; ++a) {
     table.emplace_back();

@@ -72,7 +72,7 @@ inline void check_core(
     int samples,
     Checks& checks) {
   const auto angles = static_cast<std::size_t>(robot.trigonometry.angles);
-  const auto joints = static_cast<std::size_t>(robot.joints.size), outputs = static_cast<std::size_t>(f.outputs);
+  const auto joints = static_cast<std::size_t>(robot.dof()), outputs = static_cast<std::size_t>(f.outputs);
   std::vector<double> sine(angles), cosine(angles), sin_joint(joints), cos_joint(joints);
   std::vector<double> expected(outputs), found(outputs);
   Difference computed, given;

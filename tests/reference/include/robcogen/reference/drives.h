@@ -8,6 +8,15 @@
 
 namespace robcogen::reference {
 
+// How a joint follows the base and the elements of q: its row of [1 0; 0 G].
+template <class Scalar>
+Vector<Scalar> row_of_joint(const Robot& robot, int joint) {
+  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
+  Vector<Scalar> row(6 + robot.dof());
+  for (int k = 0; k < robot.dof(); ++k) row(6 + k) = G(joint, k);
+  return row;
+}
+
 // Zero without rotor.
 template <class Scalar>
 Vector<Scalar> rotor_axis(const JointDrive& drive, const Matrix<Scalar>& carrier_pose) {
@@ -32,17 +41,15 @@ template <class Scalar>
 void add_drives(const Robot& robot, const std::vector<Matrix<Scalar>>& poses, Matrix<Scalar>& H) {
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
-    H(6 + j, 6 + j) += inertia_of<Scalar>(drive);
+    const Vector<Scalar> row = row_of_joint<Scalar>(robot, j);
+    H += inertia_of<Scalar>(drive) * (row * transpose(row));
     if (drive.rotor_carrier < 0) continue;
     const Matrix<Scalar>& carrier = poses[static_cast<std::size_t>(drive.rotor_carrier)];
     const Matrix<Scalar> turning =
-        body_jacobian(robot, poses, drive.rotor_carrier, Vector<Scalar>(3)).block(0, 0, 3, 6 + robot.joints.size);
+        body_jacobian(robot, poses, drive.rotor_carrier, Vector<Scalar>(3)).block(0, 0, 3, 6 + robot.dof());
     const Vector<Scalar> spin = momentum_of_rotor<Scalar>(drive) * rotor_axis(drive, carrier);
     const Vector<Scalar> coupling = transpose(turning) * spin;
-    for (int k = 0; k < coupling.rows(); ++k) {
-      H(6 + j, k) += coupling(k);
-      H(k, 6 + j) += coupling(k);
-    }
+    H += row * transpose(coupling) + coupling * transpose(row);
   }
 }
 
@@ -53,15 +60,18 @@ Vector<Scalar> forces_on_drives(
     const Motion<Scalar>& motion,
     const std::vector<LinkMotion<Scalar>>& links,
     const std::vector<Matrix<Scalar>>& poses) {
-  Vector<Scalar> forces(6 + robot.joints.size);
+  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
+  const Vector<Scalar> qd = G * motion.qd, qdd = G * motion.qdd;
+  Vector<Scalar> forces(6 + robot.dof());
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
-    forces(6 + j) += inertia_of<Scalar>(drive) * motion.qdd(j);
+    const Vector<Scalar> row = row_of_joint<Scalar>(robot, j);
+    forces += (inertia_of<Scalar>(drive) * qdd(j)) * row;
     if (drive.rotor_carrier < 0) continue;
     const LinkMotion<Scalar>& carrier = links[static_cast<std::size_t>(drive.rotor_carrier)];
     const Vector<Scalar> spin = momentum_of_rotor<Scalar>(drive) * rotor_axis(drive, carrier.pose);
-    forces(6 + j) += dot(spin, carrier.angular_acceleration());
-    const Vector<Scalar> moment = motion.qdd(j) * spin + motion.qd(j) * cross(carrier.angular_velocity(), spin);
+    forces += dot(spin, carrier.angular_acceleration()) * row;
+    const Vector<Scalar> moment = qdd(j) * spin + qd(j) * cross(carrier.angular_velocity(), spin);
     const Matrix<Scalar> J = body_jacobian(robot, poses, drive.rotor_carrier, Vector<Scalar>(3));
     forces += transpose(J) * stacked(moment, Vector<Scalar>(3));
   }
@@ -70,7 +80,8 @@ Vector<Scalar> forces_on_drives(
 
 // The part of the kinetic energy (J) that the lumped mass properties of the carriers do not have.
 template <class Scalar>
-Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& qd, const std::vector<LinkMotion<Scalar>>& links) {
+Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& rates, const std::vector<LinkMotion<Scalar>>& links) {
+  const Vector<Scalar> qd = coupling_matrix<Scalar>(robot) * rates;
   Scalar energy(0);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
@@ -87,8 +98,9 @@ Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& qd, const std:
 template <class Scalar>
 Vector<Scalar> momentum_of_rotors(
     const Robot& robot,
-    const Vector<Scalar>& qd,
+    const Vector<Scalar>& rates,
     const std::vector<LinkMotion<Scalar>>& links) {
+  const Vector<Scalar> qd = coupling_matrix<Scalar>(robot) * rates;
   Vector<Scalar> total(3);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
@@ -109,14 +121,16 @@ Scalar friction_direction(const Scalar& qd, double velocity) {
 // What the joints have to overcome in their drives: damping, friction, springs.
 template <class Scalar>
 Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) {
+  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
+  const Vector<Scalar> q = joint_positions(robot, motion.q), qd = G * motion.qd;
   Vector<Scalar> forces(robot.joints.size);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
-    forces(j) = Scalar(drive.damping) * motion.qd(j) +
-                Scalar(drive.friction) * friction_direction(motion.qd(j), drive.friction_velocity) +
-                Scalar(drive.stiffness) * (motion.q(j) - Scalar(drive.rest));
+    forces(j) = Scalar(drive.damping) * qd(j) +
+                Scalar(drive.friction) * friction_direction(qd(j), drive.friction_velocity) +
+                Scalar(drive.stiffness) * (q(j) - Scalar(drive.rest));
   }
-  return forces;
+  return transpose(G) * forces;
 }
 
 }  // namespace robcogen::reference

@@ -12,6 +12,24 @@ namespace robcogen::reference {
 
 using reflection::Robot;
 
+// How coupled joints follow the others, dq/dy: a row a joint, a column an element of q.
+template <class Scalar>
+Matrix<Scalar> coupling_matrix(const Robot& robot) {
+  Matrix<Scalar> G(robot.joints.size, robot.dof());
+  G.set_block(0, 0, Matrix<Scalar>::identity(robot.dof()));
+  for (int k = 0; k < robot.couplings.size; ++k)
+    for (int c = 0; c < robot.dof(); ++c) G(robot.dof() + k, c) = Scalar(robot.couplings[k].factors[c]);
+  return G;
+}
+
+// Positions of all joints.
+template <class Scalar>
+Vector<Scalar> joint_positions(const Robot& robot, const Vector<Scalar>& q) {
+  Vector<Scalar> all = coupling_matrix<Scalar>(robot) * q;
+  for (int k = 0; k < robot.couplings.size; ++k) all(robot.dof() + k) += Scalar(robot.couplings[k].offset);
+  return all;
+}
+
 // Base velocity and acceleration: twist and spatial acceleration in base coordinates, about the base origin; gravity
 // not included. Both are zero for a fixed base.
 template <class Scalar>
@@ -84,11 +102,12 @@ Matrix<Scalar> joint_matrix_second_derivative(bool revolute, const Scalar& q) {
 template <class Scalar>
 std::vector<Matrix<Scalar>> link_poses(const Robot& robot, const Vector<Scalar>& q) {
   std::vector<Matrix<Scalar>> poses(static_cast<std::size_t>(robot.links.size), Matrix<Scalar>::identity(4));
+  const Vector<Scalar> positions = joint_positions(robot, q);
   for (const int j : outward_order(robot)) {
     const reflection::Joint& joint = robot.joints[j];
     poses[static_cast<std::size_t>(joint.child)] = poses[static_cast<std::size_t>(joint.parent)] *
                                                    placement<Scalar>(joint.translation, joint.rotation) *
-                                                   joint_matrix(joint.revolute, q(j));
+                                                   joint_matrix(joint.revolute, positions(j));
   }
   return poses;
 }
@@ -140,12 +159,15 @@ std::vector<LinkMotion<Scalar>> link_motions(const Robot& robot, const Motion<Sc
   base.second_rate.set_block(0, 0, skew(motion.base_acceleration.head(3)) + spin * spin);
   base.second_rate.set_block(0, 3, motion.base_acceleration.tail(3) + spin * v);
 
+  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
+  const Vector<Scalar> positions = joint_positions(robot, motion.q);
+  const Vector<Scalar> velocities = G * motion.qd, accelerations = G * motion.qdd;
   for (const int j : outward_order(robot)) {
     const reflection::Joint& joint = robot.joints[j];
     const LinkMotion<Scalar>& parent = links[static_cast<std::size_t>(joint.parent)];
-    const Scalar q = motion.q(j);
-    const Scalar qd = motion.qd(j);
-    const Scalar qdd = motion.qdd(j);
+    const Scalar q = positions(j);
+    const Scalar qd = velocities(j);
+    const Scalar qdd = accelerations(j);
     const Matrix<Scalar> P = placement<Scalar>(joint.translation, joint.rotation);
     const Matrix<Scalar> Q = P * joint_matrix(joint.revolute, q);
     const Matrix<Scalar> Q_rate = P * (qd * joint_matrix_derivative(joint.revolute, q));
@@ -169,25 +191,27 @@ Matrix<Scalar> body_jacobian(
     const Vector<Scalar>& point) {
   const Matrix<Scalar>& pose = poses[static_cast<std::size_t>(link)];
   const Vector<Scalar> p = rotation_of(pose) * point + origin_of(pose);
-  Matrix<Scalar> J(6, 6 + robot.joints.size);
+  Matrix<Scalar> J(6, 6 + robot.dof());
   J.set_block(0, 0, Matrix<Scalar>::identity(6));
   J.set_block(3, 0, -skew(p));
+  Matrix<Scalar> by_joint(6, robot.joints.size);
   for (const int j : supporting_joints(robot, link)) {
     // The z axis of the child's frame is the joint's axis, and its origin lies on it.
     const Matrix<Scalar>& child = poses[static_cast<std::size_t>(robot.joints[j].child)];
     const Vector<Scalar> axis = child.block(0, 2, 3, 1);
     if (robot.joints[j].revolute) {
-      J.set_block(0, 6 + j, axis);
-      J.set_block(3, 6 + j, cross(axis, p - origin_of(child)));
+      by_joint.set_block(0, j, axis);
+      by_joint.set_block(3, j, cross(axis, p - origin_of(child)));
     } else {
-      J.set_block(3, 6 + j, axis);
+      by_joint.set_block(3, j, axis);
     }
   }
+  J.set_block(0, 6, by_joint * coupling_matrix<Scalar>(robot));
   return J;
 }
 
 // left_J_right: angular velocity of `right` and velocity of its origin with respect to `left`, in coordinates of
-// `left`, by qd. 6 x n, all joints; those that are not between the two frames have zero columns.
+// `left`, by qd. 6 x n, all elements of q; those that are not between the two frames have zero columns.
 template <class Scalar>
 Matrix<Scalar> frame_jacobian(const Robot& robot, const Vector<Scalar>& q, int left, int right) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
@@ -202,7 +226,7 @@ Matrix<Scalar> frame_jacobian(const Robot& robot, const Vector<Scalar>& q, int l
   const Matrix<Scalar> relative =
       body_jacobian(robot, poses, r.link, point) - body_jacobian(robot, poses, l.link, same_point);
   const Matrix<Scalar> left_R_base = transpose(rotation_of(left_link * placement<Scalar>(l.translation, l.rotation)));
-  const int n = robot.joints.size;
+  const int n = robot.dof();
   return stacked(left_R_base * relative.block(0, 6, 3, n), left_R_base * relative.block(3, 6, 3, n));
 }
 

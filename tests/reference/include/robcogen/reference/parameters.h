@@ -34,6 +34,7 @@ class RobotOf {
     }
     next = frames.data();
     for (reflection::Frame& frame : frames_) next = fill(fill(next, frame.translation), frame.rotation);
+    fill_couplings(robot, values);
     robot_.links.data = links_.data();
     robot_.joints.data = joints_.data();
     robot_.frames.data = frames_.data();
@@ -60,9 +61,22 @@ class RobotOf {
     return fill(from, drive.rotor_axis);
   }
 
+  void fill_couplings(const Robot& robot, const std::vector<double>& values) {
+    if (robot.couplings.size == 0) return;
+    const auto dof = static_cast<std::size_t>(robot.dof());
+    coupling_numbers_.resize((dof + 1) * static_cast<std::size_t>(robot.couplings.size));
+    robot.coupling_numbers(values.data(), coupling_numbers_.data());
+    for (const double* next = coupling_numbers_.data();
+         couplings_.size() < static_cast<std::size_t>(robot.couplings.size); next += dof + 1)
+      couplings_.push_back({next, next[dof]});
+    robot_.couplings.data = couplings_.data();
+  }
+
   std::vector<reflection::Link> links_;
   std::vector<reflection::Joint> joints_;
   std::vector<reflection::Frame> frames_;
+  std::vector<double> coupling_numbers_;
+  std::vector<reflection::Coupling> couplings_;
   Robot robot_;
 };
 

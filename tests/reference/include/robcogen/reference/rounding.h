@@ -32,26 +32,28 @@ inline WrenchTerms wrench_terms(
   return terms;
 }
 
-// Adds what drives contribute.
+// Adds what drives contribute, to the base and to joints.
 inline void add_drive_terms(
     const Robot& robot,
     const Motion<double>& motion,
     const std::vector<LinkMotion<double>>& links,
-    Vector<double>& sums) {
+    Vector<double>& sums,
+    Vector<double>& by_joint) {
+  const Matrix<double> G = coupling_matrix<double>(robot);
+  const Vector<double> q = joint_positions(robot, motion.q), qd = G * motion.qd, qdd = G * motion.qdd;
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
-    sums(6 + j) += std::abs(inertia_of<double>(drive) * motion.qdd(j)) + std::abs(drive.damping * motion.qd(j)) +
-                   std::abs(drive.friction) +
-                   std::abs(drive.stiffness) * (std::abs(motion.q(j)) + std::abs(drive.rest));
+    by_joint(j) += std::abs(inertia_of<double>(drive) * qdd(j)) + std::abs(drive.damping * qd(j)) +
+                   std::abs(drive.friction) + std::abs(drive.stiffness) * (std::abs(q(j)) + std::abs(drive.rest));
     if (drive.rotor_carrier < 0) continue;
     const LinkMotion<double>& carrier = links[static_cast<std::size_t>(drive.rotor_carrier)];
     const double momentum = std::abs(momentum_of_rotor<double>(drive));
-    sums(6 + j) += momentum * largest(carrier.angular_acceleration());
+    by_joint(j) += momentum * largest(carrier.angular_acceleration());
     const double speed = largest(carrier.angular_velocity());
-    const double moment = momentum * (std::abs(motion.qdd(j)) + std::abs(motion.qd(j)) * speed);
+    const double moment = momentum * (std::abs(qdd(j)) + std::abs(qd(j)) * speed);
     for (int k = 0; k < 3; ++k) sums(k) += moment;
     for (const int i : supporting_joints(robot, drive.rotor_carrier))
-      if (robot.joints[i].revolute) sums(6 + i) += moment;
+      if (robot.joints[i].revolute) by_joint(i) += moment;
   }
 }
 
@@ -60,7 +62,7 @@ inline Vector<double> force_terms(const Robot& robot, const Motion<double>& moti
   // A centre of mass on a joint's axis has no lever but a position, and that is rounded.
   constexpr double kPosition = 1e-3;
   const std::vector<LinkMotion<double>> links = link_motions(robot, motion);
-  Vector<double> sums(6 + robot.joints.size);
+  Vector<double> sums(6 + robot.dof()), by_joint(robot.joints.size);
   for (int i = 0; i < robot.links.size; ++i) {
     const LinkMotion<double>& link = links[static_cast<std::size_t>(i)];
     const WrenchTerms terms = wrench_terms(robot, i, link, loads);
@@ -72,10 +74,11 @@ inline Vector<double> force_terms(const Robot& robot, const Motion<double>& moti
     for (const int j : supporting_joints(robot, i)) {
       const Vector<double> origin = origin_of(links[static_cast<std::size_t>(robot.joints[j].child)].pose);
       const double lever = largest(com - origin) + kPosition * (largest(com) + largest(origin));
-      sums(6 + j) += robot.joints[j].revolute ? terms.moment + lever * terms.force : terms.force;
+      by_joint(j) += robot.joints[j].revolute ? terms.moment + lever * terms.force : terms.force;
     }
   }
-  add_drive_terms(robot, motion, links, sums);
+  add_drive_terms(robot, motion, links, sums, by_joint);
+  sums.set_block(6, 0, transpose(magnitude(coupling_matrix<double>(robot))) * by_joint);
   return sums;
 }
 

@@ -39,7 +39,7 @@ inline Vector<double> uniform_vector(std::mt19937_64& engine, int size, double l
 
 inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
   constexpr double kAngle = 3.14159265358979323846, kStroke = 1, kRate = 3, kAcceleration = 10, kLoad = 20;
-  const int n = robot.joints.size;
+  const int n = robot.dof();
   Sample s;
   s.motion.q = Vector<double>(n);
   for (int j = 0; j < n; ++j) s.motion.q(j) = uniform(engine, robot.joints[j].revolute ? kAngle : kStroke);

@@ -1,0 +1,110 @@
+#include "algorithm/spatial/couplings.h"
+
+#include <algorithm>
+
+namespace robcogen::algorithm {
+
+std::vector<std::vector<Share>> shares(Trace& trace) {
+  const model::KinematicTree& tree = trace.tree;
+  std::vector<std::vector<Share>> result;
+  std::vector<int> coordinate_of(tree.joints.size(), -1);
+  for (const int joint : tree.coordinates()) {
+    coordinate_of[at(joint)] = static_cast<int>(result.size());
+    result.push_back({{joint, Expression()}});
+  }
+  for (const model::Coupling& coupling : tree.couplings)
+    for (const model::Coupling::Term& term : coupling.terms)
+      result[at(coordinate_of[at(term.joint)])].push_back({coupling.joint, trace.lift(term.factor)});
+  return result;
+}
+
+std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression>& by_joint) {
+  if (trace.tree.couplings.empty()) return by_joint;
+  std::vector<Expression> result;
+  for (const std::vector<Share>& moved : shares(trace))
+    result.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
+  return result;
+}
+
+namespace {
+
+// Elements of G' m G.
+class ReducedMatrix {
+ public:
+  ReducedMatrix(Trace& trace, const SquareMatrix& by_joint, int base)
+      : shares_(shares(trace)), by_joint_(by_joint), base_(base) {}
+
+  int size() const { return base_ + static_cast<int>(shares_.size()); }
+  Expression element(int row, int column) const {
+    if (row < base_) return times_G(row, column);
+    return sum_of(shares_[at(row - base_)], [&](int joint) { return times_G(base_ + joint, column); });
+  }
+
+ private:
+  std::vector<std::vector<Share>> shares_;
+  const SquareMatrix& by_joint_;
+  int base_;
+
+  // Of m G, whose rows are those of joints.
+  Expression times_G(int row, int column) const {
+    if (column < base_) return by_joint_(row, column);
+    return sum_of(shares_[at(column - base_)], [&](int joint) { return by_joint_(row, base_ + joint); });
+  }
+};
+
+}  // namespace
+
+SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base) {
+  if (trace.tree.couplings.empty()) return by_joint;
+  const ReducedMatrix reduced(trace, by_joint, base);
+  SquareMatrix result(reduced.size());
+  for (int row = 0; row < result.size(); ++row)
+    for (int column = 0; column < result.size(); ++column) result(row, column) = reduced.element(row, column);
+  return result;
+}
+
+SquareMatrix symmetric_by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base) {
+  if (trace.tree.couplings.empty()) return by_joint;
+  const ReducedMatrix reduced(trace, by_joint, base);
+  SquareMatrix result(reduced.size());
+  for (int row = 0; row < result.size(); ++row)
+    for (int column = 0; column <= row; ++column)
+      result(row, column) = result(column, row) = reduced.element(row, column);
+  return result;
+}
+
+std::vector<Motion> columns_by_coordinate(
+    Trace& trace,
+    const std::vector<int>& joints,
+    const std::vector<Motion>& columns) {
+  if (trace.tree.couplings.empty()) return columns;
+  const std::vector<std::vector<Share>> moved = shares(trace);
+  std::vector<Motion> result;
+  for (const int coordinate : coordinates_of(trace.tree, joints)) {
+    const auto column = [&](int joint) {
+      const auto found = std::find(joints.begin(), joints.end(), joint);
+      return found == joints.end() ? Motion() : columns[static_cast<std::size_t>(found - joints.begin())];
+    };
+    result.push_back(sum_of(moved[at(coordinate)], column));
+  }
+  return result;
+}
+
+std::vector<int> coordinates_of(const model::KinematicTree& tree, const std::vector<int>& joints) {
+  const std::vector<int> independent = tree.coordinates();
+  std::vector<int> result;
+  const auto add = [&](int joint) {
+    const auto coordinate =
+        static_cast<int>(std::lower_bound(independent.begin(), independent.end(), joint) - independent.begin());
+    if (std::find(result.begin(), result.end(), coordinate) == result.end()) result.push_back(coordinate);
+  };
+  for (const int joint : joints) {
+    const model::Coupling* coupling = tree.coupling_of(joint);
+    if (coupling == nullptr) add(joint);
+    if (coupling != nullptr)
+      for (const model::Coupling::Term& term : coupling->terms) add(term.joint);
+  }
+  return result;
+}
+
+}  // namespace robcogen::algorithm

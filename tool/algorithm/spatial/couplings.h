@@ -1,0 +1,46 @@
+// Coupled joints. Their positions q follow independent coordinates y, q = G y + c with constant G, so that qd = G yd
+// and qdd = G ydd; by virtual work forces of joints are G' tau of the coordinates. Everything is traced over joints;
+// what goes in and comes out is over coordinates (Jain 2012, constraint embedding).
+#pragma once
+
+#include <vector>
+
+#include "algorithm/spatial/trace.h"
+
+namespace robcogen::algorithm {
+
+// A joint that a coordinate moves, and by how much: an element of G.
+struct Share {
+  int joint = 0;
+  Expression factor;
+};
+
+// By coordinate: first the joint whose position it is, whose factor is not made.
+std::vector<std::vector<Share>> shares(Trace& trace);
+
+// Sum of factor * of_joint(joint): an element by coordinate of what is linear in the rates of the joints.
+template <class OfJoint>
+auto sum_of(const std::vector<Share>& shares, OfJoint of_joint) {
+  auto total = of_joint(shares.front().joint);
+  for (std::size_t k = 1; k < shares.size(); ++k) total += shares[k].factor * of_joint(shares[k].joint);
+  return total;
+}
+
+// G' tau.
+std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression>& by_joint);
+
+// G' m G, of a matrix whose first `base` rows and columns are those of the base and stay.
+SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base);
+// The same of a symmetric matrix, from the elements on one side.
+SquareMatrix symmetric_by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base);
+
+// The columns of a Jacobian over these joints, of a chain, as columns over chain_coordinates of the same joints.
+std::vector<Motion> columns_by_coordinate(
+    Trace& trace,
+    const std::vector<int>& joints,
+    const std::vector<Motion>& columns);
+
+// The coordinates that move these joints, as indices, in the order of their first joint.
+std::vector<int> coordinates_of(const model::KinematicTree& tree, const std::vector<int>& joints);
+
+}  // namespace robcogen::algorithm
