@@ -4,6 +4,7 @@
 
 #include "coupled_robot.h"
 #include "interpreted_robot.h"
+#include "random_drives.h"
 #include "random_robot.h"
 #include "reference_tables.h"
 #include "volume.h"
@@ -33,7 +34,9 @@ TEST_P(CoupledRobots, AgreeWithTheReferenceAndWithThemselves) {
   for (int i = GetParam(); i < coupled_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     const bool parametric = i % 5 == 0;
-    const CoupledRobot made = coupled(random_robot(seed, {.min_joints = 2, .max_joints = 25}), seed, parametric);
+    KinematicTree free = random_robot(seed, {.min_joints = 2, .max_joints = 25});
+    if (i % 3 == 0) free = with_random_drives(std::move(free), seed);
+    const CoupledRobot made = coupled(free, seed, parametric);
     const InterpretedRobot robot(made.robot, random_desired(seed, made.robot), steps(seed), made.parameters);
     const reference::Checks checks = check_all(robot, seed, state_count());
     EXPECT_EQ(checks.failures(), 0) << "seed " << seed << ", " << made.robot.dof() << " coordinates\n"
