@@ -23,6 +23,7 @@ class DriveDescriber {
     read(drive.armature, values.armature, places.armature);
     read(drive.stiffness, values.stiffness, places.stiffness);
     read(drive.rest, values.rest, places.rest);
+    if (drive.rest) check_angle(*drive.rest, values.rest);
   }
 
   void describe(const kinematics::Rotor& rotor) {
@@ -46,6 +47,8 @@ class DriveDescriber {
       const auto& [lower, upper] = *limits.position;
       read_limit(lower, described_.limits.lower, places.position_limits);
       read_limit(upper, described_.limits.upper, places.position_limits);
+      check_angle(*lower, model::Quantity(Number(described_.limits.lower)));
+      check_angle(*upper, model::Quantity(Number(described_.limits.upper)));
     }
     read_limit(limits.velocity, described_.limits.velocity, places.velocity_limit);
     read_limit(limits.effort, described_.limits.effort, places.effort_limit);
@@ -55,6 +58,13 @@ class DriveDescriber {
   QuantityReader& reader_;
   Diagnostics& diagnostics_;
   model::DescribedJoint& described_;
+
+  // A joint may turn more than once; degrees are likelier beyond some turns.
+  void check_angle(const language::Expression& expression, const model::Quantity& position) {
+    constexpr double kTurns = 4.0;
+    if (described_.type == model::JointType::revolute && position.is_constant())
+      reader_.check_angle(expression, position.number(), kTurns);
+  }
 
   void read(const ExpressionPtr& expression, model::Quantity& value, Place& place) {
     if (!expression) return;

@@ -108,12 +108,15 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
       fmt::format("{} is too large: a quantity of a robot is below {} in SI units", what, print_double(kTooLarge))));
 }
 
-void QuantityReader::check_angle(const Expression& expression, const Number& angle) {
+void QuantityReader::check_angle(const Expression& expression, const Number& angle, double turns) {
   // A multiple of PI is intended, and so is 6.2832, a turn.
   constexpr double kTurn = 6.2833;
-  if (angle.is_pi_multiple() || std::abs(angle.value()) < kTurn || std::abs(angle.value()) > kTooLarge) return;
+  const double size = std::abs(angle.value());
+  if (angle.is_pi_multiple() || size < turns * kTurn || size > kTooLarge) return;
+  const std::string most = turns > 1.0 ? fmt::format("{} turns", turns) : "a turn";
   diagnostics_
-      .warning("large-angle", place(expression), fmt::format("{} rad is more than a turn", print_double(angle.value())))
+      .warning(
+          "large-angle", place(expression), fmt::format("{} rad is more than {}", print_double(angle.value()), most))
       .hint = "angles are in rad; one degree is 'PI/180.0'";
 }
 

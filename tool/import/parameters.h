@@ -52,6 +52,8 @@ class QuantityReader {
 
   // First those of groups, as declared; then the others in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
+  // Warns of an angle of more than so many turns, unless it is a multiple of PI.
+  void check_angle(const language::Expression& expression, const Number& angle, double turns = 1.0);
   // In the order of their first use.
   const std::vector<std::string>& variables() const { return variables_; }
 
@@ -60,7 +62,6 @@ class QuantityReader {
   model::Quantity operate(const language::Expression& expression, model::ParameterKind kind);
   void join_kind(int index, model::ParameterKind kind, const Place& place);
   void set_default(model::Parameter& parameter, double value, const Place& place);
-  void check_angle(const language::Expression& expression, const Number& angle);
   void declare_constant(const language::Expression& expression);
   model::Quantity name(const language::Expression& expression, model::ParameterKind kind);
   model::Quantity member(const language::Expression& expression, model::ParameterKind kind);
