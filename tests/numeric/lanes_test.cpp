@@ -160,8 +160,8 @@ struct Tally {
 // The part of a program in lanes with given sines and cosines: it computes the same, to the last bit, for it
 // does the same.
 void expect_same_of_given_sines(const KinematicTree& tree, const Program& program, const Program& packed) {
-  std::vector<std::string> joints;
-  for (const model::Joint& joint : tree.joints) joints.push_back(joint.name);
+  std::vector<pass::Position> joints;
+  for (const model::Joint& joint : tree.joints) joints.push_back({joint.name});
   const pass::SplitAngles split = pass::split_angles({{program, &packed}}, joints);
   if (!split.parts[0]) return;
   const Program& core = *split.parts[0]->core_in_lanes;

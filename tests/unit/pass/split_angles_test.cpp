@@ -13,7 +13,7 @@ namespace {
 using symbolic::Arrays;
 using symbolic::Program;
 
-const std::vector<std::string> kJoints = {"slide", "hip", "knee"};
+const std::vector<Position> kJoints = {{"slide"}, {"hip"}, {"knee"}};
 const std::vector<double> kPositions = {0.3, 1.1, -0.7};
 const std::vector<double> kSpeeds = {0.5, 2.0, -1.5};
 
@@ -149,6 +149,14 @@ TEST(SplitAngles, LeavesTheRest) {
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
   EXPECT_EQ(symbolic::count(split.parts[0]->core).sincos, 1);
   expect_same(twice, split);
+}
+
+// A coupled joint may turn by the position of one that slides, whose sine is not given.
+TEST(SplitAngles, LeavesWhatTurnsByASlide) {
+  const Program turns = with("tmp s = sin q[0]\ntmp c = cos q[1]\n", "s c");
+  const SplitAngles split = split_angles({{turns}}, {{"slide", false}, {"hip"}, {"knee"}});
+  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
+  expect_same(turns, split);
 }
 
 // In lanes: a vector of sines in the program is gathered from given ones, and a lane of it is one of them.
