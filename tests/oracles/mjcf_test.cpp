@@ -1,5 +1,5 @@
-// The import of MJCF: the imported robot, run by the interpreter, compared with MuJoCo on the same file. The files are
-// those of the folder mjcf, and those that the program's arguments name.
+// The import of MJCF: the imported robot, and its robot document read again, run by the interpreter, compared with
+// MuJoCo on the same file. The files are those of the folder mjcf, and those that the program's arguments name.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -11,6 +11,8 @@
 #include <random>
 #include <set>
 
+#include "export/kinematics.h"
+#include "import/kinematics.h"
 #include "import/mjcf.h"
 #include "interpreted_robot.h"
 #include "judge.h"
@@ -52,6 +54,19 @@ KinematicTree imported(const path& file) {
   return robot->tree;
 }
 
+// Of the robot document that `convert` writes.
+KinematicTree converted(const KinematicTree& tree) {
+  Diagnostics diagnostics;
+  const std::string text =
+      language::kinematics::print(exporting::numbered_parents_first(tree, exporting::kinematics_document(tree)));
+  const auto document = language::kinematics::parse(std::make_shared<Source>("converted", text), diagnostics);
+  auto robot = import::kinematic_tree(document, diagnostics);
+  if (!robot) throw std::runtime_error(diagnostics.render());
+  for (std::size_t j = 0; j < tree.joints.size(); ++j)
+    EXPECT_EQ(robot->joints[j].limits, tree.joints[j].limits) << tree.joints[j].name;
+  return *std::move(robot);
+}
+
 // From the base to every user frame.
 model::DesiredTransforms to_user_frames(const KinematicTree& tree) {
   model::DesiredTransforms desired;
@@ -73,6 +88,12 @@ class MjcfTest : public testing::Test {
     model_->opt.disableflags |= mjDSBL_CONSTRAINT | mjDSBL_ACTUATION;
     data_.reset(mj_makeData(model_.get()));
     const KinematicTree tree = imported(file_);
+    compare(tree);
+    compare(converted(tree));
+  }
+
+ private:
+  void compare(const KinematicTree& tree) {
     floating_ = tree.floating_base;
     ASSERT_EQ(model_->nv, tree.dof() + (floating_ ? 6 : 0));
     const numeric::InterpretedRobot robot(tree, to_user_frames(tree));
@@ -83,7 +104,6 @@ class MjcfTest : public testing::Test {
     }
   }
 
- private:
   // The base is at the origin, and its axes are those of the world. Its velocity is that of the origin, then the
   // angular one.
   void set_state(const reference::Motion<double>& m, const reference::Vector<double>& tau) {
