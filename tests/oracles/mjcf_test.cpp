@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
@@ -49,7 +50,7 @@ std::string contents(const path& file) {
 KinematicTree imported(const path& file) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<Source>(file.filename().string(), contents(file));
-  const auto robot = import::mjcf(source, file, {.free_equality_joints = true}, diagnostics);
+  const auto robot = import::mjcf(source, file, {}, diagnostics);
   if (!robot) throw std::runtime_error(diagnostics.render());
   return robot->tree;
 }
@@ -62,6 +63,7 @@ KinematicTree converted(const KinematicTree& tree) {
   const auto document = language::kinematics::parse(std::make_shared<Source>("converted", text), diagnostics);
   auto robot = import::kinematic_tree(document, diagnostics);
   if (!robot) throw std::runtime_error(diagnostics.render());
+  EXPECT_EQ(robot->dof(), tree.dof());
   for (std::size_t j = 0; j < tree.joints.size(); ++j)
     EXPECT_EQ(robot->joints[j].limits, tree.joints[j].limits) << tree.joints[j].name;
   return *std::move(robot);
@@ -95,7 +97,8 @@ class MjcfTest : public testing::Test {
  private:
   void compare(const KinematicTree& tree) {
     floating_ = tree.floating_base;
-    ASSERT_EQ(model_->nv, tree.dof() + (floating_ ? 6 : 0));
+    ASSERT_EQ(model_->nv, static_cast<int>(tree.joints.size()) + base());
+    find_couplings(tree);
     const numeric::InterpretedRobot robot(tree, to_user_frames(tree));
     std::mt19937_64 engine(kSeed);
     for (int i = 0; i < kStates; ++i) {
@@ -104,11 +107,44 @@ class MjcfTest : public testing::Test {
     }
   }
 
+  int base() const { return floating_ ? 6 : 0; }
+
+  // The velocities v of MuJoCo's joints, the base first, follow from those of the coordinates: v = G y. MuJoCo's
+  // couplings are constraints; here they are taken from its tables.
+  void find_couplings(const KinematicTree& tree) {
+    const int first = floating_ ? 1 : 0, n = base() + tree.dof();
+    G_ = MatrixXd::Zero(model_->nv, n);
+    offsets_ = VectorXd::Zero(model_->nv);
+    G_.topLeftCorner(base(), base()).setIdentity();
+    for (int i = 0; i < tree.dof(); ++i) {
+      const std::string& name =
+          tree.joints[static_cast<std::size_t>(tree.coordinates()[static_cast<std::size_t>(i)])].name;
+      const int joint = tree.couplings.empty() ? i + first : mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
+      G_(base() + joint - first, base() + i) = 1.0;
+    }
+    // As often as a chain of couplings may be long.
+    for (int k = 0; k < model_->neq * model_->neq; ++k) {
+      const int i = k % model_->neq, joint = model_->eq_obj1id[i], followed = model_->eq_obj2id[i];
+      if (tree.couplings.empty() || model_->eq_type[i] != mjEQ_JOINT) continue;
+      const mjtNum* a = model_->eq_data + i * mjNEQDATA;
+      const int row = model_->jnt_dofadr[joint];
+      offsets_(row) = a[0] + model_->qpos0[model_->jnt_qposadr[joint]];
+      if (followed < 0) continue;
+      const int other = model_->jnt_dofadr[followed];
+      G_.row(row) = a[1] * G_.row(other);
+      offsets_(row) += a[1] * (offsets_(other) - model_->qpos0[model_->jnt_qposadr[followed]]);
+    }
+  }
+
+  VectorXd full(const VectorXd& joints) const { return G_.rightCols(joints.size()) * joints; }
+
   // The base is at the origin, and its axes are those of the world. Its velocity is that of the origin, then the
   // angular one.
   void set_state(const reference::Motion<double>& m, const reference::Vector<double>& tau) {
     mj_resetData(model_.get(), data_.get());
-    const VectorXd base = to_eigen(m.base_velocity), q = to_eigen(m.q), qd = to_eigen(m.qd), force = to_eigen(tau);
+    const VectorXd base = to_eigen(m.base_velocity), force = to_eigen(tau);
+    const VectorXd q = (full(to_eigen(m.q)) + offsets_).tail(model_->nv - this->base());
+    const VectorXd qd = full(to_eigen(m.qd)).tail(model_->nv - this->base());
     if (floating_) {
       std::fill(data_->qpos, data_->qpos + 7, 0.0);
       data_->qpos[3] = 1.0;
@@ -116,7 +152,7 @@ class MjcfTest : public testing::Test {
     }
     std::copy(q.begin(), q.end(), data_->qpos + (floating_ ? 7 : 0));
     std::copy(qd.begin(), qd.end(), data_->qvel + (floating_ ? 6 : 0));
-    std::copy(force.begin(), force.end(), data_->qfrc_applied + (floating_ ? 6 : 0));
+    if (G_.rows() == G_.cols()) std::copy(force.begin(), force.end(), data_->qfrc_applied + (floating_ ? 6 : 0));
   }
 
   // Angular part first.
@@ -146,24 +182,32 @@ class MjcfTest : public testing::Test {
     const reference::Arguments arguments{&gravity, nullptr};
 
     // The acceleration of the base's origin differs from the spatial one (Featherstone 2008, sec. 2.11).
-    VectorXd excess = VectorXd::Zero(model_->nv);
-    const VectorXd base = to_eigen(motion.base_velocity);
-    if (floating_) excess.segment<3>(3) = Vector3d(base.head<3>()).cross(Vector3d(base.tail<3>()));
+    VectorXd excess = VectorXd::Zero(G_.cols());
+    const VectorXd velocity = to_eigen(motion.base_velocity);
+    if (floating_) excess.segment<3>(3) = Vector3d(velocity.head<3>()).cross(Vector3d(velocity.tail<3>()));
 
     const MatrixXd H = to_eigen(robot.joint_space_inertia(motion.q));
-    expect_near("inertia matrix", H, inertia());
+    expect_near("inertia matrix", H, G_.transpose() * inertia() * G_);
     // MuJoCo's friction is a constraint, which is off.
     VectorXd friction(model_->nv);
     for (int i = 0; i < model_->nv; ++i)
       friction(i) = model_->dof_frictionloss[i] * (data_->qvel[i] > 0 ? 1.0 : data_->qvel[i] < 0 ? -1.0 : 0.0);
     const VectorXd bias = to_eigen(robot.bias_forces(motion, arguments));
-    const VectorXd theirs = reordered(data_->qfrc_bias) - reordered(data_->qfrc_passive) + friction + H * excess;
-    expect_near("bias forces", bias, theirs);
+    const VectorXd theirs = G_.transpose() * (reordered(data_->qfrc_bias) - reordered(data_->qfrc_passive));
+    const VectorXd lost = G_.transpose() * friction;
+    expect_near("bias forces", bias, theirs + lost + H * excess);
     // With the friction taken from the forces.
     reference::Vector<double> applied = tau;
-    for (int j = 0; j < tau.rows(); ++j) applied(j) += friction(j + (floating_ ? 6 : 0));
+    for (int j = 0; j < tau.rows(); ++j) applied(j) += lost(j + base());
     const VectorXd acceleration = to_eigen(robot.forward_dynamics(motion, applied, arguments));
-    expect_near("acceleration", acceleration, reordered(data_->qacc) - excess);
+    VectorXd expected = VectorXd::Zero(G_.cols());
+    if (G_.rows() == G_.cols()) {
+      expected = reordered(data_->qacc);
+    } else {
+      expected.tail(tau.rows()) = to_eigen(tau);
+      expected = (G_.transpose() * inertia() * G_).ldlt().solve(expected - theirs);
+    }
+    expect_near("acceleration", acceleration, expected - excess);
     compare_frames(robot, motion.q);
   }
 
@@ -192,6 +236,8 @@ class MjcfTest : public testing::Test {
 
   path file_;
   bool floating_ = false;
+  MatrixXd G_;
+  VectorXd offsets_;
   std::unique_ptr<mjModel, Deleter> model_;
   std::unique_ptr<mjData, Deleter> data_;
 };

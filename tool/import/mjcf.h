@@ -11,7 +11,7 @@
 namespace robcogen::import {
 
 struct MjcfOptions {
-  // A joint that an `equality` couples to another is a joint of its own; otherwise it is an error.
+  // A joint that an `equality` couples to another is a joint of its own; otherwise it is coupled.
   bool free_equality_joints = false;
 };
 

@@ -75,6 +75,7 @@ class Describer {
       if (l > 0) description_.links.push_back(std::move(links_[l]));
     }
     description_.base = std::move(links_[0]);
+    for (const Coupling& coupling : document_.couplings) add_coupling(coupling);
     return std::move(description_);
   }
 
@@ -169,6 +170,43 @@ class Describer {
     links_.back().name = link_name;
     links_.back().place = body.name.place;
     parts_.emplace_back();
+  }
+
+  struct FoundJoint {
+    std::string identifier;
+    Number reference;
+  };
+
+  std::optional<FoundJoint> find_joint(const Name& name) {
+    std::vector<std::string> names;
+    for (std::size_t b = 0; b < document_.bodies.size(); ++b) {
+      const std::vector<Joint>& joints = document_.bodies[b].joints;
+      for (std::size_t j = 0; j < joints.size(); ++j) {
+        if (joints[j].name.text.empty()) continue;
+        if (joints[j].name.text == name.text) return FoundJoint{identifiers_.joints[b][j], joints[j].reference};
+        names.push_back(joints[j].name.text);
+      }
+    }
+    diagnostics_.error("coupled-joint", name.place, fmt::format("joint '{}' is not declared", name.text)).hint =
+        did_you_mean(name.text, names);
+    return std::nullopt;
+  }
+
+  // y = b x + (a + y0 - b x0); without x, y = a + y0.
+  void add_coupling(const Coupling& coupling) {
+    const auto joint = find_joint(coupling.joint);
+    if (!joint) return;
+    if (coupling.followed.text.empty()) {
+      const Number offset = coupling.offset + joint->reference;
+      description_.couplings.push_back({joint->identifier, coupling.joint.place, {}, quantity(offset)});
+      return;
+    }
+    const auto followed = find_joint(coupling.followed);
+    if (!followed) return;
+    const Number offset = coupling.offset + joint->reference - coupling.factor * followed->reference;
+    const model::DescribedCoupling::Term term = {
+        followed->identifier, quantity(coupling.factor), coupling.followed.place};
+    description_.couplings.push_back({joint->identifier, coupling.joint.place, {term}, quantity(offset)});
   }
 
   const Document& document_;

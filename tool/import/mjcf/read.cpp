@@ -91,19 +91,37 @@ class DocumentReader {
         continue;
       }
       const Attribute* joint = find(e, "joint1");
-      const std::string name = joint == nullptr ? "" : joint->value;
-      const Place place = joint == nullptr ? e.place : joint->place;
-      if (options_.free_equality_joints) {
+      if (joint == nullptr) {
+        diagnostics_.error("missing-attribute", e.place, "this 'joint' of 'equality' has no attribute 'joint1'");
+      } else if (options_.free_equality_joints) {
         diagnostics_.note(
-            "free-joint-kept", place, fmt::format("joint '{}' is independent: its 'equality' is ignored", name));
-        continue;
+            "free-joint-kept", joint->place,
+            fmt::format("joint '{}' is independent: its 'equality' is ignored", joint->value));
+      } else {
+        read_coupling(e, *joint);
       }
-      diagnostics_
-          .error(
-              "coupled-joint", place,
-              fmt::format("joint '{}' is coupled by an 'equality', which is not supported", name))
-          .hint = "--free-mimic-joints makes it an independent joint";
     }
+  }
+
+  // Linear ones, between two joints or of one.
+  void read_coupling(const Element& e, const Attribute& joint) {
+    Coupling coupling{{joint.value, joint.place}, {"", joint.place}, Number(), Number::rational(1)};
+    if (const Attribute* followed = find(e, "joint2")) coupling.followed = {followed->value, followed->place};
+    if (const Attribute* given = find(e, "polycoef")) {
+      const std::vector<Number> a = Values(diagnostics_).numbers(*given, 5, 5);
+      coupling.offset = a[0];
+      coupling.factor = a[1];
+      const bool is_linear = a[2].is_zero() && a[3].is_zero() && a[4].is_zero();
+      if (!is_linear && !coupling.followed.text.empty()) {
+        diagnostics_
+            .error(
+                "coupled-joint", given->place,
+                fmt::format("joint '{}' is not a linear function of joint '{}'", joint.value, coupling.followed.text))
+            .hint = "--free-mimic-joints makes it an independent joint";
+        return;
+      }
+    }
+    document_.couplings.push_back(std::move(coupling));
   }
 
   // ---- Bodies.
