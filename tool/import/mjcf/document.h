@@ -55,8 +55,8 @@ struct Body {
   std::vector<Site> sites;
 };
 
-// y - y0 = a + b (x - x0), in which y is the position of the joint, x that of the one that it follows, and y0 and x0 are
-// the references of both.
+// y - y0 = a + b (x - x0), in which y is the position of the joint, x that of the one that it follows, and y0 and x0
+// are the references of both.
 struct Coupling {
   Name joint;
   Name followed;  // without a text: none, and y = y0 + a
@@ -66,7 +66,7 @@ struct Coupling {
 
 struct Document {
   Name name;
-  std::vector<Body> bodies;            // [0] is the world; parents before children, depth first
+  std::vector<Body> bodies;  // [0] is the world; parents before children, depth first
   std::vector<Coupling> couplings;
   std::map<std::string, int> ignored;  // elements that are not read, by name
 };
