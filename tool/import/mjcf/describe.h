@@ -21,7 +21,7 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 // - A body without joints is part of its parent.
 // - The joints of a body form a chain of links without mass: MuJoCo applies them one after the other, each in the frame
 //   that those before it have moved.
-// Reports a second robot beside the one that floats.
+// Reports bodies that move, but are not part of the robot that floats.
 model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf
