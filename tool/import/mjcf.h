@@ -28,8 +28,8 @@ struct Mjcf {
 //   frame of its name.
 // - Mass properties are those of `inertial`, or of geoms of simple shape.
 // - Damping, friction, armature, springs and limits are those of the joints.
-// Paths of included files are relative to the folder of `file`. Reports, with places, what the model does not have, and in notes what
-// was not read. nullopt when an error was reported.
+// Paths of included files are relative to the folder of `file`. Reports, with places, what the model does not have, and
+// in notes what was not read. nullopt when an error was reported.
 std::optional<Mjcf> mjcf(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
