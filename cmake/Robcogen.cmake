@@ -8,6 +8,7 @@
 #                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
 #       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
+#       [PASSIVE_FORCES]            # URDF: damping and friction of joints are part of the dynamics
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the default ones
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET as an identifier
 #       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have the
@@ -66,7 +67,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists XACRO_ARGS ALGORITHMS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -141,7 +142,7 @@ function(_robcogen_check_robot)
   if(library_XACRO_ARGS AND NOT extension STREQUAL ".xacro")
     _robcogen_refuse("XACRO_ARGS is for a MODEL that xacro expands, called .urdf.xacro or .xacro: ${library_MODEL}")
   endif()
-  foreach(keyword FLOATING_BASE SNAP_ANGLES)
+  foreach(keyword FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES)
     if(library_${keyword} AND extension STREQUAL ".kindsl")
       _robcogen_refuse("${keyword} is for URDF; a robot document states this itself: ${library_MODEL}")
     endif()
@@ -279,6 +280,9 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_SNAP_ANGLES)
     list(APPEND arguments --snap-angles)
+  endif()
+  if(library_PASSIVE_FORCES)
+    list(APPEND arguments --passive-forces)
   endif()
   foreach(language IN LISTS library_LANGUAGES)
     list(APPEND arguments --language ${language})

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "random_drives.h"
 #include "random_robot.h"
 #include "robots.h"
 
@@ -60,7 +61,25 @@ class SameTree {
       EXPECT_EQ(found.parent, expected.parent);
       EXPECT_EQ(found.child, expected.child);
       expect_same(found.placement, expected.placement);
+      EXPECT_TRUE(found.limits == expected.limits);
+      expect_same(found.drive, expected.drive);
     }
+  }
+
+  void expect_same(const model::Drive& found, const model::Drive& expected) const {
+    expect_same(found.damping, expected.damping);
+    expect_same(
+        Vector{found.friction, found.friction_velocity, found.armature},
+        Vector{expected.friction, expected.friction_velocity, expected.armature});
+    expect_same(found.stiffness, expected.stiffness);
+    expect_same(found.rest, expected.rest);
+    ASSERT_EQ(found.rotor.has_value(), expected.rotor.has_value());
+    if (!expected.rotor) return;
+    expect_same(found.rotor->inertia, expected.rotor->inertia);
+    expect_same(found.rotor->ratio, expected.rotor->ratio);
+    EXPECT_EQ(found.rotor->carrier, expected.rotor->carrier);
+    ASSERT_EQ(found.rotor->axis.has_value(), expected.rotor->axis.has_value());
+    if (expected.rotor->axis) expect_same(*found.rotor->axis, *expected.rotor->axis);
   }
 
   // A document lists them link by link.
@@ -134,6 +153,18 @@ TEST(ExportedDocument, OfARandomRobotIsTheSameModel) {
   constexpr std::uint64_t kRobots = 300;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     const KinematicTree robot = numeric::random_robot(seed, {1, 40, numeric::Shape::any, false});
+    SCOPED_TRACE(numeric::describe(robot));
+    if (const auto found = written_and_read(robot)) SameTree(*found, robot).expect();
+    if (HasFailure()) return;
+  }
+}
+
+TEST(ExportedDocument, KeepsDrivesAndLimits) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    KinematicTree robot =
+        numeric::with_random_drives(numeric::random_robot(seed, {1, 20, numeric::Shape::any, false}), seed);
+    robot.joints[0].limits = {-0.5, 1.25, 3.5, 40};
+    robot.joints.back().limits.effort = 12;
     SCOPED_TRACE(numeric::describe(robot));
     if (const auto found = written_and_read(robot)) SameTree(*found, robot).expect();
     if (HasFailure()) return;

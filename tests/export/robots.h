@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "import/kinematics.h"
@@ -70,10 +71,17 @@ inline std::vector<NamedRobot> all_robots() {
   return robots;
 }
 
-// Those that a URDF can say: it knows no parameters.
+// Those that a URDF can say: it knows no parameters, and of drives only damping and friction, to which others are cut.
 inline std::vector<NamedRobot> constant_robots() {
   std::vector<NamedRobot> robots = all_robots();
   std::erase_if(robots, [](const NamedRobot& robot) { return !robot.tree.parameters.empty(); });
+  for (NamedRobot& robot : robots) {
+    for (model::Joint& joint : robot.tree.joints) {
+      const model::Drive drive = std::exchange(joint.drive, {});
+      joint.drive.damping = drive.damping;
+      joint.drive.friction = drive.friction;
+    }
+  }
   return robots;
 }
 

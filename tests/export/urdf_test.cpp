@@ -212,6 +212,17 @@ TEST(Urdf, TypeAndLimitsSayWhatIsKnown) {
   EXPECT_EQ(half.limits->velocity, 3.0);
 }
 
+TEST(Urdf, HasDampingAndFriction) {
+  KinematicTree tree = read(document("", "", ""));
+  tree.joints[1].drive.damping = model::Quantity(0.25);
+  tree.joints[1].drive.friction = model::Quantity(0.5);
+  const UrdfReader urdf = exported(tree);
+  ASSERT_NE(urdf.model().getJoint("elbow")->dynamics, nullptr);
+  EXPECT_EQ(urdf.model().getJoint("elbow")->dynamics->damping, 0.25);
+  EXPECT_EQ(urdf.model().getJoint("elbow")->dynamics->friction, 0.5);
+  EXPECT_EQ(urdf.model().getJoint("lift_joint")->dynamics, nullptr);
+}
+
 TEST(Urdf, KeepsTheInertiaOfAFixedBase) {
   const UrdfReader urdf = exported(document(
       "{ inertia_params { mass = 3.0 CoM = (0.0, 0.0, 0.0) Ix = 1.0 Iy = 1.0 Iz = 1.0 Ixy = 0.25 Ixz = 0.0 Iyz = 0.0 } "

@@ -224,6 +224,12 @@ TEST(AnyRobot, HasTransformsAndJacobiansByName) {
   EXPECT_EQ(J, hyl::jacobians::fr_base_J_fr_foot(q));
 }
 
+TEST(AnyRobot, HasLimitsOfJoints) {
+  const AnyRobot robot = make_any<quadruped::Robot>(quadruped::reflection::robot);
+  EXPECT_EQ(robot.joint_limits().size(), 12U);
+  EXPECT_EQ(robot.joint_limits().data(), quadruped::Robot::kJointLimits.data());
+}
+
 TEST(AnyRobot, CarriesTheValuesOfParameters) {
   hyl_parametric::ParameterValues values;
   values.lowerleg_mass = 2;

@@ -187,6 +187,24 @@ TEST(HistoricalFaults, NamesThatBecomeOneAreAnErrorThatShowsBoth) {
   EXPECT_NE(message.find("'a_b'"), std::string::npos);
 }
 
+// --- drives ------------------------------------------------------------------------------------------------------
+
+TEST(Urdf, DampingAndFrictionAreConstantsUntilTheyAreAskedFor) {
+  const std::string document =
+      arm(kUnitInertial, "",
+          R"(<axis xyz="0 0 1"/><limit effort="1" velocity="1"/><dynamics damping="0.25" friction="0.5"/>)");
+  const KinematicTree tree = tree_of(document);
+  EXPECT_EQ(model::evaluate(tree.joints[0].drive.damping), 0.25);
+  EXPECT_EQ(model::evaluate(tree.joints[0].drive.friction), 0.5);
+  EXPECT_FALSE(tree.uses_passive_forces);
+  import::UrdfOptions options;
+  options.passive_forces = true;
+  const auto asked = test::imported(document, options);
+  ASSERT_TRUE(asked.tree);
+  EXPECT_TRUE(asked.tree->uses_passive_forces);
+  EXPECT_TRUE(asked.of_code("passive-forces-not-used").empty());
+}
+
 // --- frames ------------------------------------------------------------------------------------------------------
 
 TEST(Urdf, JointFrameHasZAlongTheAxis) {

@@ -81,9 +81,9 @@ KinematicTree with_random_drives(KinematicTree robot, std::uint64_t seed) {
     drive.damping = maybe(0.01, 2);
     drive.armature = maybe(0.01, 1);
     drive.friction = maybe(0.01, 2);
-    drive.friction_velocity = maybe(0.001, 0.1);
+    if (!drive.friction.is_zero()) drive.friction_velocity = maybe(0.001, 0.1);
     drive.stiffness = maybe(0.1, 50);
-    drive.rest = maybe(-1, 1);
+    if (!drive.stiffness.is_zero()) drive.rest = maybe(-1, 1);
     if (dice.chance(0.5)) add_random_rotor(robot, joint, dice);
   }
   return robot;

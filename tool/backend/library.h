@@ -139,8 +139,9 @@ struct Library {
   std::string model_hash;         // of the canonical document
   std::string generator_version;  // of the tool: printed in one file only, so that a new version recompiles little
   bool floating_base = false;
-  std::vector<LinkData> links;    // [0] is the base; none: there is no robot, but transforms of `variables`
-  std::vector<JointData> joints;  // those of joint arrays
+  bool uses_passive_forces = true;  // those of `drive` are part of the dynamics
+  std::vector<LinkData> links;      // [0] is the base; none: there is no robot, but transforms of `variables`
+  std::vector<JointData> joints;    // those of joint arrays
   std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
   std::vector<ParameterData> parameters;  // constants above that depend on one without default are not a number

@@ -108,6 +108,8 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
       "--free-mimic-joints", options.free_mimic_joints,
       "URDF, MJCF: a joint that is coupled to another is an independent joint");
   subcommand.add_flag(
+      "--passive-forces", options.passive_forces, "URDF: damping and friction of joints are part of the dynamics");
+  subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
 }
 

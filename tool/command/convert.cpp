@@ -80,6 +80,36 @@ std::vector<std::string> origin(const ConvertOptions& options) {
   return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
 }
 
+// What URDF cannot say of drives: one warning.
+void mention_lost_drives(const Robot& robot, Diagnostics& diagnostics) {
+  std::vector<std::string> lost;
+  const auto add = [&](const model::Joint& joint, const char* what, bool given) {
+    if (given) lost.push_back(fmt::format("{} of '{}'", what, joint.name));
+  };
+  for (const model::Joint& joint : robot.tree.joints) {
+    add(joint, "armature", !joint.drive.armature.is_zero());
+    add(joint, "spring", !joint.drive.stiffness.is_zero());
+    add(joint, "rotor", joint.drive.rotor.has_value());
+    add(joint, "velocity of the friction", !joint.drive.friction_velocity.is_zero());
+  }
+  if (lost.empty()) return;
+  diagnostics.warning(
+      "drive-lost", robot.tree.joints.front().place,
+      fmt::format("a URDF cannot hold these properties of drives, which are left out: {}", fmt::join(lost, ", ")));
+}
+
+// A robot document's dynamics include damping and friction: one note where those of the URDF did not.
+void mention_passive_forces(const Robot& robot, Diagnostics& diagnostics) {
+  if (robot.tree.uses_passive_forces) return;
+  for (const model::Joint& joint : robot.tree.joints) {
+    if (!joint.drive.is_passive()) continue;
+    diagnostics.note(
+        "passive-forces-used", joint.place,
+        "damping and friction are part of the dynamics of the robot document, as of the URDF with --passive-forces");
+    return;
+  }
+}
+
 // The document declares joints in another order than the model, which changes the order of q: one note.
 void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<int> order = exporting::joints_parents_first(robot.tree);
@@ -152,11 +182,13 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
   const Robot& robot = *model->robot();
   switch (language_to_write(options.to)) {
     case Language::robot:
+      mention_passive_forces(robot, diagnostics);
       mention_order(model->file, robot, diagnostics);
       return robot_document(options, robot);
     case Language::urdf: {
       require_values(*model, robot);
       require_mimics(*model, robot);
+      mention_lost_drives(robot, diagnostics);
       std::string text = exporting::urdf(robot.tree);
       mention_implausible(text, model->file, diagnostics);
       return text;

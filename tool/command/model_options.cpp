@@ -51,16 +51,16 @@ std::string dotted(const std::string& scope, const std::string& name) {
 }
 
 void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
-  const bool for_urdf = options.floating_base || options.snap_angles || options.allow_implausible;
+  const bool for_urdf =
+      options.floating_base || options.snap_angles || options.passive_forces || options.allow_implausible;
   if (!for_urdf && !options.free_mimic_joints) return;
   const driver::Language language = driver::language_of(model);
   if (language == driver::Language::urdf) return;
   if (language == driver::Language::mjcf && !for_urdf) return;
   throw Failure{
       wrong_usage, fmt::format(
-                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints and --allow-implausible "
-                       "are for URDF; '{}' "
-                       "states these properties itself",
+                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints, --passive-forces and "
+                       "--allow-implausible are for URDF; '{}' states these properties itself",
                        model.string())};
 }
 

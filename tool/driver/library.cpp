@@ -110,6 +110,7 @@ backend::Library assemble(
   result.primitives = convention_of(primitives);
   if (const Robot* robot = model.robot()) {
     result.floating_base = robot->tree.floating_base;
+    result.uses_passive_forces = robot->tree.uses_passive_forces;
     add_model(robot->tree, result);
   } else {
     add_document(model.transforms()->document, result);

@@ -218,8 +218,14 @@ std::string limit(const Joint& joint) {
       bound(limits.effort), bound(limits.velocity));
 }
 
+std::string dynamics(const model::Drive& drive) {
+  const double damping = model::evaluate(drive.damping), friction = model::evaluate(drive.friction);
+  if (damping == 0 && friction == 0) return "";
+  return fmt::format("    <dynamics damping=\"{}\" friction=\"{}\"/>\n", print_double(damping), print_double(friction));
+}
+
 std::string motion(const Joint& joint, const Vector3& axis) {
-  std::string text = fmt::format("    <axis xyz=\"{}\"/>\n", triple(axis));
+  std::string text = fmt::format("    <axis xyz=\"{}\"/>\n", triple(axis)) + dynamics(joint.drive);
   // Only a continuous joint may have no limit.
   if (joint.type == JointType::revolute && joint.limits == JointLimits()) return text;
   return text + limit(joint);

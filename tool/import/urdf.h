@@ -16,6 +16,9 @@ struct UrdfOptions {
   bool snap_angles = false;
   // A joint that mimics another is a joint of its own; otherwise it is coupled to the other.
   bool free_mimic_joints = false;
+  // Damping and friction of joints are part of the dynamics. Otherwise they are constants of the robot only, with a
+  // note.
+  bool passive_forces = false;
   // Negative masses and inertias are warnings, not errors.
   bool allow_implausible = false;
 };

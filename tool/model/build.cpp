@@ -313,8 +313,10 @@ void resolve_carrier(Assembly& a, std::size_t index) {
         .error(
             "carrier-elsewhere", place,
             fmt::format("the rotor of joint '{}' is on link '{}', which does not carry that joint", joint.name, name))
-        .hint =
-        fmt::format("the carrier is '{}', or a link between that and the base '{}'", parent_name, a.tree.links[0].name);
+        .hint = parent == 0 ? fmt::format("the carrier is '{}'", parent_name)
+                            : fmt::format(
+                                  "the carrier is '{}', or a link between that and the base '{}'", parent_name,
+                                  a.tree.links[0].name);
   } else if (*link != parent && !rotor->axis) {
     a.diagnostics
         .error(
@@ -332,6 +334,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   Assembly a{description, diagnostics};
   a.tree.name = description.name;
   a.tree.floating_base = description.floating_base;
+  a.tree.uses_passive_forces = description.uses_passive_forces;
   a.tree.parameters = description.parameters;
 
   declare_elements(a);

@@ -82,6 +82,7 @@ struct Description {
   std::string name;
   Place place;
   bool floating_base = false;
+  bool uses_passive_forces = true;
   DescribedLink base;
   std::vector<DescribedLink> links;    // in declaration order
   std::vector<DescribedJoint> joints;  // in declaration order

@@ -35,9 +35,11 @@ struct Drive {
   bool has_inertia() const { return !armature.is_zero() || rotor.has_value(); }
   bool is_absent() const { return !is_passive() && !has_inertia(); }
   // Which of the values are not zero: congruent limbs have the same ones.
-  std::vector<bool> present() const {
+  std::vector<bool> present(bool with_passive_forces) const {
     std::vector<bool> flags = {rotor.has_value(), rotor && rotor->axis};
-    for (const Quantity* q : {&damping, &friction, &friction_velocity, &armature, &stiffness, &rest})
+    flags.push_back(!armature.is_zero());
+    if (!with_passive_forces) return flags;
+    for (const Quantity* q : {&damping, &friction, &friction_velocity, &stiffness, &rest})
       flags.push_back(!q->is_zero());
     return flags;
   }

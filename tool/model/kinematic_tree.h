@@ -120,6 +120,7 @@ class KinematicTree {
  public:
   std::string name;
   bool floating_base = false;
+  bool uses_passive_forces = true;       // damping, friction and springs are part of inverse and forward dynamics
   std::vector<Link> links;               // [0] is the base, then the links as declared
   std::vector<Joint> joints;             // as declared; q, qd, tau, … have the independent ones, in this order
   std::vector<Coupling> couplings = {};  // of the other joints, in their order

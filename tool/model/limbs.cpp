@@ -27,7 +27,8 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     const Joint& own = tree.joints[at(*joint)];
     const int tied = is_tied[at(*joint)] ? *joint : kUntied;
     shape[at(*joint)] =
-        known.try_emplace({own.type, own.drive.present(), tied, std::move(beyond)}, number).first->second;
+        known.try_emplace({own.type, own.drive.present(tree.uses_passive_forces), tied, std::move(beyond)}, number)
+            .first->second;
   }
   return shape;
 }

@@ -29,6 +29,7 @@
 #include <string_view>
 
 #include "robcogen/concepts.h"
+#include "robcogen/joint_limits.h"
 #include "robcogen/reflection.h"
 
 namespace robcogen {
@@ -63,6 +64,7 @@ class Functions {
   virtual void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept = 0;
   // The first input of kernels of a robot with parameters; otherwise null.
   virtual const double* cache() const noexcept = 0;
+  virtual const JointLimits* joint_limits() const noexcept = 0;
 };
 
 template <class R>
@@ -133,6 +135,7 @@ class FunctionsOf final : public Functions {
   void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept override {
     H = robot_.joint_space_inertia(joints(q));
   }
+  const JointLimits* joint_limits() const noexcept override { return R::kJointLimits.data(); }
   const double* cache() const noexcept override {
     if constexpr (requires { robot_.parameters.data(); }) {
       return robot_.parameters.data();
@@ -242,7 +245,8 @@ class AnyRobot {
     functions_->forward_dynamics(q.data(), v.data(), tau.data(), a.data(), loads(kFunction, gravity, external));
   }
 
-  // f = coriolis_forces(q, v) + gravity_forces(q), minus the effect of external wrenches.
+  // f = coriolis_forces(q, v) + gravity_forces(q), plus passive forces of drives, minus the effect of external
+  // wrenches.
   void bias_forces(In q, In v, Out f) const { bias_forces(q, v, f, default_gravity("bias_forces")); }
   void bias_forces(In q, In v, Out f, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "bias_forces";
@@ -273,6 +277,11 @@ class AnyRobot {
     expect(kFunction, "H, in rows,", H.rows(), size());
     expect(kFunction, "H, in columns,", H.cols(), size());
     functions_->joint_space_inertia(q.data(), H);
+  }
+
+  // One for each joint. Drives are in tables().joints[joint].drive.
+  std::span<const JointLimits> joint_limits() const noexcept {
+    return {functions_->joint_limits(), static_cast<std::size_t>(dof())};
   }
 
   // Index of a transform or Jacobian by its name in the library, as in `fr_base_X_fr_foot`; -1 when there is none.

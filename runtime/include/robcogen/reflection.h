@@ -258,6 +258,8 @@ struct Robot {
   void (*numbers)(const double* parameters, double* links, double* joints, double* frames) noexcept = nullptr;
   // Whether the numbers of a joint include those of its drive, in the order of JointDrive, behind its rotation.
   bool numbers_of_drives = false;
+  // Whether damping, friction and springs of the drives are part of inverse and forward dynamics.
+  bool passive_forces = true;
   // And of each coupling its factors, then its offset.
   void (*coupling_numbers)(const double* parameters, double* couplings) noexcept = nullptr;
   Table<Coupling> couplings = {nullptr, 0};  // of the last joints, in order

@@ -106,6 +106,20 @@ TEST(Convert, KeepsLimits) {
   EXPECT_NE(read_text(scratch.path / "2.urdf").find("effort=\"5.0\""), std::string::npos);
 }
 
+TEST(Convert, NamesWhatAUrdfCannotSayOfDrives) {
+  const Scratch scratch("drives");
+  const fs::path urdf = scratch.path / "leg.urdf", back = scratch.path / "leg.kindsl";
+  const Outcome run = run_tool("convert " + quoted(robot("geared_leg")) + " " + quoted(urdf));
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.errors.find("left out: rotor of 'HAA', velocity of the friction of 'HAA', "), std::string::npos)
+      << run.errors;
+  EXPECT_NE(run.errors.find("[drive-lost]"), std::string::npos) << run.errors;
+  EXPECT_NE(read_text(urdf).find("<dynamics damping=\"0.02\" friction=\"0.3\"/>"), std::string::npos);
+  const Outcome again = run_tool("convert " + quoted(urdf) + " " + quoted(back));
+  EXPECT_NE(again.errors.find("[passive-forces-used]"), std::string::npos) << again.errors;
+  EXPECT_NE(read_text(back).find("        damping = 0.02\n        friction = 0.3\n"), std::string::npos);
+}
+
 TEST(Convert, WrongUrdfExitsWithOneAndWritesNothing) {
   const Scratch scratch("wrong-urdf");
   const fs::path urdf = scratch.path / "bad.urdf", out = scratch.path / "bad.kindsl";

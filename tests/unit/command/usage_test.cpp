@@ -104,6 +104,7 @@ TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
       "--floating-base",
       "--snap-angles",
       "--free-mimic-joints",
+      "--passive-forces",
       "--allow-implausible",
       "--error-format",
       "--error-format=msvc",

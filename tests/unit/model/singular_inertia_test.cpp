@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "inertia_reference.h"
 
@@ -64,6 +65,32 @@ TEST(SingularInertia, DependsOnTheSidesOfOffsetsAndTurns) {
       }
     }
   }
+}
+
+// A massless link is moved by what accelerates its drive.
+TEST(SingularInertia, DrivesAreInertia) {
+  Description d = test::two_links();
+  d.links[1].inertia.reset();
+  EXPECT_EQ(found(d), Found{"b!"});
+  d.joints[1].drive.armature = number(0.01);
+  EXPECT_EQ(found(d), Found{});
+  d.joints[1].drive.armature = Quantity();
+  d.joints[1].drive.rotor = Rotor{number(1e-4), number(10.0)};
+  EXPECT_EQ(found(d), Found{});
+  // Of the other joint it does not help.
+  std::swap(d.joints[0].drive, d.joints[1].drive);
+  EXPECT_EQ(found(d), Found{"b!"});
+}
+
+TEST(SingularInertia, DrivesAloneMakeDynamics) {
+  Description d = test::two_links();
+  for (DescribedLink& link : d.links) link.inertia.reset();
+  for (DescribedJoint& joint : d.joints) joint.drive.armature = number(0.01);
+  Diagnostics diagnostics;
+  const std::optional<KinematicTree> tree = build(d, diagnostics);
+  ASSERT_TRUE(tree.has_value());
+  EXPECT_FALSE(tree->inertia_defects.no_inertia);
+  EXPECT_FALSE(tree->inertia_defects.is_singular());
 }
 
 // A point mass off the second axis circles about it: wherever that is, the first axis feels it, unless both are one.

@@ -7,6 +7,16 @@ namespace robcogen::algorithm {
 
 using model::KinematicTree;
 
+namespace {
+
+bool uses_passive_forces(const KinematicTree& tree) {
+  return tree.uses_passive_forces && std::any_of(tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) {
+           return joint.drive.is_passive();
+         });
+}
+
+}  // namespace
+
 std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree, FormulationChoices& choices) {
   const Formulation& formulation = choices.newton_euler();
   std::vector<RobotFunction> list;
@@ -57,7 +67,9 @@ std::vector<RobotFunction> bias_forces_functions(const KinematicTree& tree, Form
   };
   add_overloads(
       list, tree, group, "bias_forces",
-      summary("Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, minus external ones."),
+      summary(
+          "Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, " +
+          std::string(uses_passive_forces(tree) ? "passive forces of drives, " : "") + "minus external ones."),
       [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads, formulation); });
   add_overloads(
       list, tree, group, "gravity_forces", summary("Generalised forces that hold the robot at rest against gravity."),
@@ -77,13 +89,15 @@ std::vector<RobotFunction> bias_forces_functions(const KinematicTree& tree, Form
 }
 
 std::vector<RobotFunction> passive_forces_functions(const KinematicTree& tree, FormulationChoices&) {
+  const std::string use = tree.uses_passive_forces ? "Inverse dynamics and bias forces include them."
+                                                   : "Inverse dynamics and bias forces do not include them.";
   std::vector<RobotFunction> list = {
       {"passive_forces",
        "",
        "passive_forces",
        {"Joint forces that damping, friction and springs of the drives take: tau = b qd + f s(qd) + k (q - q0), with "
-        "s(qd) = qd / sqrt(qd^2 + v^2), the sign of qd where v is zero. Inverse dynamics and bias forces include "
-        "them."},
+        "s(qd) = qd / sqrt(qd^2 + v^2), the sign of qd where v is zero. " +
+        use},
        {},
        {},
        passive_forces(tree, "passive_forces")}};

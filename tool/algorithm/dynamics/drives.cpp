@@ -49,7 +49,10 @@ Expression friction(Trace& trace, const model::Drive& drive, const Expression& q
 
 }  // namespace
 
-std::vector<Expression> passive_forces(
+namespace {
+
+// Whether the robot's dynamics use them or not.
+std::vector<Expression> forces_of_drives(
     Trace& trace,
     const std::vector<Expression>& q,
     const std::vector<Expression>& qd) {
@@ -64,6 +67,16 @@ std::vector<Expression> passive_forces(
     describe(forces[j], joint.name + "_passive");
   }
   return forces;
+}
+
+}  // namespace
+
+std::vector<Expression> passive_forces(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd) {
+  if (!trace.tree.uses_passive_forces) return std::vector<Expression>(qd.size());
+  return forces_of_drives(trace, q, qd);
 }
 
 void add_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau) {
@@ -91,7 +104,7 @@ symbolic::Program motor_torques(const model::KinematicTree& tree, const std::str
 symbolic::Program passive_forces(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity});
-  trace.output("tau", symbolic::Role::joint_force, by_coordinate(trace, passive_forces(trace, in.q, in.qd)));
+  trace.output("tau", symbolic::Role::joint_force, by_coordinate(trace, forces_of_drives(trace, in.q, in.qd)));
   return trace.program(name);
 }
 

@@ -25,6 +25,7 @@ Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link);
 
 // The forces that the joints have to overcome in their drives, by joint: b qd + f s(qd) + k (q - q0), with
 // s(qd) = qd / sqrt(qd^2 + v^2), a smooth form of Coulomb friction. Without v it is the sign of qd, zero at rest.
+// All are zero where the robot's dynamics do not use them.
 std::vector<Expression> passive_forces(
     Trace& trace,
     const std::vector<Expression>& q,

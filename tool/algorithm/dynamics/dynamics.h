@@ -141,9 +141,9 @@ symbolic::Program forward_dynamics_derivatives(
     Loads loads,
     const Formulation& formulation = {});
 
-// Inverse dynamics (fully actuated), and the gradient of the product of its forces and `weights`, of (base wrench, tau):
-// inputs of newton_euler, weights in front of gravity -> tau [, base_wrench], d_q, d_qd, d_qdd [, d_base_velocity,
-// d_base_acceleration]. By reverse mode (symbolic/derivative.h).
+// Inverse dynamics (fully actuated), and the gradient of the product of its forces and `weights`, of (base wrench,
+// tau): inputs of newton_euler, weights in front of gravity -> tau [, base_wrench], d_q, d_qd, d_qdd [,
+// d_base_velocity, d_base_acceleration]. By reverse mode (symbolic/derivative.h).
 symbolic::Program inverse_dynamics_gradient(
     const model::KinematicTree& tree,
     const std::string& name,

@@ -18,6 +18,7 @@ LimbView limb_view(const model::KinematicTree& tree, int joint) {
   LimbView view;
   view.tree.name = tree.name;
   view.tree.floating_base = tree.floating_base;
+  view.tree.uses_passive_forces = tree.uses_passive_forces;
   view.tree.parameters = tree.parameters;
   std::vector<int> new_link(tree.links.size(), -1);
   const auto add_link = [&](int link) {

@@ -358,6 +358,11 @@ std::string print_reflection(const Api& api, const std::string& path) {
     remarks.insert(remarks.end(), {"numbers of couplings", "couplings"});
   }
   parts.push_back(remarked_list("inline constexpr robcogen::reflection::Robot robot", fields, remarks));
+  if (library.has_drives() && !library.uses_passive_forces) {
+    // Of a URDF, which has no parameters.
+    fields.insert(fields.end(), {"{nullptr, 0}", "nullptr", "false", "false"});
+    remarks.insert(remarks.end(), {"parameters", "numbers for their values", "numbers of drives", "passive forces"});
+  }
   std::string batch_kernels;
   if (library.has_batches) {
     batch_kernels = in_namespace(api.space, batch_kernel_declarations(api));

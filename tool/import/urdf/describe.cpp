@@ -51,6 +51,11 @@ model::DescribedJoint described(
   result.type = joint.type == JointType::prismatic ? model::JointType::prismatic : model::JointType::revolute;
   result.placement = placement_of(parent.pose * pose_of(joint.origin) * Pose{{}, joint_axes(joint)});
   result.limits = limits;
+  result.drive.armature = model::Quantity(joint.armature);
+  if (joint.dynamics) {
+    result.drive.damping = model::Quantity(joint.dynamics->damping);
+    result.drive.friction = model::Quantity(joint.dynamics->friction);
+  }
   return result;
 }
 

@@ -55,6 +55,13 @@ struct Mimic {
   Number offset;
 };
 
+// Forces that resist the motion of a joint.
+struct Dynamics {
+  Number damping;
+  Number friction;
+  Place place;
+};
+
 struct Joint {
   Name name;
   JointType type = JointType::fixed;
@@ -64,6 +71,8 @@ struct Joint {
   Origin origin;
   std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
   std::optional<Limit> limit;
+  std::optional<Dynamics> dynamics;
+  Number armature;  // of the rotors that its transmissions turn
   std::optional<Mimic> mimic;
 };
 
@@ -93,6 +102,10 @@ const char* name_of(JointType type);
 // Treats roll, pitch and yaw of the origins of joints and inertials that are within 1e-6 of a multiple of PI/12 and not
 // exactly zero: with `snap` they become that multiple, with a note on each; otherwise one note counts them.
 void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostics);
+
+// Reads the rotors of Drake's transmissions, `drake:rotor_inertia` and `drake:gear_ratio` of an actuator: their inertia
+// behind the gear becomes armature of the joint, with one note.
+void read_transmissions(const Element& root, Document& document, Diagnostics& diagnostics);
 
 // Gives the document to urdfdom, the reader that most programs use. Reports its errors, in its words. Returns the
 // limits of each joint: infinite when the document has no limit of that kind; a missing `lower` or `upper` in a `limit`

@@ -376,13 +376,15 @@ class DocumentReader {
     Joint result;
     result.name = name(element, "name");
     const bool has_type = read_type(element, result);
-    const auto own = parts(element, {"origin", "parent", "child", "axis", "limit", "mimic"});
+    const auto own = parts(element, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"});
     if (const Element* parent = require_part(element, own, "parent")) result.parent = name(*parent, "link");
     if (const Element* child = require_part(element, own, "child")) result.child = name(*child, "link");
     result.origin = origin(own);
     if (!has_type || !is_movable(result)) return result;  // the rest has no meaning
     if (const auto axis = own.find("axis"); axis != own.end()) read_axis(*axis->second, result);
     if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = this->mimic(*mimic->second);
+    if (const auto dynamics = own.find("dynamics"); dynamics != own.end())
+      result.dynamics = dynamics_of(*dynamics->second, result);
     if (const auto found = own.find("limit"); found != own.end()) {
       result.limit = limit(*found->second, result);
     } else if (result.type != JointType::continuous) {
@@ -433,6 +435,27 @@ class DocumentReader {
     check_attributes(element, {"multiplier", "offset"}, {"joint", "multiplier", "offset"}, false);
     if (const Attribute* found = find(element, "multiplier")) result.multiplier = numbers(*found, 1, Range::any)[0];
     if (const Attribute* found = find(element, "offset")) result.offset = numbers(*found, 1, Range::any)[0];
+    return result;
+  }
+
+  // Programs that simulate take a negative value as none.
+  Dynamics dynamics_of(const Element& element, const Joint& joint) {
+    Dynamics result;
+    result.place = place(element.span);
+    check_attributes(element, {"damping", "friction"}, {"damping", "friction"}, false);
+    const auto read = [&](const char* attribute) {
+      const Attribute* found = find(element, attribute);
+      const Number value = found == nullptr ? Number() : numbers(*found, 1)[0];
+      if (value.value() >= 0) return value;
+      diagnostics_.warning(
+          "negative-dynamics", place(found->span),
+          fmt::format(
+              "the {} of joint '{}' is negative: {}; taken as zero", attribute, joint.name.text,
+              print_double(value.value())));
+      return Number();
+    };
+    result.damping = read("damping");
+    result.friction = read("friction");
     return result;
   }
 

@@ -24,6 +24,20 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
       fmt::format("elements without influence on kinematics and dynamics are ignored: {}", list));
 }
 
+// Other programs for dynamics leave damping and friction out of inverse dynamics, and many files hold values that were
+// tuned for a simulator: they are asked for.
+void note_passive_forces(const Document& document, Diagnostics& diagnostics) {
+  for (const Joint& joint : document.joints) {
+    if (!joint.dynamics || (joint.dynamics->damping.is_zero() && joint.dynamics->friction.is_zero())) continue;
+    diagnostics
+        .note(
+            "passive-forces-not-used", joint.dynamics->place,
+            "damping and friction of joints are constants of the robot, and not part of its dynamics")
+        .hint = "--passive-forces (PASSIVE_FORCES in CMake) includes them";
+    return;
+  }
+}
+
 // Leaves out the hints on inertias, which are for documents with moments about the origin of a frame. In a URDF they
 // are about the centre of mass.
 std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
@@ -52,6 +66,7 @@ std::optional<model::KinematicTree> urdf(
   const std::optional<Element> root = read_xml(source, diagnostics);
   if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
+  read_transmissions(*root, document, diagnostics);
   declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
   if (!options.allow_implausible)
@@ -65,9 +80,11 @@ std::optional<model::KinematicTree> urdf(
 
   treat_near_multiples(document, options.snap_angles, diagnostics);
   note_ignored(document, diagnostics);
-  return build_tree(
-      describe(document, *topology, identifiers, limits, options.floating_base, options.free_mimic_joints),
-      diagnostics);
+  model::Description description =
+      describe(document, *topology, identifiers, limits, options.floating_base, options.free_mimic_joints);
+  description.uses_passive_forces = options.passive_forces;
+  if (!options.passive_forces) note_passive_forces(document, diagnostics);
+  return build_tree(description, diagnostics);
 }
 
 }  // namespace robcogen::import
