@@ -145,7 +145,7 @@ bool chooses_level(const Api& api, const std::string& group) {
 }
 
 std::vector<std::string> groups_with_levels(const Api& api) {
-  std::vector<std::string> groups = {kTrigonometry};
+  std::vector<std::string> groups = {kParameters, kTrigonometry};
   groups.insert(groups.end(), api.library->groups.begin(), api.library->groups.end());
   std::erase_if(groups, [&](const std::string& group) { return !chooses_level(api, group); });
   return groups;

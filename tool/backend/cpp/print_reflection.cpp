@@ -315,6 +315,28 @@ Table parameters(const Library& library) {
   return table("Parameter", "kParameters", rows);
 }
 
+// The last fields of `robot`: values, what they are, and what they are where nothing is said.
+struct LastField {
+  std::string value, remark, usual;
+};
+
+std::vector<LastField> last_fields(const Api& api, const Table& parameters, const Table& couplings) {
+  const Library& library = *api.library;
+  const auto numbers = [&](std::size_t i) {
+    return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
+  };
+  const auto boolean = [](bool value) { return std::string(value ? "true" : "false"); };
+  std::vector<LastField> fields = {
+      {parameters.reference, "parameters", "{nullptr, 0}"},
+      {numbers(0), "numbers for their values", "nullptr"},
+      {boolean(api.is_parametric() && library.has_drives()), "numbers of drives", "false"},
+      {boolean(library.uses_passive_forces || !library.has_drives()), "passive forces", "true"},
+      {numbers(1), "numbers of couplings", "nullptr"},
+      {couplings.reference, "couplings", "{nullptr, 0}"}};
+  while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
+  return fields;
+}
+
 }  // namespace
 
 std::string print_reflection(const Api& api, const std::string& path) {
@@ -324,8 +346,6 @@ std::string print_reflection(const Api& api, const std::string& path) {
   std::vector<std::string> remarks = {"name",      "floating base",    "links",     "joints",
                                       "frames",    "transforms",       "Jacobians", "frame functions",
                                       "functions", "sines and cosines"};
-  const bool is_coupled = !library.coupled.empty();
-  if (api.is_parametric() || is_coupled) remarks.insert(remarks.end(), {"parameters", "numbers for their values"});
   std::vector<std::string> parts = {
       "using robcogen::reflection::At;\nusing robcogen::reflection::kFlat;\nusing robcogen::reflection::kFlatCore;\n",
       flat_trigonometry(api)};
@@ -335,34 +355,16 @@ std::string print_reflection(const Api& api, const std::string& path) {
     fields.push_back(t.reference);
   }
   fields.push_back(trigonometry(api));
-  if (api.is_parametric()) {
-    const Table t = parameters(library);
-    parts.push_back(t.definition);
-    fields.push_back(t.reference);
-  } else if (is_coupled) {
-    fields.emplace_back("{nullptr, 0}");
-  }
-  if (!api.numbers.empty())
-    fields.push_back(address(api.numbers.front()));
-  else if (is_coupled)
-    fields.emplace_back("nullptr");
-  const bool has_numbers_of_drives = api.is_parametric() && library.has_drives();
-  if (has_numbers_of_drives || is_coupled) {
-    fields.emplace_back(has_numbers_of_drives ? "true" : "false");
-    remarks.emplace_back("numbers of drives");
-  }
-  if (is_coupled) {
-    const Table t = couplings(library);
-    parts.push_back(t.definition);
-    fields.insert(fields.end(), {api.numbers.size() > 1 ? address(api.numbers[1]) : "nullptr", t.reference});
-    remarks.insert(remarks.end(), {"numbers of couplings", "couplings"});
+  const Table none = {"", "{nullptr, 0}"};
+  const Table of_parameters = api.is_parametric() ? parameters(library) : none;
+  const Table of_couplings = library.coupled.empty() ? none : couplings(library);
+  for (const Table& t : {of_parameters, of_couplings})
+    if (!t.definition.empty()) parts.push_back(t.definition);
+  for (const LastField& field : last_fields(api, of_parameters, of_couplings)) {
+    fields.push_back(field.value);
+    remarks.push_back(field.remark);
   }
   parts.push_back(remarked_list("inline constexpr robcogen::reflection::Robot robot", fields, remarks));
-  if (library.has_drives() && !library.uses_passive_forces) {
-    // Of a URDF, which has no parameters.
-    fields.insert(fields.end(), {"{nullptr, 0}", "nullptr", "false", "false"});
-    remarks.insert(remarks.end(), {"parameters", "numbers for their values", "numbers of drives", "passive forces"});
-  }
   std::string batch_kernels;
   if (library.has_batches) {
     batch_kernels = in_namespace(api.space, batch_kernel_declarations(api));
