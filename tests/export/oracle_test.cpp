@@ -39,11 +39,20 @@ double difference(const Found& found, const reference::Matrix<double>& expected)
   return largest / std::max(1e-300, reference::largest(expected));
 }
 
-// Joints, by name, in the tree's order.
+// Joints, by name: the independent ones, then those that follow them.
 std::vector<std::string> joint_names(const KinematicTree& tree) {
   std::vector<std::string> names;
-  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
+  for (const int j : independent_joints_first(tree)) names.push_back(tree.joints[static_cast<std::size_t>(j)].name);
   return names;
+}
+
+// The inertia matrix of the base and the coordinates, from that of the base and all joints.
+Eigen::MatrixXd reduced(const Eigen::MatrixXd& H, const reflection::Robot& robot) {
+  const reference::Matrix<double> coupling = reference::coupling_matrix<double>(robot);
+  Eigen::MatrixXd G = Eigen::MatrixXd::Identity(H.rows(), 6 + robot.dof());
+  for (int i = 0; i < coupling.rows(); ++i)
+    for (int j = 0; j < coupling.cols(); ++j) G(6 + i, 6 + j) = coupling(i, j);
+  return G.transpose() * H * G;
 }
 
 // The user frame of a link's name, or else the link frame: which one the URDF link is.
@@ -65,10 +74,11 @@ void expect_agreement(const KinematicTree& tree) {
     const reference::Vector<double> q = reference::random_sample(engine, robot.tables()).motion.q;
     test::UrdfReader::Positions positions;
     const std::vector<std::string> joints = joint_names(tree);
-    for (std::size_t j = 0; j < joints.size(); ++j) positions[joints[j]] = q(static_cast<int>(j));
+    const reference::Vector<double> all = reference::joint_positions(robot.tables().robot(), q);
+    for (std::size_t j = 0; j < joints.size(); ++j) positions[joints[j]] = all(static_cast<int>(j));
 
     const reference::Matrix<double> H = robot.joint_space_inertia(q);
-    const Eigen::MatrixXd found = urdf.inertia_matrix(joints, positions);
+    const Eigen::MatrixXd found = reduced(urdf.inertia_matrix(joints, positions), robot.tables().robot());
     EXPECT_LT(difference(found.bottomRightCorner(H.rows(), H.cols()).eval(), H), kTolerance) << "inertia matrix";
 
     const auto poses = urdf.poses(positions);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "export/urdf.h"
 #include "import/kinematics.h"
 
 namespace robcogen::test {
@@ -71,10 +72,17 @@ inline std::vector<NamedRobot> all_robots() {
   return robots;
 }
 
-// Those that a URDF can say: it knows no parameters, and of drives only damping and friction, to which others are cut.
+// Those that a URDF can say: it knows no parameters, no joint that follows several others, and of drives only damping
+// and friction, to which others are cut.
 inline std::vector<NamedRobot> constant_robots() {
   std::vector<NamedRobot> robots = all_robots();
-  std::erase_if(robots, [](const NamedRobot& robot) { return !robot.tree.parameters.empty(); });
+  std::erase_if(robots, [](const NamedRobot& robot) {
+    const model::KinematicTree& tree = robot.tree;
+    return !tree.parameters.empty() ||
+           !std::all_of(tree.couplings.begin(), tree.couplings.end(), [&](const model::Coupling& coupling) {
+             return exporting::may_be_mimic(tree, coupling);
+           });
+  });
   for (NamedRobot& robot : robots) {
     for (model::Joint& joint : robot.tree.joints) {
       const model::Drive drive = std::exchange(joint.drive, {});

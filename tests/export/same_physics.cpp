@@ -20,15 +20,18 @@ Eigen::MatrixXd eigen(const reference::Matrix<double>& m) {
   return Eigen::Map<const Eigen::MatrixXd>(m.data(), m.rows(), m.cols());
 }
 
-// Joint k of one robot is joint order[k] of the other.
+// Coordinate k of one robot is coordinate order[k] of the other.
 std::vector<int> joint_order(const KinematicTree& found, const KinematicTree& expected) {
   if (found.dof() != expected.dof() || found.floating_base != expected.floating_base)
     throw std::runtime_error("the robots differ in their joints");
+  const std::vector<int> expected_coordinates = expected.coordinates();
   std::vector<int> order;
-  for (const model::Joint& joint : found.joints) {
-    const std::optional<int> other = expected.find_joint(joint.name);
-    if (!other) throw std::runtime_error("no joint is called " + joint.name);
-    order.push_back(*other);
+  for (const int j : found.coordinates()) {
+    const std::string& name = found.joints[static_cast<std::size_t>(j)].name;
+    const std::optional<int> other = expected.find_joint(name);
+    const auto place = std::find(expected_coordinates.begin(), expected_coordinates.end(), other.value_or(-1));
+    if (place == expected_coordinates.end()) throw std::runtime_error("no independent joint is called " + name);
+    order.push_back(static_cast<int>(place - expected_coordinates.begin()));
   }
   return order;
 }

@@ -199,10 +199,10 @@ class RobotMotions : public testing::Test {
 
   std::vector<double> positions(const model::KinematicTree& robot) {
     std::vector<double> q;
-    for (const model::Joint& joint : robot.joints)
-      q.push_back(
-          std::uniform_real_distribution<double>(-1, 1)(random_) *
-          (joint.type == model::JointType::revolute ? 3.0 : 1.0));
+    for (const int j : robot.coordinates()) {
+      const bool turns = robot.joints[static_cast<std::size_t>(j)].type == model::JointType::revolute;
+      q.push_back(std::uniform_real_distribution<double>(-1, 1)(random_) * (turns ? 3.0 : 1.0));
+    }
     return q;
   }
 
