@@ -53,6 +53,7 @@ const Dialect& dialect() {
     Dialect d;
     d.is_reserved = is_reserved;
     d.line_limit = kColumns - 2;
+    d.name_limit = 28;  // two of them and a fraction fit in one line
     d.pairs_angles = false;
     d.stores = false;
     d.literal = literal;
