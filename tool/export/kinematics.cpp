@@ -146,7 +146,8 @@ class Writer {
     constexpr double kWide = 1e9;
     const auto number = [&](double value) { return write(Quantity(value)); };
     kinematics::Limits written;
-    if (std::isfinite(limits.lower) || std::isfinite(limits.upper))
+    // Crossed bounds, which a URDF may have, are none.
+    if ((std::isfinite(limits.lower) || std::isfinite(limits.upper)) && limits.lower <= limits.upper)
       written.position = {number(std::max(limits.lower, -kWide)), number(std::min(limits.upper, kWide))};
     if (std::isfinite(limits.velocity)) written.velocity = number(limits.velocity);
     if (std::isfinite(limits.effort)) written.effort = number(limits.effort);

@@ -24,7 +24,12 @@ std::string signature(const Program& program, const Kernel& kernel, const std::s
     }
   }
   const std::string result = results.size() == 1 ? results.front() : "[" + joined(results) + "]";
-  return wrapped("function " + result + " = " + name + "(", arguments, ")");
+  const std::string head = "function " + result + " = " + name + "(";
+  if (head.size() <= kColumns) return wrapped(head, arguments, ")");
+  std::string text = wrapped("function [", results, "] = " + name + "(");
+  text.pop_back();
+  const std::size_t last_line = text.rfind('\n') + 1;
+  return text.substr(0, last_line) + wrapped(text.substr(last_line), arguments, ")");
 }
 
 std::string lines(const Kernel& kernel) {
