@@ -74,11 +74,11 @@ void expect_agreement(const KinematicTree& tree) {
     const reference::Vector<double> q = reference::random_sample(engine, robot.tables()).motion.q;
     test::UrdfReader::Positions positions;
     const std::vector<std::string> joints = joint_names(tree);
-    const reference::Vector<double> all = reference::joint_positions(robot.tables().robot(), q);
+    const reference::Vector<double> all = reference::joint_positions(robot.tables(), q);
     for (std::size_t j = 0; j < joints.size(); ++j) positions[joints[j]] = all(static_cast<int>(j));
 
     const reference::Matrix<double> H = robot.joint_space_inertia(q);
-    const Eigen::MatrixXd found = reduced(urdf.inertia_matrix(joints, positions), robot.tables().robot());
+    const Eigen::MatrixXd found = reduced(urdf.inertia_matrix(joints, positions), robot.tables());
     EXPECT_LT(difference(found.bottomRightCorner(H.rows(), H.cols()).eval(), H), kTolerance) << "inertia matrix";
 
     const auto poses = urdf.poses(positions);
