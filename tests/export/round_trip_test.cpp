@@ -43,7 +43,6 @@ Read read_urdf(std::shared_ptr<const Source> source, bool floating_base = false,
   import::UrdfOptions options;
   options.floating_base = floating_base;
   options.allow_implausible = allow_implausible;
-  options.free_mimic_joints = true;
   options.passive_forces = true;  // as in robot documents
   Read result;
   result.tree = import::urdf(std::move(source), options, result.diagnostics);

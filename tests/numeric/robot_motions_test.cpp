@@ -50,7 +50,7 @@ std::optional<model::KinematicTree> robot_of(const path& document) {
 
 // As `robcogen convert robot.kindsl robot.motdsl` writes it.
 std::string motions_text(const model::KinematicTree& robot) {
-  return language::motion::print(exporting::motion_document(model::motions_of(robot)));
+  return language::motion::print(exporting::motion_document(model::motions_over_coordinates(robot)));
 }
 
 std::optional<model::RigidMotions> read(const std::string& text) {
@@ -168,7 +168,7 @@ class Both {
   // `q_<joint>`, with underscores behind it where a parameter has that name.
   double position_of(const std::string& variable, const std::vector<double>& q) const {
     for (std::size_t j = 0; j < q.size(); ++j)
-      if (model::motions_of(robot_).variables[j] == variable) return q[j];
+      if (model::motions_over_coordinates(robot_).variables[j] == variable) return q[j];
     ADD_FAILURE() << "no joint moves " << variable;
     return 0;
   }
