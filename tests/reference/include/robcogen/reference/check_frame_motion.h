@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <set>
 
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
@@ -102,12 +103,11 @@ inline std::vector<int> joints_between(const Robot& robot, int left, int right) 
 }
 
 // The elements of q that move these joints, in order.
-inline std::vector<int> movers_of(const Robot& robot, const std::vector<int>& joints) {
-  const Matrix<double> G = coupling_matrix<double>(robot);
-  std::vector<int> result;
-  for (int k = 0; k < robot.dof(); ++k)
-    if (std::any_of(joints.begin(), joints.end(), [&](int j) { return G(j, k) != 0; })) result.push_back(k);
-  return result;
+inline std::vector<int> coordinates_of(const Robot& robot, const std::vector<int>& joints) {
+  std::set<int> coordinates;
+  for (const int j : joints)
+    for (const Mover& mover : movers_of(robot, j)) coordinates.insert(mover.coordinate);
+  return {coordinates.begin(), coordinates.end()};
 }
 
 // The size of a quantity's terms, from that of the chain's Jacobians (m, or 1) and the sums of the contributions of its
@@ -132,7 +132,7 @@ template <class Subject>
 void check_frame_motions(const Subject& subject, const Case& c, Checks& checks) {
   for (int i = 0; i < c.robot.frame_functions.size; ++i) {
     const FrameFunction& f = c.robot.frame_functions[i];
-    const std::vector<int> joints = movers_of(c.robot, joints_between(c.robot, f.left, f.right));
+    const std::vector<int> joints = coordinates_of(c.robot, joints_between(c.robot, f.left, f.right));
     Matrix<Real> expected = frame_quantity(c.robot, c.motion, f.quantity, f.left, f.right);
     if (reflection::is_jacobian(f.quantity)) {
       std::vector<int> listed(f.columns, f.columns + f.column_count);

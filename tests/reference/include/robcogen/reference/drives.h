@@ -11,9 +11,8 @@ namespace robcogen::reference {
 // How a joint follows the base and the elements of q: its row of [1 0; 0 G].
 template <class Scalar>
 Vector<Scalar> row_of_joint(const Robot& robot, int joint) {
-  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
   Vector<Scalar> row(6 + robot.dof());
-  for (int k = 0; k < robot.dof(); ++k) row(6 + k) = G(joint, k);
+  for (const Mover& mover : movers_of(robot, joint)) row(6 + mover.coordinate) = Scalar(mover.factor);
   return row;
 }
 
@@ -30,6 +29,10 @@ Scalar inertia_of(const JointDrive& drive) {
   return Scalar(drive.armature) + Scalar(drive.rotor_inertia) * ratio * ratio;
 }
 
+inline bool has_inertia(const JointDrive& drive) {
+  return drive.armature != 0 || drive.rotor_inertia != 0;
+}
+
 // Momentum of the rotor in its carrier at unit rate of the joint.
 template <class Scalar>
 Scalar momentum_of_rotor(const JointDrive& drive) {
@@ -41,6 +44,7 @@ template <class Scalar>
 void add_drives(const Robot& robot, const std::vector<Matrix<Scalar>>& poses, Matrix<Scalar>& H) {
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
+    if (!has_inertia(drive)) continue;
     const Vector<Scalar> row = row_of_joint<Scalar>(robot, j);
     H += inertia_of<Scalar>(drive) * (row * transpose(row));
     if (drive.rotor_carrier < 0) continue;
@@ -60,11 +64,11 @@ Vector<Scalar> forces_on_drives(
     const Motion<Scalar>& motion,
     const std::vector<LinkMotion<Scalar>>& links,
     const std::vector<Matrix<Scalar>>& poses) {
-  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
-  const Vector<Scalar> qd = G * motion.qd, qdd = G * motion.qdd;
+  const Vector<Scalar> qd = joint_rates(robot, motion.qd), qdd = joint_rates(robot, motion.qdd);
   Vector<Scalar> forces(6 + robot.dof());
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
+    if (!has_inertia(drive)) continue;
     const Vector<Scalar> row = row_of_joint<Scalar>(robot, j);
     forces += (inertia_of<Scalar>(drive) * qdd(j)) * row;
     if (drive.rotor_carrier < 0) continue;
@@ -81,7 +85,7 @@ Vector<Scalar> forces_on_drives(
 // The part of the kinetic energy (J) that the lumped mass properties of the carriers do not have.
 template <class Scalar>
 Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& rates, const std::vector<LinkMotion<Scalar>>& links) {
-  const Vector<Scalar> qd = coupling_matrix<Scalar>(robot) * rates;
+  const Vector<Scalar> qd = joint_rates(robot, rates);
   Scalar energy(0);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
@@ -100,7 +104,7 @@ Vector<Scalar> momentum_of_rotors(
     const Robot& robot,
     const Vector<Scalar>& rates,
     const std::vector<LinkMotion<Scalar>>& links) {
-  const Vector<Scalar> qd = coupling_matrix<Scalar>(robot) * rates;
+  const Vector<Scalar> qd = joint_rates(robot, rates);
   Vector<Scalar> total(3);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
@@ -121,8 +125,7 @@ Scalar friction_direction(const Scalar& qd, double velocity) {
 // What the joints have to overcome in their drives: damping, friction, springs.
 template <class Scalar>
 Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) {
-  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
-  const Vector<Scalar> q = joint_positions(robot, motion.q), qd = G * motion.qd;
+  const Vector<Scalar> q = joint_positions(robot, motion.q), qd = joint_rates(robot, motion.qd);
   Vector<Scalar> forces(robot.joints.size);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
@@ -130,7 +133,7 @@ Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) 
                 Scalar(drive.friction) * friction_direction(qd(j), drive.friction_velocity) +
                 Scalar(drive.stiffness) * (q(j) - Scalar(drive.rest));
   }
-  return transpose(G) * forces;
+  return transpose(coupling_matrix<Scalar>(robot)) * forces;
 }
 
 }  // namespace robcogen::reference

@@ -65,6 +65,20 @@ Matrix<Scalar> central_inertia(const reflection::Link& link) {
   return about_origin - Scalar(link.mass) * (dot(c, c) * Matrix<Scalar>::identity(3) - c * transpose(c));
 }
 
+// Adds J' M J: what moves the body has columns that are not zero.
+template <class Scalar>
+void add_body(const Matrix<Scalar>& J, const Matrix<Scalar>& M, Matrix<Scalar>& H) {
+  std::vector<int> moving;
+  for (int j = 0; j < J.cols(); ++j)
+    if (largest(J.col(j)) != Scalar(0)) moving.push_back(j);
+  Matrix<Scalar> columns(6, static_cast<int>(moving.size()));
+  for (int k = 0; k < columns.cols(); ++k) columns.set_block(0, k, J.col(moving[static_cast<std::size_t>(k)]));
+  const Matrix<Scalar> added = transpose(columns) * (M * columns);
+  for (int b = 0; b < columns.cols(); ++b)
+    for (int a = 0; a < columns.cols(); ++a)
+      H(moving[static_cast<std::size_t>(a)], moving[static_cast<std::size_t>(b)]) += added(a, b);
+}
+
 // (6 + n) x (6 + n), base first.
 template <class Scalar>
 Matrix<Scalar> full_inertia(const Robot& robot, const Vector<Scalar>& q) {
@@ -76,8 +90,7 @@ Matrix<Scalar> full_inertia(const Robot& robot, const Vector<Scalar>& q) {
     Matrix<Scalar> M(6, 6);
     M.set_block(0, 0, R * central_inertia<Scalar>(link) * transpose(R));
     M.set_block(3, 3, Scalar(link.mass) * Matrix<Scalar>::identity(3));
-    const Matrix<Scalar> J = body_jacobian(robot, poses, i, center_of_mass<Scalar>(link));
-    H += transpose(J) * (M * J);
+    add_body(body_jacobian(robot, poses, i, center_of_mass<Scalar>(link)), M, H);
   }
   add_drives(robot, poses, H);
   return H;
@@ -123,7 +136,8 @@ Vector<Scalar> required_wrench(
 template <class Scalar>
 Vector<Scalar> generalized_forces(const Robot& robot, const Motion<Scalar>& motion, const Loads<Scalar>& loads) {
   const std::vector<LinkMotion<Scalar>> links = link_motions(robot, motion);
-  const std::vector<Matrix<Scalar>> poses = link_poses(robot, motion.q);
+  std::vector<Matrix<Scalar>> poses;
+  for (const LinkMotion<Scalar>& link : links) poses.push_back(link.pose);
   Vector<Scalar> forces(6 + motion.q.rows());
   for (int i = 0; i < robot.links.size; ++i) {
     const Matrix<Scalar> J = body_jacobian(robot, poses, i, center_of_mass<Scalar>(robot.links[i]));

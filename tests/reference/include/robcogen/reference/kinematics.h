@@ -22,10 +22,35 @@ Matrix<Scalar> coupling_matrix(const Robot& robot) {
   return G;
 }
 
+// The elements of q that move a joint, and by how much each: the row of the matrix that is not zero.
+struct Mover {
+  int coordinate;
+  double factor;
+};
+
+inline std::vector<Mover> movers_of(const Robot& robot, int joint) {
+  if (joint < robot.dof()) return {{joint, 1}};
+  std::vector<Mover> movers;
+  for (int c = 0; c < robot.dof(); ++c) {
+    const double factor = robot.couplings[joint - robot.dof()].factors[c];
+    if (factor != 0) movers.push_back({c, factor});
+  }
+  return movers;
+}
+
+// Velocities, or accelerations, of all joints.
+template <class Scalar>
+Vector<Scalar> joint_rates(const Robot& robot, const Vector<Scalar>& rates) {
+  Vector<Scalar> all(robot.joints.size);
+  for (int j = 0; j < robot.joints.size; ++j)
+    for (const Mover& mover : movers_of(robot, j)) all(j) += Scalar(mover.factor) * rates(mover.coordinate);
+  return all;
+}
+
 // Positions of all joints.
 template <class Scalar>
 Vector<Scalar> joint_positions(const Robot& robot, const Vector<Scalar>& q) {
-  Vector<Scalar> all = coupling_matrix<Scalar>(robot) * q;
+  Vector<Scalar> all = joint_rates(robot, q);
   for (int k = 0; k < robot.couplings.size; ++k) all(robot.dof() + k) += Scalar(robot.couplings[k].offset);
   return all;
 }
@@ -159,9 +184,8 @@ std::vector<LinkMotion<Scalar>> link_motions(const Robot& robot, const Motion<Sc
   base.second_rate.set_block(0, 0, skew(motion.base_acceleration.head(3)) + spin * spin);
   base.second_rate.set_block(0, 3, motion.base_acceleration.tail(3) + spin * v);
 
-  const Matrix<Scalar> G = coupling_matrix<Scalar>(robot);
   const Vector<Scalar> positions = joint_positions(robot, motion.q);
-  const Vector<Scalar> velocities = G * motion.qd, accelerations = G * motion.qdd;
+  const Vector<Scalar> velocities = joint_rates(robot, motion.qd), accelerations = joint_rates(robot, motion.qdd);
   for (const int j : outward_order(robot)) {
     const reflection::Joint& joint = robot.joints[j];
     const LinkMotion<Scalar>& parent = links[static_cast<std::size_t>(joint.parent)];
@@ -194,19 +218,15 @@ Matrix<Scalar> body_jacobian(
   Matrix<Scalar> J(6, 6 + robot.dof());
   J.set_block(0, 0, Matrix<Scalar>::identity(6));
   J.set_block(3, 0, -skew(p));
-  Matrix<Scalar> by_joint(6, robot.joints.size);
   for (const int j : supporting_joints(robot, link)) {
     // The z axis of the child's frame is the joint's axis, and its origin lies on it.
     const Matrix<Scalar>& child = poses[static_cast<std::size_t>(robot.joints[j].child)];
     const Vector<Scalar> axis = child.block(0, 2, 3, 1);
-    if (robot.joints[j].revolute) {
-      by_joint.set_block(0, j, axis);
-      by_joint.set_block(3, j, cross(axis, p - origin_of(child)));
-    } else {
-      by_joint.set_block(3, j, axis);
-    }
+    const Vector<Scalar> column =
+        robot.joints[j].revolute ? stacked(axis, cross(axis, p - origin_of(child))) : stacked(Vector<Scalar>(3), axis);
+    for (const Mover& mover : movers_of(robot, j))
+      for (int i = 0; i < 6; ++i) J(i, 6 + mover.coordinate) += Scalar(mover.factor) * column(i);
   }
-  J.set_block(0, 6, by_joint * coupling_matrix<Scalar>(robot));
   return J;
 }
 

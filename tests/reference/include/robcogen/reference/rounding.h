@@ -39,8 +39,8 @@ inline void add_drive_terms(
     const std::vector<LinkMotion<double>>& links,
     Vector<double>& sums,
     Vector<double>& by_joint) {
-  const Matrix<double> G = coupling_matrix<double>(robot);
-  const Vector<double> q = joint_positions(robot, motion.q), qd = G * motion.qd, qdd = G * motion.qdd;
+  const Vector<double> q = joint_positions(robot, motion.q), qd = joint_rates(robot, motion.qd);
+  const Vector<double> qdd = joint_rates(robot, motion.qdd);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
     by_joint(j) += std::abs(inertia_of<double>(drive) * qdd(j)) + std::abs(drive.damping * qd(j)) +
