@@ -215,7 +215,7 @@ std::vector<std::vector<double>> inertia_of_coordinates(const KinematicTree& tre
   for (std::size_t k = 0; k < independent.size(); ++k) G[at(independent[k])] = {{k, 1.0}};
   for (const Coupling& coupling : tree.couplings) {
     for (const Coupling::Term& term : coupling.terms)
-      G[at(coupling.joint)].emplace_back(G[at(term.joint)].front().first, evaluate(term.factor, parameters));
+      G[at(coupling.joint)].emplace_back(at(tree.coordinate_of(term.joint)), evaluate(term.factor, parameters));
   }
   const std::size_t gone = tree.couplings.size();
   for (std::size_t row = tree.joints.size(); row < H.size(); ++row) G[row] = {{row - gone, 1.0}};

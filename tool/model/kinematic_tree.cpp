@@ -12,6 +12,12 @@ Frame link_frame(const KinematicTree& tree, int link) {
   return {Frame::Kind::link, link, implicit_frame_name(tree.links[at(link)].name)};
 }
 
+// That of this joint, or of the first one after it.
+std::vector<Coupling>::const_iterator first_coupling(const std::vector<Coupling>& couplings, int joint) {
+  return std::lower_bound(
+      couplings.begin(), couplings.end(), joint, [](const Coupling& c, int index) { return c.joint < index; });
+}
+
 }  // namespace
 
 std::string implicit_frame_name(const std::string& element) {
@@ -45,9 +51,20 @@ std::vector<int> KinematicTree::coordinates() const {
   return independent;
 }
 
+int KinematicTree::coordinate_of(int joint) const {
+  return joint - static_cast<int>(first_coupling(couplings, joint) - couplings.begin());
+}
+
+bool KinematicTree::has_drives() const {
+  return std::any_of(joints.begin(), joints.end(), [](const Joint& joint) { return !joint.drive.is_absent(); });
+}
+
+bool KinematicTree::has_rotors() const {
+  return std::any_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.drive.rotor.has_value(); });
+}
+
 const Coupling* KinematicTree::coupling_of(int joint) const {
-  const auto found = std::lower_bound(
-      couplings.begin(), couplings.end(), joint, [](const Coupling& c, int index) { return c.joint < index; });
+  const auto found = first_coupling(couplings, joint);
   return found == couplings.end() || found->joint != joint ? nullptr : &*found;
 }
 

@@ -132,6 +132,11 @@ class KinematicTree {
   int dof() const { return static_cast<int>(joints.size() - couplings.size()); }
   // The independent joints: coordinate k is the position of joint coordinates()[k].
   std::vector<int> coordinates() const;
+  // The coordinate that an independent joint is the position of.
+  int coordinate_of(int joint) const;
+  // Whether a joint has anything of a drive; whether one has a rotor.
+  bool has_drives() const;
+  bool has_rotors() const;
   // nullptr for an independent joint.
   const Coupling* coupling_of(int joint) const;
   // Joint indices, parents before children, depth first, children in the order of the document.

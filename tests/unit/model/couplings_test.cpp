@@ -4,6 +4,7 @@
 #include "descriptions.h"
 #include "model/plausibility.h"
 #include "model/rigid_motions.h"
+#include "support/index.h"
 
 namespace robcogen::model {
 namespace {
@@ -31,6 +32,7 @@ TEST(Couplings, LeaveTheCoordinatesOfIndependentJoints) {
   EXPECT_EQ(tree.dof(), 3);
   EXPECT_EQ(tree.coordinates(), (std::vector<int>{0, 2, 3}));
   EXPECT_EQ(independent_joints_first(tree), (std::vector<int>{0, 2, 3, 1}));
+  for (int k = 0; k < tree.dof(); ++k) EXPECT_EQ(tree.coordinate_of(tree.coordinates()[at(k)]), k);
   EXPECT_EQ(tree.coupling_of(0), nullptr);
   ASSERT_NE(tree.coupling_of(1), nullptr);
   EXPECT_EQ(tree.coupling_of(1)->terms.front().joint, 3);

@@ -11,45 +11,50 @@ namespace {
 
 using model::KinematicTree;
 
-// What a group's functions take from the mass properties.
-enum class Needs {
-  nothing,
-  inertia,          // some
-  mass,             // they divide by the total mass
-  inertia_inverse,  // they divide by the joint-space inertia matrix
-  free_joints,      // some, and the recursion knows neither rotors nor couplings
-  many_solutions,   // both, for many right-hand sides in code without loops
+// What a robot must have for a group's functions: a set of these.
+enum Needs : unsigned {
+  kNothing = 0,
+  kInertia = 1 << 0,
+  kMass = 1 << 1,            // they divide by the total mass
+  kRegularInertia = 1 << 2,  // they divide by the joint-space inertia matrix
+  kNoRotors = 1 << 3,
+  kNoCouplings = 1 << 4,
+  kFewOperations = 1 << 5,  // code without loops has many right-hand sides
 };
+
+constexpr unsigned kFreeJoints = kInertia | kNoRotors | kNoCouplings;
+constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
 
 struct Group {
   const char* name;
   bool is_default;
-  Needs needs;
+  unsigned needs;  // of Needs
   // One of these.
   std::vector<RobotFunction> (*dynamics)(const KinematicTree&, FormulationChoices&);
   std::vector<RobotFunction> (*kinematics)(const KinematicTree&, const model::DesiredTransforms&);
 };
 
 constexpr std::array kGroups = {
-    Group{"inverse_dynamics", true, Needs::inertia, inverse_dynamics_functions, nullptr},
-    Group{"bias_forces", true, Needs::inertia, bias_forces_functions, nullptr},
-    Group{"passive_forces", false, Needs::nothing, passive_forces_functions, nullptr},
-    Group{"forward_dynamics", true, Needs::inertia_inverse, forward_dynamics_functions, nullptr},
-    Group{"joint_space_inertia", true, Needs::inertia, joint_space_inertia_functions, nullptr},
-    Group{"joint_space_inertia_factor", true, Needs::inertia_inverse, joint_space_inertia_factor_functions, nullptr},
-    Group{"coriolis_matrix", false, Needs::inertia, coriolis_matrix_functions, nullptr},
-    Group{"inverse_dynamics_derivatives", false, Needs::free_joints, inverse_dynamics_derivatives_functions, nullptr},
-    Group{"inverse_dynamics_gradient", false, Needs::inertia, inverse_dynamics_gradient_functions, nullptr},
+    Group{"inverse_dynamics", true, kInertia, inverse_dynamics_functions, nullptr},
+    Group{"bias_forces", true, kInertia, bias_forces_functions, nullptr},
+    Group{"passive_forces", false, kNothing, passive_forces_functions, nullptr},
+    Group{"forward_dynamics", true, kInertiaInverse, forward_dynamics_functions, nullptr},
+    Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
+    Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
+    Group{"coriolis_matrix", false, kInertia, coriolis_matrix_functions, nullptr},
+    Group{"inverse_dynamics_derivatives", false, kFreeJoints, inverse_dynamics_derivatives_functions, nullptr},
+    Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
-        "forward_dynamics_derivatives", false, Needs::many_solutions, forward_dynamics_derivatives_functions, nullptr},
-    Group{"centroidal", true, Needs::mass, centroidal_functions, nullptr},
-    Group{"energy", true, Needs::inertia, energy_functions, nullptr},
-    Group{"transforms", true, Needs::nothing, nullptr, transforms_functions},
-    Group{"jacobians", true, Needs::nothing, nullptr, jacobians_functions},
-    Group{"jacobian_references", false, Needs::nothing, nullptr, jacobian_references_functions},
-    Group{"jacobian_derivatives", false, Needs::nothing, nullptr, jacobian_derivatives_functions},
-    Group{"velocities", false, Needs::nothing, nullptr, velocities_functions},
-    Group{"accelerations", false, Needs::nothing, nullptr, accelerations_functions}};
+        "forward_dynamics_derivatives", false, kFreeJoints | kInertiaInverse | kFewOperations,
+        forward_dynamics_derivatives_functions, nullptr},
+    Group{"centroidal", true, kMass, centroidal_functions, nullptr},
+    Group{"energy", true, kInertia, energy_functions, nullptr},
+    Group{"transforms", true, kNothing, nullptr, transforms_functions},
+    Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
+    Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
+    Group{"jacobian_derivatives", false, kNothing, nullptr, jacobian_derivatives_functions},
+    Group{"velocities", false, kNothing, nullptr, velocities_functions},
+    Group{"accelerations", false, kNothing, nullptr, accelerations_functions}};
 
 const Group* group_of(const std::string& name) {
   const auto found =
@@ -71,29 +76,33 @@ bool has_many_operations(const KinematicTree& tree) {
   return 4 * pairs * (3 * tree.dof() + (tree.floating_base ? 3 : 0)) > kMany;
 }
 
-bool has_rotors(const KinematicTree& tree) {
-  return std::any_of(
-      tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return joint.drive.rotor.has_value(); });
+struct Requirement {
+  Needs need;
+  bool (*is_met)(const KinematicTree&);
+  const char* reason;  // empty where diagnostics of the mass properties say it
+};
+
+constexpr std::array kRequirements = {
+    Requirement{kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; }, ""},
+    Requirement{kMass, [](const KinematicTree& tree) { return !tree.inertia_defects.no_mass; }, ""},
+    Requirement{kRegularInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.is_singular(); }, ""},
+    Requirement{
+        kNoRotors, [](const KinematicTree& tree) { return !tree.has_rotors(); },
+        "derivatives of robots with rotors are not generated"},
+    Requirement{
+        kNoCouplings, [](const KinematicTree& tree) { return tree.couplings.empty(); },
+        "derivatives of robots with coupled joints are not generated"},
+    Requirement{
+        kFewOperations, [](const KinematicTree& tree) { return !has_many_operations(tree); },
+        "with so many joints its code without loops would outgrow the caches of processors"}};
+
+bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
+  return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);
 }
 
 bool is_available(const Group& group, const KinematicTree& tree) {
-  const model::InertiaDefects& defects = tree.inertia_defects;
-  switch (group.needs) {
-    case Needs::nothing:
-      return true;
-    case Needs::inertia:
-      return !defects.no_inertia;
-    case Needs::mass:
-      return !defects.no_mass;
-    case Needs::inertia_inverse:
-      return !defects.no_inertia && !defects.is_singular();
-    case Needs::free_joints:
-      return !defects.no_inertia && !has_rotors(tree) && tree.couplings.empty();
-    case Needs::many_solutions:
-      return !defects.no_inertia && !defects.is_singular() && !has_rotors(tree) && tree.couplings.empty() &&
-             !has_many_operations(tree);
-  }
-  return true;
+  return std::none_of(
+      kRequirements.begin(), kRequirements.end(), [&](const Requirement& r) { return lacks(tree, group, r); });
 }
 
 template <class Condition>
@@ -129,12 +138,11 @@ bool is_available(const KinematicTree& tree, const std::string& group) {
 
 std::string reason_of_absence(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
-  if (!found || (found->needs != Needs::free_joints && found->needs != Needs::many_solutions)) return "";
-  if (has_rotors(tree)) return "derivatives of robots with rotors are not generated";
-  if (!tree.couplings.empty()) return "derivatives of robots with coupled joints are not generated";
-  if (found->needs == Needs::many_solutions && has_many_operations(tree))
-    return "with so many joints its code without loops would outgrow the caches of processors";
-  return "";
+  if (!found) return "";
+  const auto lacking = std::find_if(kRequirements.begin(), kRequirements.end(), [&](const Requirement& r) {
+    return *r.reason != '\0' && lacks(tree, *found, r);
+  });
+  return lacking == kRequirements.end() ? "" : lacking->reason;
 }
 
 std::vector<RobotFunction> functions(

@@ -101,9 +101,7 @@ std::vector<RobotFunction> passive_forces_functions(const KinematicTree& tree, F
        {},
        {},
        passive_forces(tree, "passive_forces")}};
-  const bool has_rotors = std::any_of(
-      tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return joint.drive.rotor.has_value(); });
-  if (has_rotors)
+  if (tree.has_rotors())
     list.push_back(
         {"passive_forces",
          "",

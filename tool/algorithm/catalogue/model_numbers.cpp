@@ -1,7 +1,5 @@
 #include "algorithm/catalogue/model_numbers.h"
 
-#include <algorithm>
-
 #include "algorithm/spatial/trace.h"
 
 namespace robcogen::algorithm {
@@ -66,8 +64,7 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
     trace.section(link.name, "link " + link.name);
     add_link({trace, links}, link);
   }
-  const bool has_drives = std::any_of(
-      tree.joints.begin(), tree.joints.end(), [](const model::Joint& joint) { return !joint.drive.is_absent(); });
+  const bool has_drives = tree.has_drives();
   for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint " + joint.name);
@@ -89,17 +86,14 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
 
 symbolic::Program coupling_numbers(const model::KinematicTree& tree) {
   Trace trace(tree);
-  const std::vector<int> coordinates = tree.coordinates();
   const int rows = tree.dof() + 1;
   std::vector<Expression> values;
   for (const model::Coupling& coupling : tree.couplings) {
     const std::string& name = tree.joints[at(coupling.joint)].name;
     trace.section(name, "joint " + name);
     std::vector<Expression> column(at(rows));
-    for (const model::Coupling::Term& term : coupling.terms) {
-      const auto place = std::lower_bound(coordinates.begin(), coordinates.end(), term.joint);
-      column[static_cast<std::size_t>(place - coordinates.begin())] = trace.lift(term.factor);
-    }
+    for (const model::Coupling::Term& term : coupling.terms)
+      column[at(tree.coordinate_of(term.joint))] = trace.lift(term.factor);
     column.back() = trace.lift(coupling.offset);
     values.insert(values.end(), column.begin(), column.end());
   }

@@ -56,12 +56,6 @@ void append(std::vector<Expression>& columns, const Vector3& v) {
   columns.insert(columns.end(), v.element.begin(), v.element.end());
 }
 
-Vector3 unit_vector(Trace& trace, std::size_t axis) {
-  Vector3 v;
-  v[axis] = trace.graph.one();
-  return v;
-}
-
 }  // namespace
 
 Program total_mass(const model::KinematicTree& tree, const std::string& name) {
@@ -93,8 +87,8 @@ Program center_of_mass_jacobian(
   const WholeBody body(robot);
   std::vector<Expression> columns;
   if (tree.floating_base) {
-    for (std::size_t k = 0; k < 3; ++k) append(columns, cross(unit_vector(trace, k), body.com));
-    for (std::size_t k = 0; k < 3; ++k) append(columns, unit_vector(trace, k));
+    for (std::size_t k = 0; k < 3; ++k) append(columns, cross(unit_vector(trace.graph, k), body.com));
+    for (std::size_t k = 0; k < 3; ++k) append(columns, unit_vector(trace.graph, k));
   }
   for (const std::vector<Share>& moved : shares(trace))
     append(columns, body.per_mass * unit_momentum(body, moved).linear);
@@ -116,13 +110,13 @@ Program centroidal_momentum_matrix(
     // origin, that about the centre of mass is I + [h]x [com]x.
     const Matrix3 inertia = inertia_tensor(body.total);
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3 e = unit_vector(trace, k), velocity = cross(e, body.com);
+      const Vector3 e = unit_vector(trace.graph, k), velocity = cross(e, body.com);
       append(columns, Vector3{inertia[0][k], inertia[1][k], inertia[2][k]} - cross(first_moment, velocity));
       append(columns, cross(e, first_moment));
     }
     for (std::size_t k = 0; k < 3; ++k) {
       append(columns, Vector3());
-      append(columns, body.total.mass * unit_vector(trace, k));
+      append(columns, body.total.mass * unit_vector(trace.graph, k));
     }
   }
   for (const std::vector<Share>& moved : shares(trace)) {

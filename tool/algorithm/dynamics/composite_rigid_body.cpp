@@ -107,7 +107,7 @@ std::vector<std::string> names_of_rows(const model::KinematicTree& tree, const s
 SquareMatrix reduced(const TracedRobot& robot, const SquareMatrix& by_joint) {
   if (robot.tree().couplings.empty()) return by_joint;
   robot.trace.section("coupled", "inertia of coupled joints");
-  const SquareMatrix H = symmetric_by_coordinate(robot.trace, by_joint, robot.floating() ? 6 : 0);
+  const SquareMatrix H = by_coordinate(robot.trace, by_joint, robot.floating() ? 6 : 0, Symmetry::symmetric);
   const std::vector<std::string> names = coordinate_names(robot.tree());
   for (int r = 0; r < H.size(); ++r)
     for (int c = 0; c <= r; ++c) describe(H(r, c), "H_" + names[at(r)] + "_" + names[at(c)]);

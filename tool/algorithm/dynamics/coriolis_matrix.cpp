@@ -76,8 +76,7 @@ void fill_base(const TracedRobot& robot, const SpreadBodies& bodies, SquareMatri
   const Matrix3& spread = bodies.spread[0].K;
   const Expression trace = spread[0][0] + spread[1][1] + spread[2][2];
   for (int k = 0; k < 3; ++k) {
-    Vector3 axis;
-    axis[at(k)] = robot.trace.graph.one();
+    const Vector3 axis = unit_vector(robot.trace.graph, at(k));
     const Vector3 change = cross(bodies.w[0], axis);
     Vector3 moment = multiply(inertia_tensor(m), change);
     for (std::size_t r = 0; r < 3; ++r) moment[r] -= spread[r][at(k)];
@@ -109,7 +108,7 @@ Program coriolis_matrix(const model::KinematicTree& tree, const std::string& nam
   SquareMatrix c(base + joints);
   for (int j = 0; j < joints; ++j) fill_joint(robot, bodies, j, c);
   if (tree.floating_base) fill_base(robot, bodies, c);
-  c = by_coordinate(trace, c, base);
+  c = by_coordinate(trace, c, base, Symmetry::none);
   const int size = c.size();
   trace.output("C", Role::matrix, size, size, c.columns());
   return trace.program(name);

@@ -47,10 +47,6 @@ Expression friction(Trace& trace, const model::Drive& drive, const Expression& q
   return trace.lift(drive.friction) * (qd / sqrt(qd * qd + square));
 }
 
-}  // namespace
-
-namespace {
-
 // Whether the robot's dynamics use them or not.
 std::vector<Expression> forces_of_drives(
     Trace& trace,

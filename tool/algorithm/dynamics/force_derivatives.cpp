@@ -30,8 +30,12 @@ FieldChange by_position(const Motion& S, const LinkMotion& motion) {
 
 // Half of how they change per unit of its velocity.
 FieldChange by_velocity(const Motion& S, const LinkMotion& motion) {
-  const Vector3& w = motion.angular.w;
-  return {S.angular, {cross(w, S.angular), cross(w, S.linear)}};
+  return change_of_field(motion.angular.w, S);
+}
+
+// How they change per unit of the base's angular velocity about an axis of it.
+FieldChange by_base_turning(const Vector3& axis, const Motion& base_velocity) {
+  return {axis + axis, {cross(base_velocity.angular, axis), cross(axis, base_velocity.linear)}};
 }
 
 class JointWalks {
@@ -87,11 +91,8 @@ class JointWalks {
   void fill_base(const Vector3& v) {
     robot_.trace.section(robot_.link_name(0), "base: derivatives");
     const MassProperties& body = bodies_.composite[0];
-    const Vector3& w = bodies_.w[0];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3 axis = unit(k);
-      set(result.base_velocity[k], wrench_of(body, bodies_.spread[0], {axis + axis, {cross(w, axis), cross(axis, v)}}));
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      set(result.base_velocity[k], wrench_of(body, bodies_.spread[0], by_base_turning(unit(k), {bodies_.w[0], v})));
     const SquareMatrix inertia = matrix(rigid_body_inertia(body));
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c) result.base_acceleration[at(c)][at(r)] = inertia(r, c);
@@ -136,11 +137,7 @@ class JointWalks {
   std::vector<std::string> names_;  // of coordinates
   int base_;                        // rows of the base
 
-  Vector3 unit(std::size_t k) const {
-    Vector3 axis;
-    axis[k] = robot_.trace.graph.one();
-    return axis;
-  }
+  Vector3 unit(std::size_t k) const { return unit_vector(robot_.trace.graph, k); }
 
   static void set(Row& column, const Force& wrench) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -178,12 +175,8 @@ class JointWalks {
     set(result.qd[j], walk.by_velocity);
     for (std::size_t k = 0; k < 6; ++k) result.qd[j][k] += result.qd[j][k];
     set(result.qdd[j], row.Q);
-    const Vector3& w = bodies_.w[0];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3 axis = unit(k);
-      const FieldChange change{axis + axis, {cross(w, axis), cross(axis, base_v)}};
-      result.base_velocity[k][at(base_) + j] = dot(row, change);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      result.base_velocity[k][at(base_) + j] = dot(row, by_base_turning(unit(k), {bodies_.w[0], base_v}));
     for (std::size_t k = 0; k < 6; ++k) result.base_acceleration[k][at(base_) + j] = result.qdd[j][k];
   }
 
@@ -198,12 +191,6 @@ class JointWalks {
 };
 
 }  // namespace
-
-std::vector<Expression> flat(const Columns& columns) {
-  std::vector<Expression> result;
-  for (const std::vector<Expression>& column : columns) result.insert(result.end(), column.begin(), column.end());
-  return result;
-}
 
 ForceDerivatives force_derivatives(
     const TracedRobot& robot,
@@ -222,8 +209,7 @@ ForceDerivatives force_derivatives(
 
 void fill_free_fall(Trace& trace, const Vector3& base_w, const Vector3& gravity, ForceDerivatives& d) {
   for (std::size_t k = 0; k < 3; ++k) {
-    Vector3 axis;
-    axis[k] = trace.graph.one();
+    const Vector3 axis = unit_vector(trace.graph, k);
     const Vector3 by_turn = cross(gravity, axis), by_velocity = cross(axis, base_w);
     std::vector<Expression>&turn = d.base_rotation[k], &slide = d.base_velocity[3 + k];
     turn.assign(turn.size(), {});
@@ -252,13 +238,13 @@ Program inverse_dynamics_derivatives(
   const int n = tree.dof(), rows = n + (tree.floating_base ? 6 : 0);
   trace.output("tau", Role::joint_force, forces.tau);
   if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
-  trace.output("d_q", Role::matrix, rows, n, flat(d.q));
-  trace.output("d_qd", Role::matrix, rows, n, flat(d.qd));
-  trace.output("d_qdd", tree.floating_base ? Role::matrix : Role::inertia_matrix, rows, n, flat(d.qdd));
+  trace.output("d_q", Role::matrix, rows, d.q);
+  trace.output("d_qd", Role::matrix, rows, d.qd);
+  trace.output("d_qdd", tree.floating_base ? Role::matrix : Role::inertia_matrix, rows, d.qdd);
   if (tree.floating_base) {
-    trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d.base_rotation));
-    trace.output("d_base_velocity", Role::matrix, rows, 6, flat(d.base_velocity));
-    trace.output("d_base_acceleration", Role::matrix, rows, 6, flat(d.base_acceleration));
+    trace.output("d_base_rotation", Role::matrix, rows, d.base_rotation);
+    trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
+    trace.output("d_base_acceleration", Role::matrix, rows, d.base_acceleration);
   }
   return trace.program(name);
 }

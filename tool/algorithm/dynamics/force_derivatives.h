@@ -7,9 +7,6 @@
 
 namespace robcogen::algorithm {
 
-// A matrix by columns.
-using Columns = std::vector<std::vector<Expression>>;
-
 // Of (base wrench, tau), or of tau on a fixed base. The base's columns only where it floats.
 struct ForceDerivatives {
   Columns q, qd, qdd;         // by joint; qdd: of the joint-space inertia matrix
@@ -28,8 +25,5 @@ ForceDerivatives force_derivatives(
 // Of (base acceleration, joints) of a robot whose base nothing holds, by a turn and by the linear velocity of the base:
 // in the world the robot moves as before.
 void fill_free_fall(Trace& trace, const Vector3& base_w, const Vector3& gravity, ForceDerivatives& d);
-
-// One column after the other.
-std::vector<Expression> flat(const Columns& columns);
 
 }  // namespace robcogen::algorithm

@@ -17,12 +17,12 @@ namespace {
 using symbolic::Role;
 
 // The joint-space inertia matrix in the order of elimination.
-struct Elimination {
+struct OrderedInertia {
   std::vector<int> order;
   std::vector<std::string> names;
   SquareMatrix a;
 
-  explicit Elimination(const model::KinematicTree& tree, const SquareMatrix& H)
+  OrderedInertia(const model::KinematicTree& tree, const SquareMatrix& H)
       : order(elimination_tree(tree).order), a(H.size()) {
     const std::vector<std::string> all = coordinate_names(tree);
     for (const int k : order) names.push_back(all[at(k)]);
@@ -43,11 +43,16 @@ struct Elimination {
   }
 };
 
+struct SolvedMotion {
+  ForwardMotion motion;
+  OrderedInertia H;
+};
+
 // H qdd = tau - bias, eliminated from the leaves (Featherstone 2008, sec. 6.5, without square roots).
-ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load) {
+SolvedMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load) {
   const model::KinematicTree& tree = robot.tree();
   const Forces bias = bias_forces(robot, in, load);
-  const SquareMatrix H = joint_space_inertia(robot);
+  const OrderedInertia H(tree, joint_space_inertia(robot));
   std::vector<Expression> missing;
   if (tree.floating_base) {
     for (const Expression& e : bias.base_wrench.moment.element) missing.push_back(-e);
@@ -56,27 +61,24 @@ ForwardMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in,
   robot.trace.section("solution", "solution with the joint-space inertia matrix");
   const std::vector<Expression> needed = by_coordinate(robot.trace, bias.tau);
   for (std::size_t k = 0; k < in.tau.size(); ++k) missing.push_back(in.tau[k] - needed[k]);
-  const Elimination elimination(tree, H);
-  const std::vector<Expression> x =
-      elimination.unordered(solve(elimination.a, elimination.ordered(missing), elimination.names));
+  const std::vector<Expression> x = H.unordered(solve(H.a, H.ordered(missing), H.names));
   ForwardMotion motion;
   const int base = tree.floating_base ? 6 : 0;
   if (tree.floating_base) motion.base_acceleration = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
   motion.qdd.assign(x.begin() + base, x.end());
-  return motion;
+  return {motion, H};
 }
 
 // Replaces columns of forces that motions take, by those of the motions that the forces make: x by -H^-1 x.
-void solve_columns(const TracedRobot& robot, const SquareMatrix& H, std::vector<std::vector<Expression>*> columns) {
-  const Elimination elimination(robot.tree(), H);
+void solve_columns(const OrderedInertia& H, const std::vector<std::vector<Expression>*>& columns) {
   std::vector<RightSide> right;
   for (const std::vector<Expression>* column : columns) {
     std::vector<Expression> missing;
-    for (const Expression& e : elimination.ordered(*column)) missing.push_back(-e);
+    for (const Expression& e : H.ordered(*column)) missing.push_back(-e);
     right.push_back({"_" + std::to_string(right.size()), std::move(missing)});
   }
-  const auto solutions = solve(elimination.a, std::move(right), elimination.names);
-  for (std::size_t c = 0; c < columns.size(); ++c) *columns[c] = elimination.unordered(solutions[c]);
+  const auto solutions = solve(H.a, std::move(right), H.names);
+  for (std::size_t c = 0; c < columns.size(); ++c) *columns[c] = H.unordered(solutions[c]);
 }
 
 }  // namespace
@@ -100,7 +102,8 @@ symbolic::Program forward_dynamics(
   const TracedRobot robot(trace, in.q, choice.formulation);
   subtract_passive_forces(trace, in, in.tau);
   const bool by_matrix = choice.method == ForwardDynamicsMethod::inertia_matrix || !allows_articulated_bodies(tree);
-  const ForwardMotion motion = by_matrix ? by_inertia_matrix(robot, in, load) : by_articulated_bodies(robot, in, load);
+  const ForwardMotion motion =
+      by_matrix ? by_inertia_matrix(robot, in, load).motion : by_articulated_bodies(robot, in, load);
   trace.output("qdd", Role::joint_acceleration, motion.qdd);
   if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
   return trace.program(name);
@@ -118,14 +121,13 @@ symbolic::Program forward_dynamics_derivatives(
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
   subtract_passive_forces(trace, in, in.tau);
-  const ForwardMotion motion = by_inertia_matrix(robot, in, load);
+  const auto [motion, H] = by_inertia_matrix(robot, in, load);
   in.base_acceleration = motion.base_acceleration;
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
   const Forces forces = newton_euler_forces(robot, base, in.qd, motion.qdd, &load);
   ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
-  const SquareMatrix H = joint_space_inertia(robot);
   trace.section("solution", "derivatives of the solution");
-  const int n = tree.dof(), rows = H.size(), first = rows - n;
+  const int n = tree.dof(), rows = H.a.size(), first = rows - n;
   Columns by_tau(at(n), std::vector<Expression>(at(rows)));
   for (int j = 0; j < n; ++j) by_tau[at(j)][at(first + j)] = -trace.graph.one();
   std::vector<std::vector<Expression>*> columns;
@@ -133,16 +135,16 @@ symbolic::Program forward_dynamics_derivatives(
     for (std::vector<Expression>& column : *block) columns.push_back(&column);
   if (tree.floating_base)
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(&d.base_velocity[k]);
-  solve_columns(robot, H, columns);
+  solve_columns(H, columns);
   trace.output("qdd", Role::joint_acceleration, motion.qdd);
   if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
-  trace.output("d_q", Role::matrix, rows, n, flat(d.q));
-  trace.output("d_qd", Role::matrix, rows, n, flat(d.qd));
-  trace.output("d_tau", Role::matrix, rows, n, flat(by_tau));
+  trace.output("d_q", Role::matrix, rows, d.q);
+  trace.output("d_qd", Role::matrix, rows, d.qd);
+  trace.output("d_tau", Role::matrix, rows, by_tau);
   if (tree.floating_base) {
     fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
-    trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d.base_rotation));
-    trace.output("d_base_velocity", Role::matrix, rows, 6, flat(d.base_velocity));
+    trace.output("d_base_rotation", Role::matrix, rows, d.base_rotation);
+    trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
   }
   return trace.program(name);
 }

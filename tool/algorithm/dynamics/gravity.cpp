@@ -2,7 +2,6 @@
 #include <functional>
 
 #include "algorithm/dynamics/dynamics.h"
-#include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
@@ -113,18 +112,16 @@ Program gravity_forces_derivative(
     const Vector3 moment = cross(f, held.lift[0]);
     for (std::size_t k = 0; k < 3; ++k) d_q[column][k] = d_base[k][at(base) + column] = moment[k];
   }
-  trace.output("d_q", Role::matrix, rows, tree.dof(), flat(d_q));
+  trace.output("d_q", Role::matrix, rows, d_q);
   if (!tree.floating_base) return trace.program(name);
   for (std::size_t k = 0; k < 3; ++k) {
-    Vector3 axis;
-    axis[k] = trace.graph.one();
-    const Force change = wrench_of(held.body[0], cross(held.lift[0], axis));
+    const Force change = wrench_of(held.body[0], cross(held.lift[0], unit_vector(trace.graph, k)));
     for (std::size_t i = 0; i < 3; ++i) {
       d_base[k][i] = change.moment[i];
       d_base[k][3 + i] = change.linear[i];
     }
   }
-  trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d_base));
+  trace.output("d_base_rotation", Role::matrix, rows, d_base);
   return trace.program(name);
 }
 

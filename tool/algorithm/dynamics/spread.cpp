@@ -124,8 +124,12 @@ Force wrench_of(const MassProperties& m, const Spread& body, const FieldChange& 
   return {moment + multiply_by_spread(body.K, field.turning), force + cross(field.turning, body.l)};
 }
 
+FieldChange change_of_field(const Vector3& w, const Motion& S) {
+  return {S.angular, {cross(w, S.angular), cross(w, S.linear)}};
+}
+
 Force column_wrench(const MassProperties& m, const Spread& body, const Vector3& w, const Motion& S) {
-  return wrench_of(m, body, {S.angular, {cross(w, S.angular), cross(w, S.linear)}});
+  return wrench_of(m, body, change_of_field(w, S));
 }
 
 ChangeOfMotion row_of_joint(const MassProperties& m, const Spread& body, const Joint& joint, const Motion& S) {

@@ -69,7 +69,9 @@ Matrix3 transposed(const Matrix3& m);
 // w x z, the rate of a link's z axis.
 Vector3 rate_of_z(const Vector3& w);
 
-// The wrench that belongs to the change of a joint's own motion field, whose axis turns with its link.
+// The change of the motion field of a joint whose axis turns with its link, by w.
+FieldChange change_of_field(const Vector3& w, const Motion& S);
+// The wrench that belongs to it.
 Force column_wrench(const MassProperties& m, const Spread& body, const Vector3& w, const Motion& S);
 // The integral of that field, for the change of others.
 ChangeOfMotion row_of_joint(const MassProperties& m, const Spread& body, const Joint& joint, const Motion& S);

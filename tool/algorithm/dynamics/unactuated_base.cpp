@@ -92,16 +92,16 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
       for (std::size_t row = 6; row < column.size(); ++row) column[row] += d.base_acceleration[k][row] * column[k];
     }
   }
-  // Rows 3 to 5 alone, whatever the robot: all of it falls alike.
+  // Rows 3 to 5 alone, whatever the robot: all its parts fall with the same acceleration.
   fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
   trace.output("tau", Role::joint_force, forces.tau);
   trace.output("base_acceleration", Role::base_acceleration, free.acceleration);
   const int n = tree.dof(), rows = 6 + n;
-  trace.output("d_q", Role::matrix, rows, n, flat(d.q));
-  trace.output("d_qd", Role::matrix, rows, n, flat(d.qd));
-  trace.output("d_qdd", Role::matrix, rows, n, flat(d.qdd));
-  trace.output("d_base_rotation", Role::matrix, rows, 3, flat(d.base_rotation));
-  trace.output("d_base_velocity", Role::matrix, rows, 6, flat(d.base_velocity));
+  trace.output("d_q", Role::matrix, rows, d.q);
+  trace.output("d_qd", Role::matrix, rows, d.qd);
+  trace.output("d_qdd", Role::matrix, rows, d.qdd);
+  trace.output("d_base_rotation", Role::matrix, rows, d.base_rotation);
+  trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
   return trace.program(name);
 }
 

@@ -40,7 +40,6 @@ std::vector<std::vector<int>> limb_inputs(
     const LimbsInLanes& limbs,
     const symbolic::Program& program) {
   constexpr int kWrench = 6;
-  const std::vector<int> coordinates = tree.coordinates();
   std::vector<std::vector<int>> tuples;
   int begin = 0;
   for (const symbolic::InputArray& array : program.inputs) {
@@ -48,10 +47,7 @@ std::vector<std::vector<int>> limb_inputs(
     for (const std::vector<int>& joints : limbs.joints) {
       if (is_by_joint(array.role) && size == tree.dof()) {
         std::vector<int>& tuple = tuples.emplace_back();
-        for (const int joint : joints)
-          tuple.push_back(
-              begin +
-              static_cast<int>(std::lower_bound(coordinates.begin(), coordinates.end(), joint) - coordinates.begin()));
+        for (const int joint : joints) tuple.push_back(begin + tree.coordinate_of(joint));
       }
       if (array.role != Role::link_wrenches) continue;
       for (int k = 0; k < kWrench; ++k) {

@@ -7,14 +7,10 @@ namespace robcogen::algorithm {
 std::vector<std::vector<Share>> shares(Trace& trace) {
   const model::KinematicTree& tree = trace.tree;
   std::vector<std::vector<Share>> result;
-  std::vector<int> coordinate_of(tree.joints.size(), -1);
-  for (const int joint : tree.coordinates()) {
-    coordinate_of[at(joint)] = static_cast<int>(result.size());
-    result.push_back({{joint, Expression()}});
-  }
+  for (const int joint : tree.coordinates()) result.push_back({{joint, Expression()}});
   for (const model::Coupling& coupling : tree.couplings)
     for (const model::Coupling::Term& term : coupling.terms)
-      result[at(coordinate_of[at(term.joint)])].push_back({coupling.joint, trace.lift(term.factor)});
+      result[at(tree.coordinate_of(term.joint))].push_back({coupling.joint, trace.lift(term.factor)});
   return result;
 }
 
@@ -54,22 +50,16 @@ class ReducedMatrix {
 
 }  // namespace
 
-SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base) {
+SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base, Symmetry symmetry) {
   if (trace.tree.couplings.empty()) return by_joint;
   const ReducedMatrix reduced(trace, by_joint, base);
   SquareMatrix result(reduced.size());
-  for (int row = 0; row < result.size(); ++row)
-    for (int column = 0; column < result.size(); ++column) result(row, column) = reduced.element(row, column);
-  return result;
-}
-
-SquareMatrix symmetric_by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base) {
-  if (trace.tree.couplings.empty()) return by_joint;
-  const ReducedMatrix reduced(trace, by_joint, base);
-  SquareMatrix result(reduced.size());
-  for (int row = 0; row < result.size(); ++row)
-    for (int column = 0; column <= row; ++column)
-      result(row, column) = result(column, row) = reduced.element(row, column);
+  for (int row = 0; row < result.size(); ++row) {
+    const int end = symmetry == Symmetry::symmetric ? row + 1 : result.size();
+    for (int column = 0; column < end; ++column) result(row, column) = reduced.element(row, column);
+    if (symmetry == Symmetry::symmetric)
+      for (int column = 0; column < row; ++column) result(column, row) = result(row, column);
+  }
   return result;
 }
 
@@ -91,11 +81,9 @@ std::vector<Motion> columns_by_coordinate(
 }
 
 std::vector<int> coordinates_of(const model::KinematicTree& tree, const std::vector<int>& joints) {
-  const std::vector<int> independent = tree.coordinates();
   std::vector<int> result;
   const auto add = [&](int joint) {
-    const auto coordinate =
-        static_cast<int>(std::lower_bound(independent.begin(), independent.end(), joint) - independent.begin());
+    const int coordinate = tree.coordinate_of(joint);
     if (std::find(result.begin(), result.end(), coordinate) == result.end()) result.push_back(coordinate);
   };
   for (const int joint : joints) {

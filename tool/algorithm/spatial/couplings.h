@@ -29,10 +29,10 @@ auto sum_of(const std::vector<Share>& shares, OfJoint of_joint) {
 // G' tau.
 std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression>& by_joint);
 
-// G' m G, of a matrix whose first `base` rows and columns are those of the base and stay.
-SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base);
-// The same of a symmetric matrix, from the elements on one side.
-SquareMatrix symmetric_by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base);
+// G' m G, of a matrix whose first `base` rows and columns are those of the base and stay; of a symmetric one, from the
+// elements on one side.
+enum class Symmetry { none, symmetric };
+SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base, Symmetry symmetry);
 
 // The columns of a Jacobian over these joints, of a chain, as columns over chain_coordinates of the same joints.
 std::vector<Motion> columns_by_coordinate(

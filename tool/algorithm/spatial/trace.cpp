@@ -118,6 +118,12 @@ void ProgramTrace::output(
   outputs_.push_back(values);
 }
 
+void ProgramTrace::output(const std::string& name, Role role, int rows, const Columns& columns) {
+  std::vector<Expression> values;
+  for (const std::vector<Expression>& column : columns) values.insert(values.end(), column.begin(), column.end());
+  output(name, role, rows, static_cast<int>(columns.size()), values);
+}
+
 void ProgramTrace::section(const std::string& subject, const std::string& title) {
   graph.begin_section(title, subject);
 }

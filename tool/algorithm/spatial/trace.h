@@ -31,6 +31,7 @@ class ProgramTrace {
       int rows,
       int columns,
       const std::vector<Expression>& values);
+  void output(const std::string& name, symbolic::Role role, int rows, const Columns& columns);
 
   // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
   void section(const std::string& subject, const std::string& title);

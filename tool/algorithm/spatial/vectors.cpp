@@ -58,6 +58,12 @@ Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }
 
+Vector3 unit_vector(Graph& graph, std::size_t axis) {
+  Vector3 v;
+  v[axis] = graph.one();
+  return v;
+}
+
 void name(Graph& graph, const Vector3& v, const std::string& name) {
   graph.name(v[0], name + "x");
   graph.name(v[1], name + "y");

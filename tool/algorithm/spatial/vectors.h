@@ -62,6 +62,11 @@ class SquareMatrix {
   std::vector<Expression> columns_;
 };
 
+// A matrix by columns.
+using Columns = std::vector<std::vector<Expression>>;
+
+Vector3 unit_vector(Graph& graph, std::size_t axis);
+
 // Names the three components `<name>x`, `<name>y`, `<name>z`.
 void name(Graph& graph, const Vector3& v, const std::string& name);
 
