@@ -1,14 +1,11 @@
 #include "pass/passes.h"
-#include "pass/rebuild.h"
+#include "symbolic/rebuild.h"
 
 namespace robcogen::pass {
 
 symbolic::Program canonical(symbolic::Program program) {
-  Rebuild rebuild(program);
-  for (std::size_t i = 0; i < program.statements.size(); ++i) {
-    rebuild.enter_section_of(i);
-    rebuild.set(i, rebuild.compute(i));
-  }
+  symbolic::Rebuild rebuild(program);
+  rebuild.keep_all();
   return rebuild.finish();
 }
 

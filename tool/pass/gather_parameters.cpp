@@ -1,7 +1,6 @@
 #include "pass/gather_parameters.h"
 
-#include "pass/rebuild.h"
-#include "symbolic/expression.h"
+#include "symbolic/rebuild.h"
 
 namespace robcogen::pass {
 namespace {
@@ -11,6 +10,7 @@ using symbolic::Graph;
 using symbolic::Node;
 using symbolic::Op;
 using symbolic::Program;
+using symbolic::Rebuild;
 using symbolic::Role;
 
 class ParameterGatherer {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "pass/passes.h"
-#include "pass/rebuild.h"
 #include "pass/statements.h"
 #include "symbolic/count.h"
+#include "symbolic/rebuild.h"
 
 namespace robcogen::pass {
 namespace {
@@ -14,6 +14,7 @@ using symbolic::kLatency;
 using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
+using symbolic::Rebuild;
 using symbolic::Statement;
 
 // How often each statement is read, outputs included.

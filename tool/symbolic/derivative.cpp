@@ -5,8 +5,7 @@
 #include <stdexcept>
 
 #include "support/index.h"
-#include "symbolic/apply.h"
-#include "symbolic/expression.h"
+#include "symbolic/rebuild.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -54,28 +53,22 @@ class Differentiated {
 
   // With another input in front of the array `place`.
   Differentiated(const Program& program, std::size_t place, const InputArray& added)
-      : program_(program), inputs_(program.inputs) {
+      : program_(program),
+        rebuild_(program, place, added),
+        added_(static_cast<int>(added.elements.size())),
+        shapes_(program.outputs) {
     if (program.has_lanes()) throw std::logic_error("derivatives of a program with lanes");
-    const auto last = inputs_.begin() + static_cast<std::ptrdiff_t>(place);
-    if (!added.elements.empty()) inputs_.insert(last, added);
-    int element = 0;
-    for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      const bool is_added = !added.elements.empty() && k == place;
-      for (std::size_t i = 0; i < inputs_[k].elements.size(); ++i)
-        (is_added ? added_ : elements_).push_back(graph.input(element++));
-    }
-    for (const Statement& s : program.statements) copy(s);
-    for (const OutputArray& array : program.outputs) {
-      shapes_.push_back({array.name, array.role, array.rows, array.columns, {}});
-      std::vector<Expression>& values = outputs_.emplace_back();
-      for (const Operand& o : array.values) values.push_back(read(o));
-    }
-    size_ = graph.nodes().size();
+    // Inputs that nothing reads have a derivative too.
+    int elements = added_;
+    for (const InputArray& array : program.inputs) elements += static_cast<int>(array.elements.size());
+    for (int element = 0; element < elements; ++element) graph().input(element);
+    rebuild_.keep_all();
+    outputs_ = rebuild_.outputs();
+    size_ = graph().nodes().size();
   }
 
-  Graph graph;
+  Graph& graph() { return rebuild_.graph; }
 
-  const std::vector<OutputArray>& shapes() const { return shapes_; }
   const std::vector<Expression>& output(std::size_t k) const { return outputs_[k]; }
   const std::vector<Expression>& output(const std::string& name) const {
     const auto found =
@@ -84,18 +77,23 @@ class Differentiated {
     return outputs_[static_cast<std::size_t>(found - shapes_.begin())];
   }
 
-  std::vector<Expression> input(const std::string& name) const {
-    std::size_t first = 0;
+  std::vector<Expression> input(const std::string& name) {
+    int first = 0;
     for (const InputArray& array : program_.inputs) {
-      const auto begin = elements_.begin() + static_cast<std::ptrdiff_t>(first);
-      const std::size_t count = array.elements.size();
-      if (array.name == name) return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+      const auto count = static_cast<int>(array.elements.size());
+      std::vector<Expression> elements;
+      for (int k = 0; array.name == name && k < count; ++k) elements.push_back(rebuild_.input(first + k));
+      if (array.name == name) return elements;
       first += count;
     }
     throw std::logic_error("the program has no input '" + name + "'");
   }
 
-  const std::vector<Expression>& added() const { return added_; }
+  std::vector<Expression> added() {
+    std::vector<Expression> elements;
+    for (int k = 0; k < added_; ++k) elements.push_back(rebuild_.added_input(k));
+    return elements;
+  }
 
   void add_output(const std::string& name, Role role, int rows, int columns, const std::vector<Expression>& values) {
     shapes_.push_back({name, role, rows, columns, {}});
@@ -105,11 +103,11 @@ class Differentiated {
   // By node: the derivatives of the program's nodes by an input.
   std::vector<Expression> tangents(const Expression& by) {
     std::vector<Expression> d(size_);
-    d[at(by.node())] = graph.one();
+    d[at(by.node())] = graph().one();
     for (std::size_t i = 0; i < size_; ++i) {
-      const Node node = graph.nodes()[i];
+      const Node node = graph().nodes()[i];
       if (node.kind != Node::Kind::operation) continue;
-      const Partials p = partials(graph, i);
+      const Partials p = partials(graph(), i);
       const Expression of_a = is_zero(d, node.a) ? Expression() : p.a * d[at(node.a)];
       d[i] = node.b < 0 || is_zero(d, node.b) ? of_a : of_a + p.b() * d[at(node.b)];
     }
@@ -122,50 +120,26 @@ class Differentiated {
     for (std::size_t k = 0; k < results.size(); ++k)
       d[at(results[k].node())] += results[k].negative() ? -weights[k] : weights[k];
     for (std::size_t i = size_; i-- > 0;) {
-      const Node node = graph.nodes()[i];
+      const Node node = graph().nodes()[i];
       if (node.kind != Node::Kind::operation || d[i].is_zero()) continue;
-      const Partials p = partials(graph, i);
+      const Partials p = partials(graph(), i);
       d[at(node.a)] += p.a * d[i];
       if (node.b >= 0) d[at(node.b)] += p.b() * d[i];
     }
     return d;
   }
 
-  Program finish() const { return graph.program(program_.name, inputs_, shapes_, outputs_); }
+  Program finish() const { return rebuild_.finish(shapes_, outputs_); }
 
  private:
   const Program& program_;
-  std::vector<InputArray> inputs_;
-  std::vector<Expression> elements_, added_;  // of the program's inputs, of the other
-  std::vector<Expression> values_;            // by statement
+  Rebuild rebuild_;
+  int added_;  // elements of the other input
   std::vector<OutputArray> shapes_;
   std::vector<std::vector<Expression>> outputs_;
   std::size_t size_ = 0;  // nodes of the program
-  int section_ = -1;
 
   static bool is_zero(const std::vector<Expression>& d, int node) { return d[at(node)].is_zero(); }
-
-  Expression read(const Operand& o) {
-    const auto i = at(o.index);
-    const Expression e = is_constant(o)                   ? graph.constant(program_.constants[i])
-                         : o.kind == Operand::Kind::input ? elements_[i]
-                                                          : values_[i];
-    return o.negative ? -e : e;
-  }
-
-  void copy(const Statement& s) {
-    if (s.section != section_) {
-      section_ = s.section;
-      const Section& section = program_.sections[at(section_)];
-      graph.begin_section(section.title, section.prefix);
-    }
-    const Expression a = read(s.a);
-    const Expression b = is_binary(s.op) ? read(s.b) : Expression();
-    const Expression value = apply(s.op, a, b);
-    if (s.named) graph.name(value, s.name);
-    if (s.described) graph.describe(value, s.name);
-    values_.push_back(value);
-  }
 };
 
 std::vector<Expression> signed_values(const std::vector<Expression>& by_node, const std::vector<Expression>& of) {
@@ -196,7 +170,7 @@ Program with_derivatives(const Program& program, const std::vector<std::string>&
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);
     std::vector<std::vector<Expression>> columns(program.outputs.size());
-    d.graph.begin_section("derivatives by " + input, "d_" + input);
+    d.graph().begin_section("derivatives by " + input, "d_" + input);
     for (const Expression& variable : variables) {
       const std::vector<Expression> tangents = d.tangents(variable);
       for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -234,7 +208,7 @@ Program with_gradient(
     const std::vector<Expression>& values = d.output(array.name);
     results.insert(results.end(), values.begin(), values.end());
   });
-  d.graph.begin_section("gradient", "gradient");
+  d.graph().begin_section("gradient", "gradient");
   const std::vector<Expression> adjoints = d.adjoints(results, d.added());
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);

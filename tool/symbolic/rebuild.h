@@ -1,0 +1,47 @@
+// Rebuilding a program statement by statement through Graph: what algebraic passes and derivatives share.
+#pragma once
+
+#include <vector>
+
+#include "symbolic/expression.h"
+
+namespace robcogen::symbolic {
+
+// The program must outlive it.
+class Rebuild {
+ public:
+  explicit Rebuild(const Program& program) : Rebuild(program, program.inputs.size(), {}) {}
+  // With another array of inputs in front of the array `place`; none where it has no elements.
+  Rebuild(const Program& program, std::size_t place, const InputArray& added);
+
+  Graph graph;
+
+  // An input of the program, and one of the other array, by its element.
+  Expression input(int element) { return graph.input(element < place_ ? element : element + added_); }
+  Expression added_input(int element) { return graph.input(place_ + element); }
+  // The new value of an operand whose statement was rebuilt already.
+  Expression read(const Operand& operand);
+  // What statement i computes, from the new values of its operands.
+  Expression compute(std::size_t i);
+  // Sets the new value of statement i; it inherits section and name.
+  void set(std::size_t i, const Expression& value);
+  // The next statements belong to the section of statement i.
+  void enter_section_of(std::size_t i);
+  // Rebuilds every statement as it is.
+  void keep_all();
+  // The new values of each array of outputs.
+  std::vector<std::vector<Expression>> outputs();
+  // The program of the new values.
+  Program finish() { return finish(program_.outputs, outputs()); }
+  // One with other outputs: `values[k]` are those of `shapes[k]`.
+  Program finish(std::vector<OutputArray> shapes, const std::vector<std::vector<Expression>>& values) const;
+
+ private:
+  const Program& program_;
+  std::vector<InputArray> inputs_;
+  int place_ = 0, added_ = 0;  // of the other array: its first element, how many there are
+  std::vector<Expression> values_;
+  int section_ = -1;
+};
+
+}  // namespace robcogen::symbolic
