@@ -53,12 +53,6 @@ struct CoupledJointData {
   double offset = 0;            // rad or m
 };
 
-inline std::vector<JointData> joints_of(const std::vector<CoupledJointData>& coupled) {
-  std::vector<JointData> joints;
-  for (const CoupledJointData& c : coupled) joints.push_back(c.joint);
-  return joints;
-}
-
 struct LinkData {
   std::string name;
   int parent_joint = -1;  // -1: base; counted on from Library::joints to Library::coupled
@@ -140,7 +134,7 @@ struct Library {
   std::string generator_version;  // of the tool: printed in one file only, so that a new version recompiles little
   bool floating_base = false;
   bool uses_passive_forces = true;  // those of `drive` are part of the dynamics
-  std::vector<LinkData> links;      // [0] is the base; none: there is no robot, but transforms of `variables`
+  std::vector<LinkData> links;      // [0] is the base; empty: a library without robot, of transforms of `variables`
   std::vector<JointData> joints;    // those of joint arrays
   std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
@@ -168,15 +162,20 @@ struct Library {
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
 
   bool has_robot() const { return !links.empty(); }
+  std::vector<JointData> coupled_joints() const {
+    std::vector<JointData> list;
+    for (const CoupledJointData& c : coupled) list.push_back(c.joint);
+    return list;
+  }
   // The joints of joint arrays, then coupled ones.
   std::vector<JointData> all_joints() const {
-    std::vector<JointData> all = joints;
-    for (const CoupledJointData& c : coupled) all.push_back(c.joint);
+    std::vector<JointData> all = coupled_joints();
+    all.insert(all.begin(), joints.begin(), joints.end());
     return all;
   }
   bool has_drives() const {
-    const std::vector<JointData> all = all_joints();
-    return std::any_of(all.begin(), all.end(), [](const JointData& joint) { return joint.drive.has_value(); });
+    return std::any_of(joints.begin(), joints.end(), [](const JointData& j) { return j.drive.has_value(); }) ||
+           std::any_of(coupled.begin(), coupled.end(), [](const auto& c) { return c.joint.drive.has_value(); });
   }
 };
 

@@ -187,8 +187,7 @@ Action declare_generate(CLI::App& application) {
       ->add_option(
           "--processors", options->processors,
           "cpp: processors that functions are compiled for, of which a program chooses when it starts; default "
-          "baseline; "
-          "robots only")
+          "baseline; robots only")
       ->check(one_of({"baseline", "avx2", "avx512"}));
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(one_of(language_names()));

@@ -44,10 +44,10 @@ Model foreign_model(model::KinematicTree tree) {
 }
 
 std::optional<Model> load_tree(
+    const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
     const import::UrdfOptions& options,
     Diagnostics& diagnostics) {
-  const std::shared_ptr<const Source> source = read_source(file);
   const Language language = language_of(file);
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read = import::mjcf(source, file, {options.free_mimic_joints}, diagnostics);
@@ -81,10 +81,11 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
 }
 
 std::optional<Model> load_robot(
+    const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  std::optional<Model> model = load_tree(file, options.urdf, diagnostics);
+  std::optional<Model> model = load_tree(source, file, options.urdf, diagnostics);
   if (!model) return std::nullopt;
   if (options.strict) promote_strict_warnings(diagnostics);
   auto& robot = std::get<Robot>(model->content);
@@ -182,7 +183,7 @@ std::optional<Model> load_content(
     Diagnostics& diagnostics) {
   const std::shared_ptr<const Source> source = read_source(file);
   const Language language = language_of(file);
-  if (is_robot(language) || language == Language::desired) return load_robot(file, options, diagnostics);
+  if (is_robot(language) || language == Language::desired) return load_robot(source, file, options, diagnostics);
   std::optional<Model> model = language == Language::motions ? load_motions(source, options, diagnostics)
                                                              : load_transforms(source, options, diagnostics);
   if (!model) return std::nullopt;

@@ -112,8 +112,7 @@ void declare_frames(Assembly& a) {
             "frame-hidden", frame.place,
             fmt::format(
                 "frame '{}' has the name of the implicit frame of {}: transforms and Jacobians use that frame, and "
-                "this "
-                "one serves only as a ref_frame",
+                "this one serves only as a ref_frame",
                 frame.name, owner));
       }
       a.tree.user_frames.push_back({frame.name, static_cast<int>(i), frame.placement, !owner.empty(), frame.place});

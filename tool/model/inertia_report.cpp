@@ -66,8 +66,7 @@ void report_inertia_defects(const KinematicTree& tree, Diagnostics& diagnostics)
         kNoInertia, tree.links[0].place,
         fmt::format(
             "no moving link has mass properties: robot '{}' has transforms, Jacobians, velocities and accelerations, "
-            "but "
-            "no dynamics",
+            "but no dynamics",
             tree.name));
     return;
   }
@@ -79,8 +78,7 @@ void report_inertia_defects(const KinematicTree& tree, Diagnostics& diagnostics)
         kSingularBase, tree.links[0].place,
         fmt::format(
             "floating base '{}' and the links on it have no inertia in some direction in any position; inverse "
-            "dynamics "
-            "of the free base is not available",
+            "dynamics of the free base is not available",
             tree.links[0].name));
   }
   if (defects.no_mass) {

@@ -87,8 +87,7 @@ std::vector<RobotFunction> inverse_dynamics_gradient_functions(const KinematicTr
   std::vector<std::string> summary = {
       tree.floating_base
           ? "Joint forces tau (N m, N) and the wrench on the base for joint and base accelerations, and the gradient "
-            "of "
-            "`weights` times them, those of the base wrench first."
+            "of `weights` times them, those of the base wrench first."
           : "Joint forces tau (N m, N) for joint accelerations qdd, and the gradient of `weights` times tau.",
       "It is the transpose of the derivatives times `weights`: by reverse mode, at a small multiple of the cost of "
       "inverse dynamics."};
@@ -108,8 +107,8 @@ std::vector<RobotFunction> forward_dynamics_derivatives_functions(
   const std::string name = "forward_dynamics_derivatives";
   std::vector<std::string> summary = {
       "Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau, and their partial derivatives: a column for "
-      "each "
-      "joint's position (d_q), velocity (d_qd) and force (d_tau: of the inverse of the joint-space inertia matrix)."};
+      "each joint's position (d_q), velocity (d_qd) and force (d_tau: of the inverse of the joint-space inertia "
+      "matrix)."};
   if (tree.floating_base) add_base(summary, "the base acceleration", "the base's velocity (d_base_velocity), and ");
   std::vector<RobotFunction> list;
   add_overloads(list, tree, name, name, summary, [&](const std::string& kernel, Loads loads) {

@@ -107,9 +107,8 @@ std::vector<RobotFunction> passive_forces_functions(const KinematicTree& tree, F
          "",
          "motor_torques",
          {"Torques (N m) at the shafts of the motors for joint forces tau: tau by the ratio of the rotor, without loss "
-          "in "
-          "the gear; tau itself where a joint has no rotor. With tau of inverse dynamics they contain all that a motor "
-          "has to give: for its rotor, for passive forces, and for the robot."},
+          "in the gear; tau itself where a joint has no rotor. With tau of inverse dynamics they contain all that a "
+          "motor has to give: for its rotor, for passive forces, and for the robot."},
          {},
          {},
          motor_torques(tree, "motor_torques")});

@@ -195,7 +195,7 @@ Api api(const Library& library) {
   result.library = &library;
   result.space = whole_namespace(library);
   result.joints = enumerators(library.joints);
-  result.coupled = enumerators(joints_of(library.coupled));
+  result.coupled = enumerators(library.coupled_joints());
   result.links = enumerators(library.links);
   result.frames = enumerators(library.frames);
   name_values(library, result);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
@@ -78,13 +80,6 @@ std::vector<std::string> passed_on(const Program& program) {
   return list;
 }
 
-std::vector<const Callable*> callables_of(const Api& api, const std::string& group) {
-  std::vector<const Callable*> result;
-  for (const Callable& c : api.callables)
-    if (c.function->group == group) result.push_back(&c);
-  return result;
-}
-
 // `template <Level, class Scalar> void f(…) noexcept`, without its end.
 std::string body_declaration(const Callable& callable, const std::string& tail) {
   return "template <robcogen::batch::Level kLevel, class Scalar>\n" +
@@ -153,29 +148,28 @@ std::string lanes_of(const Array& array) {
   return array.name + "_lanes";
 }
 
-// Whether a function over many states writes its result in place: a symmetric matrix, most of whose elements are
-// written twice or are zeros, and which fills the cache when it is stored on the way. Not where the kernel is cut into
-// parts.
-bool writes_columns(const Callable& callable) {
+// The kernel of a function over many states that writes its result in place: a symmetric matrix, most of whose elements
+// are written twice or are zeros, and which fills the cache when it is stored on the way. None where the kernel is cut
+// into parts.
+std::optional<Kernel> kernel_in_place(const Callable& callable) {
   const std::vector<OutputArray>& outputs = callable.function->program.outputs;
-  return outputs.size() == 1 && outputs.front().role == Role::inertia_matrix &&
-         lower(callable.function->program, callable.kernel).lines.size() <= kLongest;
+  if (outputs.size() != 1 || outputs.front().role != Role::inertia_matrix) return std::nullopt;
+  Kernel kernel = lower(callable.function->program, callable.kernel);
+  return kernel.lines.size() <= kLongest ? std::optional(std::move(kernel)) : std::nullopt;
 }
 
 // A kernel that writes to columns. Inlined into the loop over blocks, it would keep the address of each column in
 // memory.
-std::string column_kernel(const Callable& callable) {
-  const Kernel kernel = lower(callable.function->program, callable.kernel);
+std::string column_kernel(const Kernel& kernel) {
   std::vector<std::string> list;
   for (const Parameter& p : kernel.parameters)
     list.push_back((p.output ? "const Columns " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
   return "template <class Scalar, class Columns>\n" +
-         declaration("[[gnu::noinline]] void " + callable.kernel, list, " noexcept {") + body(kernel) + "}\n";
+         declaration("[[gnu::noinline]] void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
 }
 
-std::string definition(const Api& api, const Callable& callable) {
+std::string definition(const Api& api, const Callable& callable, bool in_place) {
   const Program& program = callable.function->program;
-  const bool in_place = writes_columns(callable);
   const std::string kernels = in_place ? "::batch::columns::" : "::kernel::";
   std::string values, once, load, store;
   std::vector<std::string> arguments;
@@ -318,8 +312,9 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
 std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> bodies, in_columns;
   for (const Callable* c : callables_of(api, group)) {
-    bodies.push_back(definition(api, *c));
-    if (writes_columns(*c)) in_columns.push_back(column_kernel(*c));
+    const std::optional<Kernel> in_place = kernel_in_place(*c);
+    bodies.push_back(definition(api, *c, in_place.has_value()));
+    if (in_place) in_columns.push_back(column_kernel(*in_place));
   }
   const std::string remark = "// Kernels that write to the place of the result in the memory of the caller.\n";
   return paragraphs(

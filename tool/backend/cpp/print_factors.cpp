@@ -1,4 +1,5 @@
 // <name>/reflection.h of a library with no robot: its transforms as products of primitives, for the self-check.
+#include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
@@ -46,16 +47,15 @@ std::string caller(const Api& api, const Callable& callable) {
 std::string amounts_of(const Callable& homogeneous) {
   const symbolic::Program& program = homogeneous.function->factors->amounts;
   const Kernel kernel = lower(program, "amounts_" + homogeneous.kernel);
-  std::vector<std::string> list;
+  std::vector<Parameter> list;
   for (const Role role : {Role::parameters, Role::variables}) {
-    std::string name = role == Role::parameters ? "/*parameters*/" : "/*variables*/";
+    Parameter parameter{role == Role::parameters ? "parameters" : "variables", false, false};
     for (std::size_t p = 0; p < program.inputs.size(); ++p)
-      if (program.inputs[p].role == role && kernel.parameters[p].used) name = kernel.parameters[p].name;
-    list.push_back("const Scalar* " + name);
+      if (program.inputs[p].role == role && kernel.parameters[p].used) parameter = kernel.parameters[p];
+    list.push_back(std::move(parameter));
   }
-  const Parameter& amounts = kernel.parameters.back();
-  list.push_back("Scalar* " + (amounts.used ? amounts.name : "/*" + amounts.name + "*/"));
-  return "template <class Scalar>\n" + declaration("void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
+  list.push_back(kernel.parameters.back());
+  return signature("void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
 }
 
 // Tables of factors and transforms; a row of the latter refers to a run of the former.

@@ -306,14 +306,13 @@ std::string conventions(const Library& library) {
 // How names of values read, in kernels of the dynamics.
 std::string legend(const std::string& group) {
   if (is_kinematics(group) || group == kParameters || group == kTrigonometry) return "";
-  return "//\n" +
-         comment(
-             "Names are link, quantity and axis: w, wd angular velocity and acceleration; v velocity; a acceleration "
-             "of "
-             "the link's origin minus gravity; f, n force and moment; h, S first and second moments of mass; A, B, M "
-             "blocks of an articulated inertia; U of [wd]x + [w]x [w]x. _P: in the parent's axes; _neg: minus that; "
-             "_by_J: turned by joint J; s2_J, sc_J, c_2J: sin^2, sin cos, cosine of twice its angle; x_to_y: the sum "
-             "that makes x, up to its term in y.");
+  const std::string text = comment(
+      "Names are link, quantity and axis: w, wd angular velocity and acceleration; v velocity; a "
+      "acceleration of the link's origin minus gravity; f, n force and moment; h, S first and second "
+      "moments of mass; A, B, M blocks of an articulated inertia; U of [wd]x + [w]x [w]x. _P: in the "
+      "parent's axes; _neg: minus that; _by_J: turned by joint J; s2_J, sc_J, c_2J: sin^2, sin cos, "
+      "cosine of twice its angle; x_to_y: the sum that makes x, up to its term in y.");
+  return "//\n" + text;
 }
 
 // The three updates in one.

@@ -1,5 +1,5 @@
-// <name>/<group>.cpp where the kernels of a group are compiled for several processors, and <name>/<group>_<level>.cpp,
-// that compiles them for one: a program chooses when it starts.
+// <name>/<group>.cpp where the kernels of a group are compiled for several processors, and
+// <name>/kernels_<level>.cpp, that compiles those of all groups for one: a program chooses when it starts.
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
@@ -187,16 +187,13 @@ std::string use_level(const Api& api) {
     declarations += "void " + group + "(robcogen::Level most) noexcept;\n";
     calls += "  kernel::levels::" + group + "(most);\n";
   }
-  return paragraphs(
-      {in_namespace("kernel::levels", declarations),
-       in_namespace(
-           "reflection", comment("Uses the kernels for this processor level, or those for the best one that the "
-                                 "machine has and the library is "
-                                 "compiled for, where that is lower; a program starts with the best. Results of levels "
-                                 "differ by rounding. Not "
-                                 "while another thread calls a function of the robot.") +
-                             "inline void use_level([[maybe_unused]] robcogen::Level most) noexcept {\n" + calls +
-                             "}\n")});
+  const std::string remark = comment(
+      "Uses the kernels for this processor level, or those for the best one that the machine has and the library is "
+      "compiled for, where that is lower; a program starts with the best. Results of levels differ by rounding. Not "
+      "while another thread calls a function of the robot.");
+  const std::string function =
+      "inline void use_level([[maybe_unused]] robcogen::Level most) noexcept {\n" + calls + "}\n";
+  return paragraphs({in_namespace("kernel::levels", declarations), in_namespace("reflection", remark + function)});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -1,5 +1,6 @@
 // <name>/model.h: the robot's constants, without Eigen.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "backend/cpp/layout.h"
@@ -81,6 +82,11 @@ std::string limits(const JointLimits& l) {
          (none ? "{}" : braced({limit(l.lower), limit(l.upper), limit(l.velocity), limit(l.effort)}));
 }
 
+// But the axis of the rotor, which only a rotor has.
+std::array<double, 8> numbers_of(const DriveData& d) {
+  return {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest, d.rotor_inertia, d.rotor_ratio};
+}
+
 // What drives add to the dynamics, where a joint has one.
 std::vector<std::string> drives(const std::vector<JointData>& joints) {
   std::vector<std::string> all;
@@ -94,10 +100,10 @@ bool is_incomplete(const Library& library) {
   const std::vector<JointData> joints = library.all_joints();
   return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) {
     if (!joint.drive) return false;
-    const std::vector<std::string> numbers = drive_numbers(*joint.drive);
-    return std::any_of(numbers.begin(), numbers.end(), [](const std::string& number) {
-      return number.find("quiet_NaN") != std::string::npos;
-    });
+    const auto is_nan = [](double value) { return std::isnan(value); };
+    const std::array<double, 8> numbers = numbers_of(*joint.drive);
+    const std::array<double, 3>& axis = joint.drive->rotor_axis;
+    return std::any_of(numbers.begin(), numbers.end(), is_nan) || std::any_of(axis.begin(), axis.end(), is_nan);
   });
 }
 
@@ -162,7 +168,7 @@ std::string joint_tables(const Api& api) {
   std::vector<std::string> tables = tables_of_joints(api, library.joints, api.joints, "kDof", "kJoint");
   if (!library.coupled.empty()) {
     for (std::string& table :
-         tables_of_joints(api, joints_of(library.coupled), api.coupled, kCoupledCount, "kCoupledJoint"))
+         tables_of_joints(api, library.coupled_joints(), api.coupled, kCoupledCount, "kCoupledJoint"))
       tables.push_back(std::move(table));
     tables.push_back(coupling_tables(api));
   }
@@ -205,8 +211,7 @@ std::string model_number(double value) {
 std::vector<std::string> drive_numbers(const DriveData& d) {
   std::vector<std::string> items;
   std::size_t last = 0;
-  for (const double value :
-       {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest, d.rotor_inertia, d.rotor_ratio}) {
+  for (const double value : numbers_of(d)) {
     items.push_back(model_number(value));
     if (value != 0.0) last = items.size();
   }

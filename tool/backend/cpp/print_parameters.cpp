@@ -238,8 +238,7 @@ std::string parameters_type(const Api& api) {
       "  std::array<Scalar, " +
       std::to_string(size) + "> cache_;\n";
   return "// The parameters as the functions of the robot read them, with all values that depend on them alone, "
-         "computed "
-         "when they\n// change.\n"
+         "computed when they\n// change.\n"
          "//\n"
          "// Functions only read it, so any number of threads may share one object, as long as none updates it. To "
          "change\n"

@@ -80,8 +80,8 @@ std::string coupling_fields(const Library& library) {
   std::vector<std::vector<std::string>> factors;
   for (const CoupledJointData& c : coupled)
     factors.push_back(texts(c.factors, [](double factor) { return number(factor); }));
-  return "\n" + joint_fields(joints_of(coupled), "coupled_") +
-         (library.has_drives() ? drive_fields(joints_of(coupled), "coupled_") : "") +
+  return "\n" + joint_fields(library.coupled_joints(), "coupled_") +
+         (library.has_drives() ? drive_fields(library.coupled_joints(), "coupled_") : "") +
          (coupled.front().factors.empty()
               ? "  model.coupling_factors = zeros(" + std::to_string(coupled.size()) + ", 0);\n"
               : matrix("model.coupling_factors", factors)) +
@@ -121,8 +121,8 @@ std::string print_model(const Library& library) {
   if (library.has_drives())
     text += comment(
         "  joints also have drives: damping, friction and the velocity below which it falls to zero, armature, "
-        "stiffness "
-        "and rest of a spring, and of a rotor its inertia, ratio, axis and rotor_carrier, a link, 0 without rotor.");
+        "stiffness and rest of a spring, and of a rotor its inertia, ratio, axis and rotor_carrier, a link, 0 without "
+        "rotor.");
   text += comment(
       "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
       "products xy, xz, yz of positive sign.");
