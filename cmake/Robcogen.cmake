@@ -15,6 +15,9 @@
 #                                   # same NAME when their NAMESPACEs differ
 #       [ALGORITHMS group…]         # of the groups of functions that this file lists below, or `all`; without it, the
 #                                   # default ones. README.md says what is in each
+#       [DERIVATIVES function:input…]
+#                                   # partial derivatives of any functions by any of their inputs, as further functions:
+#                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
 #                                   # ten times as long. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for the
 #                                   # baseline of the compiler; a program selects one when it starts
@@ -69,7 +72,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists XACRO_ARGS ALGORITHMS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists XACRO_ARGS ALGORITHMS DERIVATIVES BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -81,6 +84,7 @@ function(robcogen_add_robot)
   _robcogen_complete_arguments()
   _robcogen_check_elements(ALGORITHMS ${groups} all)
   _robcogen_choose_groups()
+  _robcogen_check_derivatives()
   _robcogen_check_elements(LANGUAGES cpp matlab maxima)
   _robcogen_check_elements(BATCH_LEVELS baseline avx2 avx512)
   if(library_BATCH_LEVELS AND NOT library_BATCH)
@@ -177,6 +181,9 @@ function(_robcogen_choose_groups)
     get_property(chosen GLOBAL PROPERTY ROBCOGEN_GROUPS)
     set(library_ALGORITHMS all PARENT_SCOPE)
   endif()
+  if(library_DERIVATIVES)
+    list(APPEND chosen derivatives)
+  endif()
   set(library_groups ${chosen} PARENT_SCOPE)
 endfunction()
 
@@ -192,7 +199,7 @@ function(_robcogen_generated_files folder chosen headers sources)
   list(APPEND header_list ${folder}/detail/kernels.h ${folder}/detail/functions.inc ${folder}/kernel/parameters.h
        ${folder}/kernel/trigonometry.h)
   set(source_list ${folder}/parameters.cpp ${folder}/trigonometry.cpp)
-  foreach(group IN LISTS groups)
+  foreach(group IN LISTS groups ITEMS derivatives)
     if(group IN_LIST chosen)
       list(APPEND header_list ${folder}/kernel/${group}.h)
       list(APPEND source_list ${folder}/${group}.cpp)
@@ -208,7 +215,7 @@ function(_robcogen_batch_files folder chosen headers sources)
   _robcogen_header(${folder} batch header)
   set(header_list ${header})
   set(source_list ${folder}/batch.cpp)
-  foreach(group IN LISTS groups)
+  foreach(group IN LISTS groups ITEMS derivatives)
     if(group IN_LIST chosen)
       list(APPEND header_list ${folder}/batch/${group}.h)
       foreach(level baseline avx2 avx512)
@@ -268,6 +275,9 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_ALGORITHMS)
     list(APPEND arguments --algorithms ${library_ALGORITHMS})
+  endif()
+  if(library_DERIVATIVES)
+    list(APPEND arguments --derivatives ${library_DERIVATIVES})
   endif()
   if(library_BATCH)
     list(APPEND arguments --batch)

@@ -42,6 +42,15 @@ function(_robcogen_check_elements keyword)
   endforeach()
 endfunction()
 
+# The form of the elements; the generator knows functions and inputs.
+function(_robcogen_check_derivatives)
+  foreach(element IN LISTS library_DERIVATIVES)
+    if(NOT element MATCHES "^[^:,]+((\\.|::)[^:,]+)*:[A-Za-z_][A-Za-z0-9_]*(,[A-Za-z_][A-Za-z0-9_]*)*$")
+      _robcogen_refuse("DERIVATIVES: '${element}' is not function:input or function:input,input, such as inverse_dynamics:q,qd")
+    endif()
+  endforeach()
+endfunction()
+
 # A file that a rule of the build generates may not exist yet: DEPENDS names the rule.
 function(_robcogen_check_file keyword file)
   if(file AND NOT EXISTS "${file}" AND NOT library_DEPENDS)

@@ -6,6 +6,8 @@
 #       MOTIONS euler.motdsl        # relative poses of frames: each motion gives a transform and its inverse; or
 #       TRANSFORMS euler.ctdsl      # coordinate transforms as products of primitive ones
 #       [DESIRED euler.dtdsl]       # the transforms to generate, between any frames that the document connects
+#       [DERIVATIVES function:input…]
+#                                   # derivatives by `variables` and `parameters`: transforms.homogeneous.A_X_B:variables
 #       [NAME ident] [NAMESPACE a::b] [LANGUAGES cpp …] [DEPENDS file|target…]
 #       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable] [OPTIONS flag…])
@@ -20,13 +22,14 @@ include_guard(GLOBAL)
 function(robcogen_add_transforms)
   set(flags NO_TESTS EXCLUDE_FROM_ALL)
   set(values TARGET MOTIONS TRANSFORMS DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
-  set(lists LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists DERIVATIVES LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
 
   set(library_CALL robcogen_add_transforms)
   _robcogen_check_keywords(${values} ${lists} ${flags})
   _robcogen_choose_document()
   _robcogen_complete_arguments()
+  _robcogen_check_derivatives()
   _robcogen_check_elements(LANGUAGES cpp matlab maxima)
   _robcogen_check_documents(${document_keyword})
   _robcogen_check_names()
@@ -80,8 +83,13 @@ function(_robcogen_generated_transforms folder headers sources)
     _robcogen_header(${folder} ${stem} header)
     list(APPEND header_list ${header})
   endforeach()
+  set(source_list ${folder}/transforms.cpp)
+  if(library_DERIVATIVES)
+    list(APPEND header_list ${folder}/kernel/derivatives.h)
+    list(APPEND source_list ${folder}/derivatives.cpp)
+  endif()
   set(${headers} ${header_list} PARENT_SCOPE)
-  set(${sources} ${folder}/transforms.cpp PARENT_SCOPE)
+  set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
 function(_robcogen_add_transforms_selfcheck target)

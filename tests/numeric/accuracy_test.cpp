@@ -37,8 +37,17 @@ constexpr double kNear = 1e-3;
 
 const std::vector<std::string>& groups() {
   static const std::vector<std::string> list = {
-      "inverse_dynamics",           "bias_forces",     "forward_dynamics", "joint_space_inertia",
-      "joint_space_inertia_factor", "coriolis_matrix", "centroidal",       "energy"};
+      "inverse_dynamics",
+      "bias_forces",
+      "forward_dynamics",
+      "joint_space_inertia",
+      "joint_space_inertia_factor",
+      "coriolis_matrix",
+      "inverse_dynamics_derivatives",
+      "inverse_dynamics_gradient",
+      "forward_dynamics_derivatives",
+      "centroidal",
+      "energy"};
   return list;
 }
 

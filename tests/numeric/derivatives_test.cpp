@@ -1,6 +1,9 @@
 // Derivatives by recursion agree with those of single statements, exactly differentiated, on random robots.
 #include <gtest/gtest.h>
 
+#include <optional>
+
+#include "algorithm/catalogue/catalogue.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "dice.h"
 #include "random_robot.h"
@@ -93,6 +96,75 @@ TEST(Derivatives, GradientOfInverseDynamics) {
       expect_near(found.at("d_" + input), expected, "seed " + std::to_string(seed) + ": " + input);
     }
   }
+}
+
+// Fourth-order central differences in long double of the first results, by element `k` of an input.
+std::vector<long double> difference(
+    const Program& program,
+    const Arrays<long double>& state,
+    const symbolic::OutputArray& output,
+    const std::string& input,
+    std::size_t k) {
+  constexpr long double kStep = 1e-4L;
+  const auto at = [&](int steps) {
+    Arrays<long double> moved = state;
+    moved.at(input)[k] += steps * kStep;
+    return symbolic::interpret(program, moved).at(output.name);
+  };
+  const std::vector<long double> a = at(1), b = at(-1), c = at(2), d = at(-2);
+  std::vector<long double> result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back((8 * (a[i] - b[i]) - (c[i] - d[i])) / (12 * kStep));
+  return result;
+}
+
+// Of one function by all of its inputs; returns the number of blocks.
+int expect_derivatives(const algorithm::RobotFunction& f, std::uint64_t seed) {
+  std::vector<std::string> inputs;
+  for (const symbolic::InputArray& array : f.program.inputs) inputs.push_back(array.name);
+  const std::optional<Program> derivatives = symbolic::with_cheapest_derivatives(f.program, inputs, 1'000'000);
+  EXPECT_TRUE(derivatives) << f.name;
+  if (!derivatives) return 0;
+  Arrays<long double> state;
+  for (const auto& [name, values] : random_inputs(f.program, seed)) state[name] = {values.begin(), values.end()};
+  const Arrays<long double> found = symbolic::interpret(*derivatives, state);
+  int blocks = 0;
+  for (const symbolic::OutputArray& output : f.program.outputs) {
+    for (const std::string& input : inputs) {
+      const bool is_only = f.program.outputs.size() == 1 && output.name != "d_" + input;
+      const auto& block = found.at((is_only ? "" : output.name + "_") + "d_" + input);
+      const std::size_t rows = found.at(output.name).size();
+      EXPECT_EQ(block.size(), rows * state.at(input).size());
+      ++blocks;
+      for (std::size_t k = 0; k < state.at(input).size(); ++k) {
+        const std::vector<long double> expected = difference(f.program, state, output, input, k);
+        long double scale = 1, error = 0;
+        for (std::size_t r = 0; r < rows; ++r) {
+          scale = std::max(scale, std::abs(expected[r]));
+          error = std::max(error, std::abs(expected[r] - block[r + k * rows]));
+        }
+        EXPECT_LT(error, 1e-9L * scale) << "seed " << seed << ", " << f.name << ": " << output.name << " by " << input;
+      }
+    }
+  }
+  return blocks;
+}
+
+// Every function, by every input, in the cheaper mode.
+TEST(Derivatives, OfEveryFunctionByEveryInput) {
+  constexpr std::uint64_t kFew = 12;
+  int blocks = 0;
+  for (std::uint64_t seed = 0; seed < kFew; ++seed) {
+    const model::KinematicTree robot = random_robot(seed, {.max_joints = 4});
+    const std::vector<model::Frame> frames = robot.frames();
+    const model::FramePair pair = {frames.front(), frames.back()};
+    for (const std::string& group : algorithm::groups()) {
+      for (const algorithm::RobotFunction& f : algorithm::functions(robot, {{pair}, {pair}}, group)) {
+        const bool divides_by_inertia = group.starts_with("forward_dynamics") || f.scope == "inertia_factor";
+        if (!divides_by_inertia) blocks += expect_derivatives(f, seed);
+      }
+    }
+  }
+  EXPECT_GT(blocks, 1000);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_parameters.h"
+#include "robcogen/reference/check_partial_derivatives.h"
 #include "robcogen/reference/check_trigonometry.h"
 #include "robcogen/reference/command_line.h"
 #include "robcogen/reference/compiled_robot.h"
@@ -89,6 +90,27 @@ void check_single(
   checks.in_single(false);
 }
 
+// Derivatives that the robot was generated with. `values` are those of the parameters, where it has some.
+template <class R>
+void check_derivatives(
+    const Robot& robot,
+    const std::vector<double>& values,
+    const std::vector<double>& cache,
+    std::mt19937_64& engine,
+    int samples,
+    Checks& checks) {
+  const auto inputs_of = [&](const reflection::Function& f) { return random_inputs(engine, f, cache); };
+  const auto cache_of = [](const std::vector<double>& moved) {
+    if constexpr (kIsParametric<R>) {
+      const auto parameters = parameters_of<R>(moved);
+      return std::vector<double>(parameters.data(), parameters.data() + R::Parameters::size());
+    } else {
+      return moved;
+    }
+  };
+  check_partial_derivatives(robot.functions, robot.derivatives, inputs_of, values, cache_of, samples, checks);
+}
+
 constexpr int kSetsOfValues = 4;
 
 // Empty where no values were found.
@@ -104,6 +126,7 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
       const RobotOf tables(robot, *values);
       const CompiledRobot<R> subject(tables.robot(), R{parameters_of<R>(*values)});
       check<R>(tables.robot(), subject, engine, samples, checks);
+      check_derivatives<R>(robot, *values, subject.cache(), engine, samples, checks);
       if constexpr (kHasCentroidal) check_total_mass(subject, tables.robot(), checks, set);
       check_updates<R>(robot, *values, before ? *before : *values, checks, set);
       before = values;
@@ -112,6 +135,7 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
     // Depends on R: nothing is made of it where the robot has parameters.
     using Single = std::conditional_t<kIsParametric<R>, void, ROBCOGEN_ROBOT_NAMESPACE::f32::Robot>;
     check<R>(robot, CompiledRobot<R>(robot), engine, samples, checks);
+    check_derivatives<R>(robot, {}, {}, engine, samples, checks);
     check_single<Single>(robot, CompiledRobot<Single>(robot), engine, samples, checks);
   }
   return checks;

@@ -105,6 +105,9 @@ struct Function {
   symbolic::Program program;
   std::string method = {};                            // how it is computed, where there was a choice
   std::optional<symbolic::RoundingError> error = {};  // where it was measured
+  // The inputs by which its last outputs are derivatives of the first: for each input in turn, of each of these a
+  // matrix with a row an element of the output and a column an element of the input.
+  std::vector<std::string> differentiated_by = {};
   // For languages whose functions take precomputed sines and cosines, if the program reads any.
   std::optional<symbolic::AngleParts> parts = {};
   // For languages with vectors: the same program with congruent limbs in lanes, if there is one; and the limbs, a text

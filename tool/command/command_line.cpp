@@ -153,6 +153,10 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
           "Time to search for link frames that make the dynamics cheaper: 0 no search, 1 two seconds for forty joints, "
           "n times as long for n")
       ->check(CLI::Range(0, 1000));
+  subcommand.add_option(
+      "--derivatives", model.derivatives,
+      "Functions to differentiate, and their inputs: function:input or function:input,input, such as "
+      "inverse_dynamics:q,qd");
   declare_urdf_options(subcommand, model.urdf);
   declare_error_format(subcommand, model.error_format);
   return file;
@@ -277,10 +281,6 @@ Action declare_convert(CLI::App& application) {
 }
 
 }  // namespace
-
-std::string with_hint(const std::string& message, const std::string& hint) {
-  return hint.empty() ? message : message + "\nhint: " + hint;
-}
 
 std::function<Status()> parse_command_line(int argc, char** argv) {
   CLI::App application("Generates kinematics and dynamics code for articulated robots.", "robcogen");

@@ -7,6 +7,7 @@
 #include "backend/languages.h"
 #include "command/output.h"
 #include "command/subcommands.h"
+#include "driver/derivatives.h"
 #include "driver/documents.h"
 #include "support/files.h"
 
@@ -166,8 +167,9 @@ Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {
     if (language->name != "cpp") continue;
-    const std::vector<std::string> groups =
+    std::vector<std::string> groups =
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, options.groups);
+    if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);
     for (const std::string& file :
          backend::cpp::outputs(folder, groups, !transforms, options.has_batches, levels_of(options)))

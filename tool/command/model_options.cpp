@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "command/output.h"
+#include "driver/derivatives.h"
 #include "driver/documents.h"
 
 namespace robcogen::command {
@@ -44,12 +45,6 @@ std::vector<std::string> named_groups(const std::vector<std::string>& asked) {
   return std::count(asked.begin(), asked.end(), kAllGroups) > 0 ? std::vector<std::string>() : asked;
 }
 
-std::string dotted(const std::string& scope, const std::string& name) {
-  std::string result = scope.empty() ? name : scope + "::" + name;
-  for (std::size_t at; (at = result.find("::")) != std::string::npos;) result.replace(at, 2, ".");
-  return result;
-}
-
 void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
   const bool for_urdf =
       options.floating_base || options.snap_angles || options.passive_forces || options.allow_implausible;
@@ -79,6 +74,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.urdf = urdf;
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);
+  for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   Diagnostics diagnostics;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));

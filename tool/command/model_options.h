@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "driver/driver.h"
+#include "driver/find_function.h"
 #include "support/diagnostics.h"
 
 namespace robcogen::command {
 
-// The name of a function on the command line: `transforms.homogeneous.A_X_B`.
-std::string dotted(const std::string& scope, const std::string& name);
+using driver::dotted;
 
 // A function under that name.
 struct NamedProgram {
@@ -36,9 +36,10 @@ struct ModelOptions {
   import::UrdfOptions urdf;
   ErrorFormat error_format = ErrorFormat::gnu;
   driver::Steps steps;
-  bool quiet = false;             // no warnings and notes
-  bool lists_parameters = false;  // a note with the model's parameters; no option
-  bool lanes = false;             // programs where congruent limbs share lanes, if that is faster
+  std::vector<std::string> derivatives;  // `function:input,…`
+  bool quiet = false;                    // no warnings and notes
+  bool lists_parameters = false;         // a note with the model's parameters; no option
+  bool lanes = false;                    // programs where congruent limbs share lanes, if that is faster
 
   // Loads the model and reports diagnostics; nullopt when there was an error, such as that a robot cannot have one of
   // these groups.

@@ -9,7 +9,6 @@ using driver::Failure;
 using driver::Status;
 using enum driver::Status;
 
-// `message`, and a line of its own for the hint when there is one.
-std::string with_hint(const std::string& message, const std::string& hint);
+using driver::with_hint;
 
 }  // namespace robcogen::command

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "driver/derivatives.h"
 #include "pass/passes.h"
 #include "support/lazy.h"
 #include "support/parallel.h"
@@ -18,15 +19,13 @@ using symbolic::AccurateResults;
 class SimplerFunctions {
  public:
   SimplerFunctions(const Robot& robot, std::string group, const Formulation& formulation)
-      : plain_programs(algorithm::plain_programs(robot.tree, group)),
-        robot_(robot),
-        group_(std::move(group)),
-        unsearched_(formulation) {
+      : robot_(robot), group_(std::move(group)), unsearched_(formulation) {
     unsearched_.effort = 0;
+    plain_programs = traced_plainly();
   }
 
   // Empty for groups that no formulation has a part in.
-  const std::vector<symbolic::Program> plain_programs;
+  std::vector<symbolic::Program> plain_programs;
 
   RobotFunction unsearched(std::size_t index) { return of(functions_unsearched_, unsearched_)[index]; }
   RobotFunction plain(std::size_t index) { return of(functions_plain_, algorithm::plain_formulation())[index]; }
@@ -39,7 +38,24 @@ class SimplerFunctions {
   Lazy<List> functions_unsearched_, functions_plain_;
 
   const List& of(Lazy<List>& list, const Formulation& formulation) {
-    return list.get([&] { return algorithm::functions(robot_.tree, robot_.desired, group_, formulation); });
+    return list.get([&] { return functions(formulation); });
+  }
+
+  bool are_derivatives() const { return group_ == kDerivativesGroup; }
+
+  List functions(const Formulation& formulation) const {
+    if (!are_derivatives()) return algorithm::functions(robot_.tree, robot_.desired, group_, formulation);
+    algorithm::FormulationChoices choices(robot_.tree, formulation);
+    return derivative_functions(robot_, {}, choices);
+  }
+
+  std::vector<symbolic::Program> traced_plainly() const {
+    if (!are_derivatives()) return algorithm::plain_programs(robot_.tree, group_);
+    Formulation formulation = algorithm::plain_formulation();
+    formulation.is_draft = true;
+    std::vector<symbolic::Program> programs;
+    for (RobotFunction& f : functions(formulation)) programs.push_back(std::move(f.program));
+    return programs;
   }
 };
 

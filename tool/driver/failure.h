@@ -14,4 +14,9 @@ struct Failure {
   std::string message;
 };
 
+// The message, and the hint in a line of its own where there is one.
+inline std::string with_hint(const std::string& message, const std::string& hint) {
+  return hint.empty() ? message : message + "\nhint: " + hint;
+}
+
 }  // namespace robcogen::driver

@@ -6,6 +6,7 @@
 
 #include "algorithm/catalogue/transform_functions.h"
 #include "algorithm/kinematics/primitive_product.h"
+#include "driver/derivatives.h"
 #include "driver/model_data.h"
 #include "support/files.h"
 
@@ -67,10 +68,11 @@ backend::Function library_function(
   function.program = std::move(traced.program);
   function.method = std::move(traced.method);
   function.error = traced.error;
+  function.differentiated_by = std::move(traced.differentiated_by);
   function.parts = std::move(f.parts);
   function.in_lanes = std::move(f.in_lanes);
   function.limbs_in_lanes = std::move(f.limbs_in_lanes);
-  const bool is_homogeneous = function.scope == "transforms::homogeneous";
+  const bool is_homogeneous = function.scope == "transforms::homogeneous" && function.differentiated_by.empty();
   if (const Robot* robot = model.robot()) {
     function.left_frame = index_of(library.frames, traced.frames.left.name);
     function.right_frame = index_of(library.frames, traced.frames.right.name);
@@ -96,7 +98,7 @@ backend::Function library_function(
 backend::Library assemble(
     const Model& model,
     const LibraryNames& names,
-    const std::vector<std::string>& groups,
+    std::vector<std::string> groups,
     Functions functions,
     Primitives primitives) {
   backend::Library result;
@@ -106,7 +108,8 @@ backend::Library assemble(
   result.model_file = model.file.filename().string();
   result.model_hash = hash_text(model.canonical);
   result.generator_version = kVersion;
-  result.groups = groups;
+  result.groups = std::move(groups);
+  if (!model.derivatives().empty()) result.groups.emplace_back(kDerivativesGroup);
   result.primitives = convention_of(primitives);
   if (const Robot* robot = model.robot()) {
     result.floating_base = robot->tree.floating_base;

@@ -23,7 +23,7 @@ using Primitives = std::optional<model::MovedFramePosition>;
 backend::Library assemble(
     const Model& model,
     const LibraryNames& names,
-    const std::vector<std::string>& groups,
+    std::vector<std::string> groups,
     Functions functions,
     Primitives primitives);
 

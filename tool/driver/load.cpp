@@ -195,6 +195,10 @@ std::optional<Model> load_content(
 
 }  // namespace
 
+const std::vector<Derivative>& Model::derivatives() const {
+  return robot() ? robot()->derivatives : transforms()->derivatives;
+}
+
 const std::string& Model::name() const {
   return robot() ? robot()->tree.name : transforms()->document.name;
 }
@@ -207,6 +211,7 @@ std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& 
   std::optional<Model> model = load_content(file, options, diagnostics);
   if (options.strict) promote_strict_warnings(diagnostics);
   if (!model || diagnostics.has_errors()) return std::nullopt;
+  std::visit([&](auto& content) { content.derivatives = options.derivatives; }, model->content);
   model->file = file;
   model->read.insert(model->read.begin(), file);
   if (options.desired) model->read.push_back(*options.desired);

@@ -14,14 +14,22 @@
 
 namespace robcogen::driver {
 
+// A function, by the name that `ops` prints, and the inputs that it is to be differentiated by.
+struct Derivative {
+  std::string function;
+  std::vector<std::string> inputs;
+};
+
 struct Robot {
   model::KinematicTree tree;
   model::DesiredTransforms desired;
+  std::vector<Derivative> derivatives = {};
 };
 
 // Those that a list asks for, or all that the document names.
 struct Transforms {
   model::CoordinateTransforms document;
+  std::vector<Derivative> derivatives = {};
 };
 
 // A robot, or coordinate transforms without one, as loaded from documents.
@@ -33,6 +41,7 @@ struct Model {
 
   const Robot* robot() const { return std::get_if<Robot>(&content); }
   const Transforms* transforms() const { return std::get_if<Transforms>(&content); }
+  const std::vector<Derivative>& derivatives() const;
   // What the document calls it.
   const std::string& name() const;
   const std::vector<model::Parameter>& parameters() const;
@@ -44,6 +53,7 @@ struct LoadOptions {
   import::UrdfOptions urdf = {};                      // for robots in URDF; free_mimic_joints for MJCF too
   bool lists_parameters = false;                      // a note with the model's parameters
   std::vector<std::string> groups = {};               // asked for by name: one that the robot cannot have is an error
+  std::vector<Derivative> derivatives = {};           // checked when they are traced
 };
 
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt

@@ -20,8 +20,8 @@ inline constexpr int kMaxJoints = 1000;
 // A Failure when the robot has more than kMaxJoints.
 void require_traceable(const Model& model);
 
-// All functions of these groups in the formulation of the steps, before any pass. `for_lanes`: with programs for
-// congruent limbs.
+// All functions of these groups, then the derivatives that the model asks for, in the formulation of the steps, before
+// any pass. `for_lanes`: with programs for congruent limbs.
 Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes);
 
 }  // namespace robcogen::driver

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "support/index.h"
+#include "symbolic/count.h"
 #include "symbolic/rebuild.h"
 
 namespace robcogen::symbolic {
@@ -68,6 +71,9 @@ class Differentiated {
   }
 
   Graph& graph() { return rebuild_.graph; }
+  // Of expressions: nothing more is differentiated beyond it.
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
+  bool is_full() const { return rebuild_.graph.nodes().size() > limit; }
 
   const std::vector<Expression>& output(std::size_t k) const { return outputs_[k]; }
   const std::vector<Expression>& output(const std::string& name) const {
@@ -104,7 +110,7 @@ class Differentiated {
   std::vector<Expression> tangents(const Expression& by) {
     std::vector<Expression> d(size_);
     d[at(by.node())] = graph().one();
-    for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t i = 0; i < size_ && !is_full(); ++i) {
       const Node node = graph().nodes()[i];
       if (node.kind != Node::Kind::operation) continue;
       const Partials p = partials(graph(), i);
@@ -119,7 +125,7 @@ class Differentiated {
     std::vector<Expression> d(size_);
     for (std::size_t k = 0; k < results.size(); ++k)
       d[at(results[k].node())] += results[k].negative() ? -weights[k] : weights[k];
-    for (std::size_t i = size_; i-- > 0;) {
+    for (std::size_t i = size_; i-- > 0 && !is_full();) {
       const Node node = graph().nodes()[i];
       if (node.kind != Node::Kind::operation || d[i].is_zero()) continue;
       const Partials p = partials(graph(), i);
@@ -165,26 +171,81 @@ Expression derivative(const Expression& of, const Expression& by) {
   return of.negative() ? -result : result;
 }
 
-Program with_derivatives(const Program& program, const std::vector<std::string>& inputs) {
+namespace {
+
+// Derivatives of all results by one input array: of each output array a matrix, column by column.
+using Blocks = std::vector<std::vector<Expression>>;
+
+Blocks forward_blocks(Differentiated& d, std::size_t outputs, const std::vector<Expression>& variables) {
+  Blocks blocks(outputs);
+  for (const Expression& variable : variables) {
+    const std::vector<Expression> tangents = d.tangents(variable);
+    for (std::size_t k = 0; k < outputs; ++k) {
+      const std::vector<Expression> column = signed_values(tangents, d.output(k));
+      blocks[k].insert(blocks[k].end(), column.begin(), column.end());
+    }
+  }
+  return blocks;
+}
+
+Blocks reverse_blocks(Differentiated& d, std::size_t outputs, const std::vector<Expression>& variables) {
+  Blocks blocks(outputs);
+  for (std::size_t k = 0; k < outputs; ++k) {
+    const std::vector<Expression>& results = d.output(k);
+    blocks[k].resize(results.size() * variables.size());
+    for (std::size_t r = 0; r < results.size(); ++r) {
+      const std::vector<Expression> row = signed_values(d.adjoints({results[r]}, {d.graph().one()}), variables);
+      for (std::size_t c = 0; c < row.size(); ++c) blocks[k][r + c * results.size()] = row[c];
+    }
+  }
+  return blocks;
+}
+
+std::string name_of_block(const Program& program, const OutputArray& of, const std::string& input) {
+  const std::string name = "d_" + input;
+  return program.outputs.size() == 1 && of.name != name ? name : of.name + "_" + name;
+}
+
+enum class Mode { forward, reverse };
+
+// nullopt beyond that many expressions.
+std::optional<Program> differentiated(
+    const Program& program,
+    const std::vector<std::string>& inputs,
+    Mode mode,
+    std::size_t most) {
   Differentiated d(program);
+  d.limit = most;
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);
-    std::vector<std::vector<Expression>> columns(program.outputs.size());
     d.graph().begin_section("derivatives by " + input, "d_" + input);
-    for (const Expression& variable : variables) {
-      const std::vector<Expression> tangents = d.tangents(variable);
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        const std::vector<Expression> column = signed_values(tangents, d.output(k));
-        columns[k].insert(columns[k].end(), column.begin(), column.end());
-      }
-    }
+    const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
+    const Blocks columns = blocks(d, program.outputs.size(), variables);
+    if (d.is_full()) return std::nullopt;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
-      const std::string name = program.outputs.size() == 1 ? "d_" + input : of.name + "_d_" + input;
-      d.add_output(name, Role::matrix, of.rows * of.columns, static_cast<int>(variables.size()), columns[k]);
+      d.add_output(
+          name_of_block(program, of, input), Role::matrix, of.rows * of.columns, static_cast<int>(variables.size()),
+          columns[k]);
     }
   }
   return d.finish();
+}
+
+}  // namespace
+
+Program with_derivatives(const Program& program, const std::vector<std::string>& inputs) {
+  return *differentiated(program, inputs, Mode::forward, std::numeric_limits<std::size_t>::max());
+}
+
+std::optional<Program> with_cheapest_derivatives(
+    const Program& program,
+    const std::vector<std::string>& inputs,
+    std::size_t most) {
+  std::optional<Program> forward = differentiated(program, inputs, Mode::forward, most);
+  std::optional<Program> reverse = differentiated(program, inputs, Mode::reverse, most);
+  if (!forward || !reverse) return forward ? std::move(forward) : std::move(reverse);
+  return work(*reverse) < work(*forward) ? std::move(reverse) : std::move(forward);
 }
 
 Program with_gradient(

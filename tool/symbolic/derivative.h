@@ -2,6 +2,7 @@
 // ch. 3), and what folds or is there already costs nothing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,16 @@ namespace robcogen::symbolic {
 Expression derivative(const Expression& of, const Expression& by);
 
 // Forward mode: the program, with the derivatives of its outputs by each element of these inputs as further outputs.
-// Those of `y` by `q` are the array `y_d_q`, or `d_q` where the program has one output: a row for each element of y, a
-// column for each of q. Of programs without lanes.
+// Those of `y` by `q` are the array `y_d_q`, or `d_q` where the program has one output that is not called so itself: a
+// row for each element of y, a column for each of q. Of programs without lanes.
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs);
+
+// The same in forward or in reverse mode (an adjoint for each element of the outputs), whichever takes less work
+// (count.h). nullopt where either would take more than `most` expressions.
+std::optional<Program> with_cheapest_derivatives(
+    const Program& program,
+    const std::vector<std::string>& inputs,
+    std::size_t most);
 
 // Reverse mode: the program, with the gradient of the product of `weights` and the elements of these outputs, one after
 // the other. Weights are a further input, in front of the input array `place`. The derivatives by an input `q` are the

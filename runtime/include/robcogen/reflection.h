@@ -189,6 +189,16 @@ struct Function {
   void (*call_core)(const double* inputs, const double* sin_q, const double* cos_q, double* outputs) noexcept = nullptr;
 };
 
+// Derivatives among the results of a function: of other results, by an input.
+struct Derivative {
+  const char* name;    // `inverse_dynamics_d_q: tau by q`
+  int function;        // index into the functions
+  bool by_parameters;  // by those of the model, from which the first inputs, the cache, follow
+  int input, columns;  // the first of the inputs, and how many they are
+  int value, rows;     // the first of the results, and how many they are
+  int place;           // the first of the derivatives among the results; a column for each input
+};
+
 // The function of the same name over n states. `parameters` is the cache of a robot that has some, which is not among
 // the inputs here, and else not read.
 struct BatchFunction {
@@ -263,6 +273,7 @@ struct Robot {
   // And of each coupling its factors, then its offset.
   void (*coupling_numbers)(const double* parameters, double* couplings) noexcept = nullptr;
   Table<Coupling> couplings = {nullptr, 0};  // of the last joints, in order
+  Table<Derivative> derivatives = {nullptr, 0};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of q
 };

@@ -57,6 +57,9 @@ struct Transforms {
   int variable_count;
   int frame_count;
   Table<ProductOfFactors> transforms;
+  // With derivatives; their inputs are parameters and the variables that they depend on.
+  Table<Function> functions = {nullptr, 0};
+  Table<Derivative> derivatives = {nullptr, 0};
 };
 
 }  // namespace robcogen::reflection

@@ -127,9 +127,11 @@ std::vector<std::string> run_maxima(const std::vector<OutputFile>& files) {
 backend::Library library_of(
     const std::filesystem::path& document,
     const std::string& name,
-    driver::Primitives primitives) {
+    driver::Primitives primitives,
+    const std::vector<driver::Derivative>& derivatives) {
   Diagnostics diagnostics;
   driver::LoadOptions reading;
+  reading.derivatives = derivatives;
   std::filesystem::path desired = document;
   desired.replace_extension(".dtdsl");
   if (document.extension() == ".kindsl" && std::filesystem::exists(desired)) reading.desired = desired;

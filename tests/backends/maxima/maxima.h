@@ -23,11 +23,12 @@ class WithMaxima : public virtual testing::Test {
 std::vector<std::string> run_maxima(const std::vector<OutputFile>& files);
 
 // The library of a robot document, all groups, with its list of desired transforms where one stands beside it; or of a
-// document of motions or transforms.
+// document of motions or transforms; with these derivatives.
 backend::Library library_of(
     const std::filesystem::path& document,
     const std::string& name,
-    driver::Primitives primitives = std::nullopt);
+    driver::Primitives primitives = std::nullopt,
+    const std::vector<driver::Derivative>& derivatives = {});
 
 // The text of a library.
 OutputFile maxima_text(const backend::Library& library);

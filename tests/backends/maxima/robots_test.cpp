@@ -30,6 +30,20 @@ TEST_F(WithMaxima, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
   EXPECT_EQ(differences(euler, maxima_text(euler)), "");
 }
 
+TEST_F(WithMaxima, DerivativesGiveWhatTheInterpreterGives) {
+  const backend::Library leg = library_of(
+      document("hyl_parametric"), "leg", model::MovedFramePosition::left,
+      {{"inverse_dynamics", {"q", "parameters"}}, {"transforms.homogeneous.fr_base_X_fr_foot", {"q"}}});
+  const backend::Library euler = library_of(
+      std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl", "euler", std::nullopt,
+      {{"transforms.motion.S_X_zyx", {"variables"}}});
+  for (backend::Library library : {leg, euler}) {
+    std::erase_if(library.functions, [](const backend::Function& f) { return f.differentiated_by.empty(); });
+    ASSERT_GT(library.functions.size(), 0U);
+    EXPECT_EQ(differences(library, maxima_text(library)), "");
+  }
+}
+
 class MaximaText : public testing::TestWithParam<std::string> {};
 
 TEST_P(MaximaText, IsTidy) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "backend/matlab/dialect.h"
+#include "driver/derivatives.h"
 
 namespace robcogen::octave {
 namespace {
@@ -49,12 +50,14 @@ std::optional<backend::Library> load(
     const std::string& name,
     const std::string& primitives,
     const std::vector<std::string>& groups,
-    const driver::Steps& steps) {
+    const driver::Steps& steps,
+    const std::vector<std::string>& derivatives) {
   driver::LibraryOptions options = {.names = {name}, .groups = groups, .steps = steps};
   if (primitives != kNone)
     options.primitives = primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
   driver::LoadOptions reading;
   if (desired != kNone) reading.desired = desired;
+  for (const std::string& text : derivatives) reading.derivatives.push_back(driver::parse_derivative(text));
   Diagnostics diagnostics;
   const auto loaded = driver::load(model, reading, diagnostics);
   return loaded ? std::optional(driver::library(*loaded, options)) : std::nullopt;
@@ -72,8 +75,7 @@ Call shape(const backend::Library& library, const backend::Function& function) {
 }
 
 std::optional<Call> shape_of_product(const backend::Library& library, const backend::Function& function) {
-  const std::string scope = "transforms::homogeneous";
-  if (library.primitives == backend::PrimitiveConvention::none || function.scope != scope) return std::nullopt;
+  if (library.primitives == backend::PrimitiveConvention::none || !function.product) return std::nullopt;
   backend::Function product = function;
   product.scope = "transforms::product";
   return shape(library, product);

@@ -12,14 +12,15 @@ namespace robcogen::octave {
 inline const std::string kNone = "none";
 
 // The library of a robot with these groups, or of a document of motions or transforms; nullopt when it is wrong.
-// `desired` may be kNone, `primitives` is kNone, left or right.
+// `desired` may be kNone, `primitives` is kNone, left or right, `derivatives` are those of --derivatives.
 std::optional<backend::Library> load(
     const std::filesystem::path& model,
     const std::string& desired,
     const std::string& name,
     const std::string& primitives,
     const std::vector<std::string>& groups,
-    const driver::Steps& steps);
+    const driver::Steps& steps,
+    const std::vector<std::string>& derivatives = {});
 
 // The function's package name, arguments and results; nothing that evaluates it.
 Call shape(const backend::Library& library, const backend::Function& function);

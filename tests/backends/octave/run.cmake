@@ -3,6 +3,7 @@
 #     PACKAGES  folder of the generated package, NAME its name
 #     VALUES    the program that writes the values of MODEL with DESIRED (or none), with products of PRIMITIVES (right, left or none)
 #     FOLDER    for the values
+#     DERIVATIVES   that the package was generated with
 #     MUTATE    a file of the package, whose first sum becomes a difference: the comparison must fail
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
 set(states 100)
@@ -16,7 +17,7 @@ if(NOT OCTAVE)
 endif()
 
 file(REMOVE_RECURSE ${FOLDER})
-run(ignored ${VALUES} ${MODEL} ${DESIRED} ${NAME} ${PRIMITIVES} ${states} ${FOLDER})
+run(ignored ${VALUES} ${MODEL} ${DESIRED} ${NAME} ${PRIMITIVES} ${states} ${FOLDER} ${DERIVATIVES})
 if(MUTATE)
   file(COPY ${PACKAGES}/+${NAME} DESTINATION ${FOLDER})
   set(PACKAGES ${FOLDER})

@@ -58,9 +58,10 @@ std::vector<Call> calls(const backend::Library& library) {
 int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
-  if (arguments.size() != 7) return 2;
+  if (arguments.size() < 7) return 2;
   // Without passes, which change results by rounding only.
-  const auto library =
-      octave::load(arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {{}, 0});
+  const auto library = octave::load(
+      arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {{}, 0},
+      {arguments.begin() + 7, arguments.end()});
   return library ? octave::write_values(octave::calls(*library), arguments, 5) : 1;
 }

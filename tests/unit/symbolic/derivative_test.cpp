@@ -70,6 +70,32 @@ TEST(Derivative, SharedValuesSeveralResultsAndNone) {
   expect_both_modes(p, {0.3L, 0.7L, -2.0L, 5.0L});
 }
 
+// The cheaper mode: one result of many inputs by reverse mode, many results of one input by forward mode.
+TEST(Derivative, CheapestMode) {
+  const Program product =
+      test::small_program("let x = a[0] * a[1]\nlet y = x * a[2]\nlet z = y * a[3]\nreturn out z\n");
+  const Program many = test::small_program("let x = sin a[0]\nlet y = x * x\nlet z = y * x\nreturn out x y z 0\n", 4);
+  for (const Program& p : {product, many}) {
+    const std::optional<Program> found = with_cheapest_derivatives(p, {"a"}, 1000);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(verify(*found), "");
+    const Values a = {0.3L, 0.7L, -2.0L, 5.0L}, expected = differences(p, a, "out"), d = results(*found, a, "d_a");
+    ASSERT_EQ(d.size(), expected.size());
+    for (std::size_t i = 0; i < d.size(); ++i) EXPECT_LT(std::abs(d[i] - expected[i]), 1e-11L) << i;
+    EXPECT_LE(found->statements.size(), with_derivatives(p, {"a"}).statements.size());
+  }
+  EXPECT_FALSE(with_cheapest_derivatives(product, {"a"}, 8));
+}
+
+// An output may be called like a derivative itself.
+TEST(Derivative, OfADerivative) {
+  const Program p = test::program(
+      "program test\ninput q value 0\noutput d_q value 1 1\nsection hip link hip\nlet x = q[0] * q[0]\nreturn d_q x\n");
+  const Program d = with_derivatives(p, {"q"});
+  EXPECT_EQ(verify(d), "");
+  EXPECT_EQ(d.outputs[1].name, "d_q_d_q");
+}
+
 // What does not depend on an input is a literal zero.
 TEST(Derivative, ZerosAreLiteral) {
   const Program p = with_derivatives(test::small_program("let x = a[0] * a[1]\nreturn out x\n"), {"a"});

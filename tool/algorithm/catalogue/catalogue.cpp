@@ -175,6 +175,11 @@ std::vector<symbolic::Program> plain_programs(const KinematicTree& tree, const s
   return programs;
 }
 
+bool folds_like_others(const symbolic::Program& program) {
+  return std::any_of(
+      program.constants.begin(), program.constants.end(), [](const Number& n) { return n.typical() != n.value(); });
+}
+
 std::vector<std::optional<symbolic::Program>> congruent_programs(
     const KinematicTree& tree,
     const std::string& group,
@@ -183,9 +188,7 @@ std::vector<std::optional<symbolic::Program>> congruent_programs(
   if (!found || !found->dynamics || !is_available(*found, tree)) return {};
   std::vector<std::optional<symbolic::Program>> programs;
   for (RobotFunction& f : found->dynamics(tree, for_congruent_limbs)) {
-    const bool is_other = std::any_of(f.program.constants.begin(), f.program.constants.end(), [](const Number& n) {
-      return n.typical() != n.value();
-    });
+    const bool is_other = folds_like_others(f.program);
     programs.push_back(is_other ? std::optional(std::move(f.program)) : std::nullopt);
   }
   return programs;

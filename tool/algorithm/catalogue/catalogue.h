@@ -23,6 +23,8 @@ struct RobotFunction {
   symbolic::Program program;         // program.name is unique among the robot's functions
   std::string method = {};           // how it is computed, where there was a choice
   std::optional<symbolic::RoundingError> error = {};  // once it was measured
+  // The inputs by which its last outputs are derivatives of the first: of each input in turn, of each of these.
+  std::vector<std::string> differentiated_by = {};
 };
 
 // In canonical order.
@@ -57,6 +59,9 @@ std::vector<RobotFunction> functions(
 // The programs of these functions by the plain formulation, without names; empty for groups that do not depend on a
 // formulation.
 std::vector<symbolic::Program> plain_programs(const model::KinematicTree& tree, const std::string& group);
+
+// Whether a program with congruent limbs that fold in the same way is another one than without.
+bool folds_like_others(const symbolic::Program& program);
 
 // The programs of these functions with congruent limbs that fold in the same way, for lanes, by
 // FormulationChoices::for_congruent_limbs; nullopt where these are the same; empty for groups that do not depend on

@@ -100,6 +100,12 @@ std::string name_of_structure(const std::string& function) {
   return name;
 }
 
+// `transforms::motion` -> `motion`.
+std::string last_of(const std::string& scope) {
+  const std::size_t separator = scope.rfind(':');
+  return separator == std::string::npos ? scope : scope.substr(separator + 1);
+}
+
 std::string owner(const Program& program) {
   const bool reads_kept =
       std::any_of(program.inputs.begin(), program.inputs.end(), [](const InputArray& a) { return is_kept(a.role); });
@@ -132,7 +138,7 @@ std::vector<std::string> members_of(const std::string& object, const std::vector
 Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
   const std::vector<Parameter>& names = callable.parameters;
-  Overload result{&callable, result_type(*callable.function), {}, !with_gravity, false, {}, {}};
+  Overload result{&callable, callable.result, {}, !with_gravity, false, {}, {}};
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
     if (!with_gravity && input.role == Role::gravity) continue;
@@ -162,6 +168,10 @@ Callable callable(
     const std::string& columns = "",
     const std::string& owner = "") {
   Callable result{&f, kernel, name, columns, owner};
+  result.result = result_type(f);
+  // In a namespace, names of functions are those of frames, which as parts of other words would be ambiguous.
+  if (returns_own_structure(f.program) && !f.scope.empty())
+    result.result = name_of_structure(last_of(f.scope)) + "_" + name;
   result.parameters = parameters(f.program);
   if (f.parts) result.core_parameters = parameters(f.parts->core);
   result.count = symbolic::count(f.program);
@@ -273,8 +283,7 @@ std::vector<const Callable*> callables_with_structures(const Api& api) {
   std::vector<const Callable*> result;
   std::set<std::string> types;
   for (const Callable& c : api.callables)
-    if (returns_own_structure(c.function->program) && types.insert(result_type(*c.function)).second)
-      result.push_back(&c);
+    if (returns_own_structure(c.function->program) && types.insert(c.result).second) result.push_back(&c);
   return result;
 }
 

@@ -24,6 +24,7 @@ struct Callable {
   std::string name;                             // in the function's scope
   std::string columns;                          // Jacobians: the constant that lists the joints of its columns
   std::string owner;                            // the type whose member it is; empty: a free function
+  std::string result = {};                      // the type that it returns
   std::vector<Parameter> parameters = {};       // of the kernel: inputs, then outputs
   std::vector<Parameter> core_parameters = {};  // of its core, where it has one
   symbolic::OperationCount count = {};          // of the function's program

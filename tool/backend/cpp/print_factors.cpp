@@ -1,5 +1,6 @@
 // <name>/reflection.h of a library with no robot: its transforms as products of primitives, for the self-check.
 #include "backend/cpp/compiled_kernels.h"
+#include "backend/cpp/flat_tables.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
@@ -36,7 +37,7 @@ std::string caller(const Api& api, const Callable& callable) {
     }
   }
   return declaration(
-             "inline " + result_type(*callable.function) + " " + name,
+             "inline " + callable.result + " " + name,
              {std::string("const double* ") + (parameters ? "parameters" : "/*parameters*/"),
               std::string("const double* ") + (variables ? "variables" : "/*variables*/")},
              " noexcept {") +
@@ -63,8 +64,12 @@ class Tables {
  public:
   explicit Tables(const Api& api) : api_(api) {
     for (const Callable& c : api.callables) {
+      if (!c.function->differentiated_by.empty()) {
+        differentiated_.push_back(&c);
+        continue;
+      }
       functions_.push_back(caller(api, c));
-      if (c.function->program.outputs.front().role == Role::homogeneous) add(c);
+      if (c.function->factors) add(c);
     }
   }
 
@@ -78,11 +83,21 @@ class Tables {
     };
     add("Factor", "kFactors", factors_);
     add("ProductOfFactors", "kTransforms", transforms_);
-    parts.push_back(remarked_list(
-        "inline constexpr " + space + "Transforms model",
-        {quoted(library.robot), std::to_string(library.parameters.size()), std::to_string(library.variables.size()),
-         std::to_string(library.frames.size()), span("kTransforms", 0, transforms_.size())},
-        {"name", "parameters", "variables", "frames", "transforms"}));
+    std::vector<std::string> fields = {
+        quoted(library.robot), std::to_string(library.parameters.size()), std::to_string(library.variables.size()),
+        std::to_string(library.frames.size()), span("kTransforms", 0, transforms_.size())};
+    std::vector<std::string> remarks = {"name", "parameters", "variables", "frames", "transforms"};
+    if (!differentiated_.empty()) {
+      std::vector<std::vector<Field>> rows;
+      for (const Callable* c : differentiated_) rows.push_back(function_row(*c));
+      const Table functions = table("Function", "kFunctions", rows), blocks = derivatives(differentiated_, false);
+      parts.insert(
+          parts.end(), {"using robcogen::reflection::At;\nusing robcogen::reflection::kFlat;\n", functions.definition,
+                        blocks.definition});
+      fields.insert(fields.end(), {functions.reference, blocks.reference});
+      remarks.insert(remarks.end(), {"functions with derivatives", "derivatives"});
+    }
+    parts.push_back(remarked_list("inline constexpr " + space + "Transforms model", fields, remarks));
     return paragraphs(parts);
   }
 
@@ -111,6 +126,7 @@ class Tables {
   const Api& api_;
   std::vector<std::string> functions_;
   std::vector<std::vector<Field>> factors_, transforms_;
+  std::vector<const Callable*> differentiated_;
 };
 
 }  // namespace

@@ -45,7 +45,8 @@ std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
   if (program.outputs.size() > 1) result = "result";
   for (const symbolic::OutputArray& output : program.outputs) {
     const std::string member = result_member(program, output);
-    arguments.push_back(is_scalar(output) ? "&" + result : result + (member.empty() ? "" : "." + member) + ".data()");
+    const std::string place = result + (member.empty() ? "" : "." + member);
+    arguments.push_back(is_scalar(output) ? "&" + place : place + ".data()");
   }
   const std::string margin(indent, ' ');
   return arrays + margin + overload.result + " " + result + ";\n" + call(kernel_of(overload), arguments, indent) +
@@ -204,7 +205,7 @@ std::string robot_type(const Api& api) {
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
   for (const Callable& c : api.callables)
     if (returns_object(c.function->program)) names.push_back(result_type(*c.function));
-  for (const Callable* c : callables_with_structures(api)) names.push_back(result_type(*c->function));
+  for (const Callable* c : callables_with_structures(api)) names.push_back(c->result);
   if (api.takes_sines()) names.push_back(kTrigonometryType);
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "backend/cpp/flat_tables.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 #include "support/number.h"
@@ -19,19 +20,6 @@ Field numbers(const std::array<double, n>& values) {
   std::vector<std::string> texts;
   for (double v : values) texts.push_back(model_number(v));
   return texts;
-}
-
-// The definition of a table, and how the robot's own table refers to it.
-struct Table {
-  std::string definition;
-  std::string reference;
-};
-
-Table table(const std::string& type, const std::string& name, const std::vector<std::vector<Field>>& rows) {
-  if (rows.empty()) return {"", "{nullptr, 0}"};
-  return {
-      cpp::table("inline constexpr robcogen::reflection::" + type + " " + name + "[]", rows),
-      "{" + name + ", " + std::to_string(rows.size()) + "}"};
 }
 
 Table links(const Library& library) {
@@ -76,12 +64,8 @@ Table frames(const Library& library) {
 }
 
 bool is_form(const Callable& c, Role role) {
-  return c.function->left_frame >= 0 && !c.function->program.outputs.empty() &&
+  return c.function->left_frame >= 0 && c.function->differentiated_by.empty() && !c.function->program.outputs.empty() &&
          c.function->program.outputs.front().role == role;
-}
-
-std::string address(const Callable& c) {
-  return "&kernel::" + c.kernel + "<double>";
 }
 
 // One row a pair of frames that has all three forms.
@@ -126,46 +110,10 @@ Table jacobians(const Api& api) {
   return result;
 }
 
-// Where an input stands when all arrays are put one after another.
-std::size_t offset_of(const symbolic::Program& program, std::size_t input) {
-  std::size_t offset = 0;
-  for (std::size_t i = 0; i < input; ++i) offset += program.inputs[i].elements.size();
-  return offset;
-}
-
 std::size_t positions_of(const symbolic::Program& program) {
   std::size_t input = 0;
   while (program.inputs[input].role != Role::joint_position) ++input;
   return offset_of(program, input);
-}
-
-// `At<0, 3>`: where the arrays begin.
-std::string offset_list(const std::vector<std::size_t>& offsets) {
-  std::string list;
-  for (const std::size_t offset : offsets) list += (list.empty() ? "" : ", ") + std::to_string(offset);
-  return "At<" + list + ">";
-}
-
-std::vector<std::size_t> offsets_of_inputs(const symbolic::Program& program) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) result.push_back(offset_of(program, i));
-  return result;
-}
-
-std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program) {
-  std::vector<std::size_t> result;
-  std::size_t offset = 0;
-  for (const symbolic::OutputArray& output : program.outputs) {
-    result.push_back(offset);
-    offset += static_cast<std::size_t>(output.rows) * static_cast<std::size_t>(output.columns);
-  }
-  return result;
-}
-
-// The kernel under the signature that all functions of the table have.
-Field flat(const Callable& c) {
-  const symbolic::Program& program = c.function->program;
-  return {"kFlat", {address(c), offset_list(offsets_of_inputs(program)), offset_list(offsets_of_outputs(program))}};
 }
 
 // And its core, which takes sines and cosines behind q.
@@ -241,18 +189,6 @@ std::vector<const Callable*> all_callables(const Api& api) {
   return result;
 }
 
-int input_count(const symbolic::Program& program) {
-  std::size_t count = 0;
-  for (const symbolic::InputArray& input : program.inputs) count += input.elements.size();
-  return static_cast<int>(count);
-}
-
-int output_count(const symbolic::Program& program) {
-  int count = 0;
-  for (const symbolic::OutputArray& output : program.outputs) count += output.rows * output.columns;
-  return count;
-}
-
 // The kernels of sines and cosines under signatures that have `parameters` whether the robot has some or not.
 std::string flat_trigonometry(const Api& api) {
   if (!api.takes_sines()) return "";
@@ -281,14 +217,9 @@ std::string trigonometry(const Api& api) {
 Table functions(const Api& api) {
   std::vector<std::vector<Field>> rows;
   for (const Callable* c : all_callables(api)) {
-    const symbolic::Program& program = c->function->program;
-    const symbolic::OperationCount& n = c->count;
-    std::vector<std::string> counts;
-    for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
-      counts.push_back(std::to_string(k));
-    rows.push_back({quoted(c->kernel), counts, input_count(program), output_count(program), flat(*c)});
+    rows.push_back(function_row(*c));
     if (!c->function->parts) continue;
-    rows.back().push_back(static_cast<int>(positions_of(program)));
+    rows.back().push_back(static_cast<int>(positions_of(c->function->program)));
     rows.back().emplace_back(flat_core(*c));
   }
   return table("Function", "kFunctions", rows);
@@ -320,19 +251,24 @@ struct LastField {
   std::string value, remark, usual;
 };
 
-std::vector<LastField> last_fields(const Api& api, const Table& parameters, const Table& couplings) {
+std::vector<LastField> last_fields(
+    const Api& api,
+    const Table& parameters,
+    const Table& couplings,
+    const Table& derivatives) {
   const Library& library = *api.library;
   const auto numbers = [&](std::size_t i) {
     return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
   };
   const auto boolean = [](bool value) { return std::string(value ? "true" : "false"); };
   std::vector<LastField> fields = {
-      {parameters.reference, "parameters", "{nullptr, 0}"},
+      {parameters.reference, "parameters", kNoTable},
       {numbers(0), "numbers for their values", "nullptr"},
       {boolean(api.is_parametric() && library.has_drives()), "numbers of drives", "false"},
       {boolean(library.uses_passive_forces || !library.has_drives()), "passive forces", "true"},
       {numbers(1), "numbers of couplings", "nullptr"},
-      {couplings.reference, "couplings", "{nullptr, 0}"}};
+      {couplings.reference, "couplings", kNoTable},
+      {derivatives.reference, "derivatives", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }
@@ -355,12 +291,13 @@ std::string print_reflection(const Api& api, const std::string& path) {
     fields.push_back(t.reference);
   }
   fields.push_back(trigonometry(api));
-  const Table none = {"", "{nullptr, 0}"};
+  const Table none = {"", kNoTable};
   const Table of_parameters = api.is_parametric() ? parameters(library) : none;
   const Table of_couplings = library.coupled.empty() ? none : couplings(library);
-  for (const Table& t : {of_parameters, of_couplings})
+  const Table of_derivatives = derivatives(all_callables(api), api.is_parametric());
+  for (const Table& t : {of_parameters, of_couplings, of_derivatives})
     if (!t.definition.empty()) parts.push_back(t.definition);
-  for (const LastField& field : last_fields(api, of_parameters, of_couplings)) {
+  for (const LastField& field : last_fields(api, of_parameters, of_couplings, of_derivatives)) {
     fields.push_back(field.value);
     remarks.push_back(field.remark);
   }

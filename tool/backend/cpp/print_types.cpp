@@ -40,11 +40,6 @@ std::string aliases(const Library& library, const std::string& scalar) {
   return result + "\n" + matrix_alias(scalar);
 }
 
-// What functions of transforms take and return.
-std::string transform_types(const Api& api, const std::string& scalar) {
-  return paragraphs({"using Scalar = " + scalar + ";\n", matrix_alias(scalar), parameters_struct(api, scalar)});
-}
-
 // The types of this precision that are class templates of the library's own.
 std::string aliases_of_classes(const Api& api, const std::string& scalar) {
   std::string text;
@@ -54,8 +49,15 @@ std::string aliases_of_classes(const Api& api, const std::string& scalar) {
   if (api.takes_sines()) add(kTrigonometryType);
   for (const Callable& c : api.callables)
     if (returns_object(c.function->program)) add(result_type(*c.function));
-  for (const Callable* c : callables_with_structures(api)) add(result_type(*c->function));
+  for (const Callable* c : callables_with_structures(api)) add(c->result);
   return text;
+}
+
+// What functions of transforms take and return.
+std::string transform_types(const Api& api, const std::string& scalar) {
+  return paragraphs(
+      {"using Scalar = " + scalar + ";\n" + aliases_of_classes(api, scalar), matrix_alias(scalar),
+       parameters_struct(api, scalar)});
 }
 
 // A member of a structure of results.
@@ -66,8 +68,14 @@ std::string member_type(const symbolic::OutputArray& output) {
       return "JointVector<Scalar>";
     case symbolic::Role::base_wrench:
       return "robcogen::BasicWrench<Scalar>";
+    case symbolic::Role::frame_velocity:
+      return "robcogen::BasicTwist<Scalar>";
     case symbolic::Role::base_acceleration:
+    case symbolic::Role::frame_acceleration:
       return "robcogen::BasicSpatialAcceleration<Scalar>";
+    case symbolic::Role::energy:
+    case symbolic::Role::mass:
+      return "Scalar";
     default:
       return "Eigen::Matrix<Scalar, " + std::to_string(output.rows) + ", " + std::to_string(output.columns) + ">";
   }
@@ -81,8 +89,8 @@ std::string structures(const Api& api) {
     for (const symbolic::OutputArray& output : c->function->program.outputs)
       members += "  " + member_type(output) + " " + output.name + ";\n";
     texts.push_back(
-        comment("The results of " + c->name + ".") + "template <class Scalar>\nstruct Basic" +
-        result_type(*c->function) + " {\n" + members + "};\n");
+        comment("The results of " + c->name + ".") + "template <class Scalar>\nstruct Basic" + c->result + " {\n" +
+        members + "};\n");
   }
   return paragraphs(texts);
 }
@@ -93,7 +101,7 @@ std::string print_types(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   if (!library.has_robot()) {
     const std::string types = paragraphs(
-        {transform_types(api, "double"),
+        {structures(api), transform_types(api, "double"),
          "// The same in single precision.\n" + in_namespace("f32", transform_types(api, "float"))});
     return paragraphs(
         {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),

@@ -87,7 +87,7 @@ std::vector<OutputFile> print(const Library& library) {
     files.push_back({package(library, callable.scope) + callable.name + ".m", print_function(library, callable)});
   if (library.primitives == PrimitiveConvention::none) return files;
   for (const Callable& callable : all)
-    if (callable.scope == "transforms::homogeneous")
+    if (callable.longest().product)
       files.push_back(
           {package(library, "transforms::product") + callable.name + ".m", print_product(library, callable)});
   return files;

@@ -217,8 +217,7 @@ std::vector<OutputFile> print(const Library& library) {
   }
   if (library.primitives != PrimitiveConvention::none)
     for (const Function& f : library.functions)
-      if (f.scope == "transforms::homogeneous")
-        text += print_product(library, f, prefix + scope.claim("product_" + f.name));
+      if (f.product) text += print_product(library, f, prefix + scope.claim("product_" + f.name));
   return {{robot + ".mac", text}};
 }
 

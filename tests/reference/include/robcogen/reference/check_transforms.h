@@ -2,6 +2,7 @@
 // long double, and against identities between them.
 #pragma once
 
+#include "robcogen/reference/check_partial_derivatives.h"
 #include "robcogen/reference/checks.h"
 #include "robcogen/reference/composition.h"
 #include "robcogen/reference/samples.h"
@@ -113,6 +114,12 @@ inline Checks check_transforms(const reflection::Transforms& model, std::uint64_
   for (int i = 0; i < samples; ++i) check_transforms(model, random_values(engine, model), i, checked, checks);
   const bool all = std::find(checked.begin(), checked.end(), false) == checked.end();
   checks.record("every transform has values to compare", kTransform, all ? 0 : 1, samples - 1);
+  const auto inputs_of = [&](const reflection::Function& f) {
+    std::vector<double> inputs(static_cast<std::size_t>(f.inputs));
+    for (double& x : inputs) x = 1 + uniform(engine, 0.75);
+    return inputs;
+  };
+  check_partial_derivatives(model.functions, model.derivatives, inputs_of, {}, {}, samples, checks);
   return checks;
 }
 

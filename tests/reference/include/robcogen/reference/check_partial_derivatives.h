@@ -1,0 +1,96 @@
+// Derivatives that a user asked for, against differences of the function's own results.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "robcogen/reference/checks.h"
+#include "robcogen/reflection.h"
+
+namespace robcogen::reference {
+
+inline constexpr Tolerance kPartial{
+    "kPartial", 1e-7, "a fourth-order difference of 2e-4 in double, where one of half the step agrees"};
+
+// The results of the function, and of its derivatives, as one element of an input moves by a step.
+using Moved = std::function<std::vector<double>(int element, double step)>;
+
+// The derivative of results `value` to `value + rows` by an element.
+inline std::vector<double> difference_of(
+    const Moved& moved,
+    const reflection::Derivative& d,
+    int element,
+    double step) {
+  const std::vector<double> a = moved(element, step), b = moved(element, -step), c = moved(element, 2 * step),
+                            e = moved(element, -2 * step);
+  std::vector<double> result;
+  for (int r = 0; r < d.rows; ++r) {
+    const auto i = static_cast<std::size_t>(d.value + r);
+    result.push_back((8 * (a[i] - b[i]) - (c[i] - e[i])) / (12 * step));
+  }
+  return result;
+}
+
+// The largest error of a block relative to its largest element and the largest result, or NaN where no difference says
+// anything: near a pole, or near a velocity of zero in friction.
+inline Real error_of(const reflection::Derivative& d, const Moved& moved) {
+  constexpr double kStep = 2e-4, kConverged = 1e-8;
+  Real largest = 0, error = std::numeric_limits<Real>::quiet_NaN();
+  const auto meet = [&](double x) { largest = std::max(largest, std::abs(static_cast<Real>(x))); };
+  const std::vector<double> here = moved(0, 0);
+  for (int r = 0; r < d.rows; ++r) meet(here[static_cast<std::size_t>(d.value + r)]);
+  for (int k = 0; k < d.rows * d.columns; ++k) meet(here[static_cast<std::size_t>(d.place + k)]);
+  if (!std::isfinite(largest)) return error;
+  largest = std::max(largest, static_cast<Real>(kConverged));
+  for (int column = 0; column < d.columns; ++column) {
+    const std::vector<double> whole = difference_of(moved, d, column, kStep);
+    const std::vector<double> half = difference_of(moved, d, column, kStep / 2);
+    for (int r = 0; r < d.rows; ++r) {
+      const auto i = static_cast<std::size_t>(r);
+      if (!(std::abs(whole[i] - half[i]) < kConverged * largest)) continue;
+      const double found = here[static_cast<std::size_t>(d.place + column * d.rows + r)];
+      const Real difference = std::abs(static_cast<Real>(found) - static_cast<Real>(half[i])) / largest;
+      error = std::isnan(error) ? difference : std::max(error, difference);
+    }
+  }
+  return error;
+}
+
+// `inputs` are those of a function in one state; `cache_of` gives the first of them from values of parameters, of which
+// `parameters` are those of that state.
+inline void check_partial_derivatives(
+    const reflection::Table<reflection::Function>& functions,
+    const reflection::Table<reflection::Derivative>& derivatives,
+    const std::function<std::vector<double>(const reflection::Function&)>& inputs_of,
+    const std::vector<double>& parameters,
+    const std::function<std::vector<double>(const std::vector<double>&)>& cache_of,
+    int samples,
+    Checks& checks) {
+  for (const reflection::Derivative& d : derivatives) {
+    const reflection::Function& f = functions[d.function];
+    bool is_checked = d.rows * d.columns == 0;
+    for (int i = 0; i < samples; ++i) {
+      const std::vector<double> inputs = inputs_of(f);
+      const Real error = error_of(d, [&](int element, double step) {
+        std::vector<double> moved = inputs, results(static_cast<std::size_t>(f.outputs));
+        if (d.by_parameters) {
+          std::vector<double> values = parameters;
+          values[static_cast<std::size_t>(element)] += step;
+          const std::vector<double> cache = cache_of(values);
+          std::copy(cache.begin(), cache.end(), moved.begin());
+        } else {
+          moved[static_cast<std::size_t>(d.input + element)] += step;
+        }
+        f.call(moved.data(), results.data());
+        return results;
+      });
+      if (std::isnan(error)) continue;
+      is_checked = true;
+      checks.record(std::string("derivatives: ") + d.name, kPartial, error, i);
+    }
+    checks.record("every derivative has values to compare", kPartial, is_checked ? 0 : 1, 0);
+  }
+}
+
+}  // namespace robcogen::reference

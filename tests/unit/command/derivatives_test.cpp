@@ -1,0 +1,175 @@
+// `--derivatives` of the subcommands: results against differences, and messages.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "run_tool.h"
+
+namespace robcogen::test {
+namespace {
+
+using nlohmann::json;
+
+const std::filesystem::path kLeg = ROBCOGEN_ROBOTS_DIR "/hyl_parametric/hyl_parametric.kindsl";
+const std::filesystem::path kEuler = ROBCOGEN_ROBOTS_DIR "/euler/euler.motdsl";
+
+json results_of(
+    const std::filesystem::path& model,
+    const std::string& function,
+    const std::string& options,
+    const json& state) {
+  const Outcome run = run_tool("eval --quiet " + quoted(model) + " " + function + " " + options, state.dump());
+  EXPECT_EQ(run.status, 0) << run.errors;
+  return json::parse(run.output);
+}
+
+// The elements of a matrix, column by column, or of a vector.
+std::vector<double> flat(const json& values) {
+  std::vector<double> result;
+  if (values.empty() || !values[0].is_array()) return values.get<std::vector<double>>();
+  for (std::size_t c = 0; c < values[0].size(); ++c)
+    for (const json& row : values) result.push_back(row[c].get<double>());
+  return result;
+}
+
+// The element `name` of `input`, by name or by its place, moved.
+json moved(json state, const std::string& input, const json& name, double step) {
+  json& element = name.is_string() ? state[input][name.get<std::string>()] : state[input][name.get<std::size_t>()];
+  element = element.get<double>() + step;
+  return state;
+}
+
+// Column by column, against central differences of the function itself.
+void expect_derivatives(
+    const std::filesystem::path& model,
+    const std::string& function,
+    const std::string& input,
+    const std::string& output,
+    const std::vector<json>& elements,
+    const json& state) {
+  constexpr double kStep = 1e-5, kNear = 1e-7;
+  const std::string options = "--derivatives " + function + ":" + input;
+  const json found = results_of(model, function + "_d_" + input, options, state);
+  EXPECT_EQ(found[output], results_of(model, function, "", state)[output]);
+  const json& rows = found["d_" + input];
+  for (std::size_t column = 0; column < elements.size(); ++column) {
+    const auto at = [&](double step) {
+      return flat(results_of(model, function, "", moved(state, input, elements[column], step))[output]);
+    };
+    const std::vector<double> after = at(kStep), before = at(-kStep);
+    ASSERT_EQ(rows.size(), after.size());
+    for (std::size_t r = 0; r < after.size(); ++r) {
+      ASSERT_EQ(rows[r].size(), elements.size());
+      EXPECT_NEAR(rows[r][column].get<double>(), (after[r] - before[r]) / (2 * kStep), kNear) << r << ", " << column;
+    }
+  }
+}
+
+json parameters_of_leg() {
+  return {
+      {"slider_mass", 4.0},
+      {"upperleg_mass", 2.6},
+      {"lowerleg_mass", 0.9},
+      {"upperleg_length", 0.35},
+      {"lowerleg_length", 0.33}};
+}
+
+TEST(Derivatives, ByPositionsAndByParameters) {
+  const json state = {
+      {"q", {0.1, 0.4, -0.9}}, {"qd", {0.5, -1, 2}}, {"qdd", {1, 2, 3}}, {"parameters", parameters_of_leg()}};
+  expect_derivatives(kLeg, "inverse_dynamics", "qd", "tau", {0, 1, 2}, state);
+  const json still = {{"q", {0.1, 0.4, -0.9}}, {"parameters", parameters_of_leg()}};
+  const std::string foot = "jacobians.fr_base_J_fr_foot";
+  const json with_d = results_of(kLeg, foot + "_d_parameters", "--derivatives " + foot + ":parameters", still);
+  const std::size_t columns = with_d["d_parameters"][0].size();
+  ASSERT_EQ(columns, parameters_of_leg().size());
+  double largest = 0;
+  for (const json& row : with_d["d_parameters"])
+    for (const json& x : row) largest = std::max(largest, std::abs(x.get<double>()));
+  EXPECT_NEAR(largest, 1.0, 0.3);  // of a lever arm, by a length: a cosine or a sine
+}
+
+TEST(Derivatives, OfTransforms) {
+  expect_derivatives(
+      kEuler, "transforms.motion.S_X_zyx", "variables", "X", {"a", "b", "c"},
+      {{"variables", {{"a", 0.1}, {"b", 0.2}, {"c", 0.3}}}});
+}
+
+// Functions of them are listed by ops, printed by print --program, and files follow from the options alone.
+TEST(Derivatives, OfAllSubcommands) {
+  const std::string options = " --derivatives center_of_mass:q potential_energy:q,parameters";
+  const Outcome ops = run_tool("ops " + quoted(kLeg) + " --json --effort 0 --algorithms energy" + options, "");
+  ASSERT_EQ(ops.status, 0) << ops.errors;
+  EXPECT_NE(ops.output.find("\"center_of_mass_d_q\""), std::string::npos);
+  EXPECT_NE(ops.output.find("\"potential_energy_d_q_parameters\""), std::string::npos);
+  const Outcome text = run_tool("print " + quoted(kLeg) + " --program center_of_mass_d_q" + options, "");
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_NE(text.output.find("output d_q matrix 3 3"), std::string::npos) << text.output;
+  const Outcome files = run_tool("generate --list-outputs --name a --batch" + options, "");
+  for (const char* file : {"a/kernel/derivatives.h\n", "a/derivatives.cpp\n", "a/batch/derivatives_avx2.cpp\n"})
+    EXPECT_NE(files.output.find(file), std::string::npos) << file;
+}
+
+// The gradient of a single result is by reverse mode: it costs less than a column for each joint.
+TEST(Derivatives, TakeTheCheaperMode) {
+  const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
+  const Outcome run =
+      run_tool("ops " + quoted(model) + " --json --effort 0 --algorithms energy --derivatives kinetic_energy:q", "");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const json report = json::parse(run.output);
+  std::map<std::string, int> operations;
+  for (const json& f : report["functions"]) operations[f["name"]] = f["mul"].get<int>() + f["add"].get<int>();
+  EXPECT_LT(operations.at("kinetic_energy_d_q"), 4 * operations.at("kinetic_energy"));
+}
+
+struct Fault {
+  const char* derivative;
+  const char* message;
+};
+
+class WrongDerivatives : public testing::TestWithParam<Fault> {};
+
+TEST_P(WrongDerivatives, AreRefused) {
+  const Outcome run =
+      run_tool("ops " + quoted(kLeg) + " --algorithms energy --derivatives " + GetParam().derivative, "");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.output, "");
+  EXPECT_NE(run.errors.find(GetParam().message), std::string::npos) << run.errors;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    WrongDerivatives,
+    testing::Values(
+        Fault{
+            "inverse_dynamic:q",
+            "has no function 'inverse_dynamic' [unknown-function]\nhint: did you mean 'inverse_dynamics'?"},
+        Fault{"kDof:q", "has no function 'kDof' [unknown-function]"},
+        Fault{
+            "inverse_dynamics:qq",
+            "'qq' is not an argument of inverse_dynamics, which takes parameters, q, qd, qdd, gravity, external "
+            "[unknown-argument]\nhint: did you mean 'qd'?"},
+        Fault{"inverse_dynamics:tau", "'tau' is a result, not an argument of inverse_dynamics, which takes parameters"},
+        Fault{"inverse_dynamics:0", "'0' is not the name of an input"},
+        Fault{"inverse_dynamics", "no input to differentiate by"},
+        Fault{":q", "no function to differentiate"},
+        Fault{"inverse_dynamics:q,,qd", "an input without a name"},
+        Fault{"inverse_dynamics:q,q", "'q' stands there twice"},
+        Fault{"inertia_factor.solve:x", "functions of a factor take an object"},
+        Fault{"jacobians.fr_base_J_foot:q", "has no function 'jacobians.fr_base_J_foot'"}));
+
+// More than a compiler takes: second derivatives of all elements of a humanoid's inertia matrix.
+TEST(Derivatives, TooLong) {
+  const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
+  const Outcome run = run_tool(
+      "eval " + quoted(model) +
+          " inverse_dynamics_fully_actuated_derivatives_d_q_qd --derivatives "
+          "inverse_dynamics_fully_actuated_derivatives:q,qd",
+      "");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.errors.find("[too-many-operations]"), std::string::npos) << run.errors;
+}
+
+}  // namespace
+}  // namespace robcogen::test

@@ -1,0 +1,108 @@
+#include "backend/cpp/flat_tables.h"
+
+#include "backend/cpp/layout.h"
+
+namespace robcogen::backend::cpp {
+namespace {
+
+std::vector<std::size_t> offsets_of_inputs(const symbolic::Program& program) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) result.push_back(offset_of(program, i));
+  return result;
+}
+
+int size_of(const symbolic::OutputArray& output) {
+  return output.rows * output.columns;
+}
+
+// The rows of one function's derivatives by one input; `place` is where they stand among its results.
+void add_blocks(
+    std::vector<std::vector<Field>>& rows,
+    const Callable& c,
+    std::size_t function,
+    bool has_cache,
+    const std::string& by,
+    std::size_t& place) {
+  const symbolic::Program& program = c.function->program;
+  std::size_t input = 0;
+  while (program.inputs[input].name != by) ++input;
+  const bool is_parameters = has_cache && program.inputs[input].role == symbolic::Role::parameters;
+  const std::size_t values = program.outputs.size() / (1 + c.function->differentiated_by.size());
+  const std::vector<std::size_t> offsets = offsets_of_outputs(program);
+  const int columns = program.outputs[place].columns;
+  for (std::size_t k = 0; k < values; ++k, ++place) {
+    const std::string name = c.kernel + ": " + program.outputs[k].name + " by " + by;
+    rows.push_back(
+        {quoted(name), static_cast<int>(function), is_parameters ? "true" : "false",
+         static_cast<int>(offset_of(program, input)), columns, static_cast<int>(offsets[k]),
+         size_of(program.outputs[k]), static_cast<int>(offsets[place])});
+  }
+}
+
+}  // namespace
+
+Table table(const std::string& type, const std::string& name, const std::vector<std::vector<Field>>& rows) {
+  if (rows.empty()) return {"", kNoTable};
+  return {
+      table("inline constexpr robcogen::reflection::" + type + " " + name + "[]", rows),
+      "{" + name + ", " + std::to_string(rows.size()) + "}"};
+}
+
+std::string address(const Callable& c) {
+  return "&kernel::" + c.kernel + "<double>";
+}
+
+std::size_t offset_of(const symbolic::Program& program, std::size_t input) {
+  std::size_t offset = 0;
+  for (std::size_t i = 0; i < input; ++i) offset += program.inputs[i].elements.size();
+  return offset;
+}
+
+std::string offset_list(const std::vector<std::size_t>& offsets) {
+  std::string list;
+  for (const std::size_t offset : offsets) list += (list.empty() ? "" : ", ") + std::to_string(offset);
+  return "At<" + list + ">";
+}
+
+std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program) {
+  std::vector<std::size_t> result;
+  std::size_t offset = 0;
+  for (const symbolic::OutputArray& output : program.outputs) {
+    result.push_back(offset);
+    offset += static_cast<std::size_t>(output.rows) * static_cast<std::size_t>(output.columns);
+  }
+  return result;
+}
+
+Field flat(const Callable& c) {
+  const symbolic::Program& program = c.function->program;
+  return {"kFlat", {address(c), offset_list(offsets_of_inputs(program)), offset_list(offsets_of_outputs(program))}};
+}
+
+int output_count(const symbolic::Program& program) {
+  int count = 0;
+  for (const symbolic::OutputArray& output : program.outputs) count += output.rows * output.columns;
+  return count;
+}
+
+std::vector<Field> function_row(const Callable& c) {
+  const symbolic::Program& program = c.function->program;
+  const symbolic::OperationCount& n = c.count;
+  std::vector<std::string> counts;
+  for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
+    counts.push_back(std::to_string(k));
+  return {quoted(c.kernel), counts, program.input_count(), output_count(program), flat(c)};
+}
+
+Table derivatives(const std::vector<const Callable*>& functions, bool has_cache) {
+  std::vector<std::vector<Field>> rows;
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    const Callable& c = *functions[f];
+    if (c.function->differentiated_by.empty()) continue;
+    std::size_t place = c.function->program.outputs.size() / (1 + c.function->differentiated_by.size());
+    for (const std::string& by : c.function->differentiated_by) add_blocks(rows, c, f, has_cache, by, place);
+  }
+  return table("Derivative", "kDerivatives", rows);
+}
+
+}  // namespace robcogen::backend::cpp

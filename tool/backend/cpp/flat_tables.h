@@ -1,0 +1,41 @@
+// Tables of <name>/reflection.h whose functions read and write all arrays one after another.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/cpp/api.h"
+#include "backend/cpp/layout.h"
+
+namespace robcogen::backend::cpp {
+
+// The definition of a table, and how the table of the whole model refers to it.
+struct Table {
+  std::string definition;
+  std::string reference;
+};
+
+inline constexpr const char* kNoTable = "{nullptr, 0}";
+
+// Of robcogen::reflection::<type>.
+Table table(const std::string& type, const std::string& name, const std::vector<std::vector<Field>>& rows);
+
+std::string address(const Callable& c);
+
+// Where an input stands when all arrays are put one after another.
+std::size_t offset_of(const symbolic::Program& program, std::size_t input);
+std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program);
+// `At<0, 3>`: where the arrays begin.
+std::string offset_list(const std::vector<std::size_t>& offsets);
+int output_count(const symbolic::Program& program);
+
+// The kernel under the signature that all functions of the tables have.
+Field flat(const Callable& c);
+// The first fields of a robcogen::reflection::Function.
+std::vector<Field> function_row(const Callable& c);
+
+// Of the functions in a table, in its order: where their derivatives stand (robcogen::reflection::Derivative).
+// `has_cache`: they read what follows from the parameters, not these.
+Table derivatives(const std::vector<const Callable*>& functions, bool has_cache);
+
+}  // namespace robcogen::backend::cpp

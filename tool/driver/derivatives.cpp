@@ -1,0 +1,203 @@
+#include "driver/derivatives.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "driver/failure.h"
+#include "driver/find_function.h"
+#include "symbolic/derivative.h"
+
+namespace robcogen::driver {
+namespace {
+
+using algorithm::RobotFunction;
+using algorithm::TransformFunction;
+using symbolic::Program;
+using symbolic::Role;
+
+// Beyond it compilers take minutes for code without loops.
+constexpr std::size_t kMostExpressions = 200'000;
+
+std::string text_of(const Derivative& derivative) {
+  return fmt::format("{}:{}", derivative.function, fmt::join(derivative.inputs, ","));
+}
+
+[[noreturn]] void refuse(const Derivative& derivative, const std::string& message, const std::string& hint = "") {
+  throw Failure{
+      wrong_usage, with_hint(fmt::format("robcogen: error: --derivatives {}: {}", text_of(derivative), message), hint)};
+}
+
+bool takes(const Program& program, const std::string& input) {
+  return std::any_of(
+      program.inputs.begin(), program.inputs.end(), [&](const auto& array) { return array.name == input; });
+}
+
+bool takes_all(const Program& program, const Derivative& derivative) {
+  return std::all_of(derivative.inputs.begin(), derivative.inputs.end(), [&](const std::string& input) {
+    return takes(program, input);
+  });
+}
+
+// `all` are the programs of the overloads.
+void require_inputs(const Derivative& derivative, const std::vector<const Program*>& all) {
+  std::vector<std::string> known, results;
+  for (const Program* program : all) {
+    for (const symbolic::InputArray& array : program->inputs)
+      if (std::count(known.begin(), known.end(), array.name) == 0) known.push_back(array.name);
+    for (const symbolic::OutputArray& array : program->outputs) results.push_back(array.name);
+  }
+  for (const std::string& input : derivative.inputs) {
+    if (std::count(known.begin(), known.end(), input) > 0) continue;
+    const bool is_result = std::count(results.begin(), results.end(), input) > 0;
+    const std::string arguments = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
+    refuse(
+        derivative,
+        fmt::format(
+            "'{}' is {} an argument of {}, which takes {} [unknown-argument]", input,
+            is_result ? "a result, not" : "not", derivative.function, arguments),
+        is_result ? "" : did_you_mean(input, known));
+  }
+  const bool together =
+      std::any_of(all.begin(), all.end(), [&](const Program* program) { return takes_all(*program, derivative); });
+  if (!together) refuse(derivative, fmt::format("no form of {} takes these together", derivative.function));
+}
+
+// What is added to the name of the function.
+std::string suffix_of(const Derivative& derivative) {
+  return fmt::format("_d_{}", fmt::join(derivative.inputs, "_"));
+}
+
+Program differentiated(const Program& program, const Derivative& derivative) {
+  std::optional<Program> result = symbolic::with_cheapest_derivatives(program, derivative.inputs, kMostExpressions);
+  if (!result)
+    refuse(
+        derivative,
+        fmt::format(
+            "code without loops would have more than {} operations, too many to compile [too-many-operations]",
+            kMostExpressions));
+  result->name = program.name + suffix_of(derivative);
+  // An object of the interface is made of one function's results.
+  for (symbolic::OutputArray& array : result->outputs) {
+    if (array.role == Role::inertia_factor) array.role = Role::matrix;
+    if (array.role == Role::inverse_diagonal) array.role = Role::value;
+  }
+  return std::move(*result);
+}
+
+std::string summary_of(const Derivative& derivative) {
+  return fmt::format(
+      "With the partial derivatives by {}: a row for each element of the result, column by column, and a column for "
+      "each element of the argument.",
+      fmt::join(derivative.inputs, ", "));
+}
+
+template <class Function>
+Function differentiated(Function function, const Derivative& derivative) {
+  function.program = differentiated(function.program, derivative);
+  function.name += suffix_of(derivative);
+  function.summary.push_back(summary_of(derivative));
+  return function;
+}
+
+template <class Function>
+std::vector<const Program*> programs_of(const std::vector<Function>& functions) {
+  std::vector<const Program*> programs;
+  for (const Function& f : functions) programs.push_back(&f.program);
+  return programs;
+}
+
+bool is_identifier(const std::string& text) {
+  return !text.empty() && !(text[0] >= '0' && text[0] <= '9');
+}
+
+// Each once.
+std::vector<Derivative> distinct(const std::vector<Derivative>& list) {
+  std::vector<Derivative> result;
+  for (const Derivative& d : list) {
+    const bool is_known = std::any_of(result.begin(), result.end(), [&](const Derivative& other) {
+      return other.function == d.function && other.inputs == d.inputs;
+    });
+    if (!is_known) result.push_back(d);
+  }
+  return result;
+}
+
+}  // namespace
+
+Derivative parse_derivative(const std::string& text) {
+  const auto refuse_text = [&](const std::string& message) {
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: --derivatives '{}': {}\nhint: write function:input or "
+                         "function:input,input, such as inverse_dynamics:q,qd [wrong-derivative]",
+                         text, message)};
+  };
+  // `jacobians::A_J_B:q` as in C++ is the same as `jacobians.A_J_B:q`.
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos) refuse_text("no input to differentiate by");
+  Derivative result{dotted("", text.substr(0, colon)), {}};
+  if (result.function.empty() || result.function.back() == ':') refuse_text("no function to differentiate");
+  for (std::size_t begin = colon + 1; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string input = text.substr(begin, end - begin);
+    if (input.empty()) refuse_text("an input without a name");
+    if (!is_identifier(input)) refuse_text(fmt::format("'{}' is not the name of an input", input));
+    if (std::count(result.inputs.begin(), result.inputs.end(), input) > 0)
+      refuse_text(fmt::format("'{}' stands there twice", input));
+    result.inputs.push_back(input);
+    begin = end + 1;
+  }
+  return result;
+}
+
+std::vector<RobotFunction> derivative_functions(
+    const Robot& robot,
+    const std::filesystem::path& model,
+    algorithm::FormulationChoices& formulations) {
+  std::vector<RobotFunction> list;
+  algorithm::Formulation draft = algorithm::plain_formulation();
+  draft.is_draft = true;
+  algorithm::FormulationChoices drafts(robot.tree, draft);  // fast: no frames are looked for
+  for (const Derivative& derivative : distinct(robot.derivatives)) {
+    const FoundFunctions found = find_functions(robot, derivative.function, drafts);
+    if (found.overloads.empty())
+      refuse_function(fmt::format("robot '{}'", robot.tree.name), model, derivative.function, found.names);
+    const RobotFunction& first = found.overloads.front();
+    if (first.scope == "inertia_factor")
+      refuse(
+          derivative, "functions of a factor take an object, not numbers",
+          "joint_space_inertia and forward_dynamics have derivatives");
+    require_inputs(derivative, programs_of(found.overloads));
+    for (RobotFunction& f :
+         algorithm::functions(robot.tree, {{first.frames}, {first.frames}}, first.group, formulations)) {
+      if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
+      f.group = kDerivativesGroup;
+      f.differentiated_by = derivative.inputs;
+      list.push_back(differentiated(std::move(f), derivative));
+    }
+  }
+  return list;
+}
+
+std::vector<TransformFunction> derivative_functions(const Transforms& transforms, const std::filesystem::path& model) {
+  if (transforms.derivatives.empty()) return {};
+  const std::vector<TransformFunction> functions = algorithm::transform_functions(transforms.document);
+  std::vector<std::string> names;
+  for (const TransformFunction& f : functions) names.push_back(dotted(f.scope, f.name));
+  std::vector<TransformFunction> list;
+  for (const Derivative& derivative : distinct(transforms.derivatives)) {
+    const auto place = std::find(names.begin(), names.end(), derivative.function);
+    if (place == names.end())
+      refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative.function, names);
+    const TransformFunction& f = functions[static_cast<std::size_t>(place - names.begin())];
+    require_inputs(derivative, {&f.program});
+    list.push_back(differentiated(f, derivative));
+    list.back().differentiated_by = derivative.inputs;
+  }
+  return list;
+}
+
+}  // namespace robcogen::driver
