@@ -23,7 +23,7 @@ struct Difference {
   std::string text;
 };
 
-Difference difference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs) {
+Difference difference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs, double agreement) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -37,7 +37,7 @@ Difference difference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs
   Eigen::Index row = 0, column = 0;
   const double absolute = (ours - theirs).cwiseAbs().maxCoeff(&row, &column);
   const double relative = absolute == 0 ? 0 : absolute / ours.cwiseAbs().maxCoeff();
-  text << "relative difference " << relative << ", at most " << kAgreement << " is rounding; row " << row
+  text << "relative difference " << relative << ", at most " << agreement << " is rounding; row " << row
        << " of column " << column << "\n  generated code: " << printed(ours, column)
        << "\n  peer:           " << printed(theirs, column);
   return {relative, text.str()};
@@ -61,15 +61,19 @@ const char* name(peers::Quantity quantity) {
   return "";
 }
 
-std::vector<std::string> disagreements(peers::Peer& peer, const std::vector<Computed>& computed, std::size_t states) {
+std::vector<std::string> disagreements(
+    peers::Peer& peer,
+    const std::vector<Computed>& computed,
+    std::size_t states,
+    double agreement) {
   std::vector<std::string> messages;
   for (const Computed& ours : computed) {
     if (!peer.has(ours.quantity)) continue;
-    double worst = kAgreement;
+    double worst = agreement;
     std::string message;
     for (std::size_t i = 0; i < states; ++i) {
       peer.run(ours.quantity, i);
-      const Difference d = difference(ours.result(i), peer.result(ours.quantity));
+      const Difference d = difference(ours.result(i), peer.result(ours.quantity), agreement);
       if (d.relative <= worst) continue;
       worst = d.relative;
       message = peer.name() + " disagrees in " + name(ours.quantity) + " (" + ours.function + ") at state " +

@@ -23,8 +23,13 @@ struct Computed {
 // "inverse_dynamics", …
 const char* name(peers::Quantity quantity);
 
-// A message for each quantity in which the peer disagrees with the generated code, with the worst of the first
-// `states` states; the peer was prepared with them. A result that is not finite, or of another shape, disagrees.
-std::vector<std::string> disagreements(peers::Peer& peer, const std::vector<Computed>& computed, std::size_t states);
+// A message for each quantity in which the peer disagrees with the generated code by more than `agreement`, with the
+// worst of the first `states` states; the peer was prepared with them. A result that is not finite, or of another
+// shape, disagrees.
+std::vector<std::string> disagreements(
+    peers::Peer& peer,
+    const std::vector<Computed>& computed,
+    std::size_t states,
+    double agreement = kAgreement);
 
 }  // namespace robcogen::bench

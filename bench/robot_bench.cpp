@@ -4,6 +4,8 @@
 //     ROBCOGEN_BATCH_HEADER                               functions over many states, where the library has them
 //     ROBCOGEN_BENCH_FLAGS                                the flags of its kernels, as text
 //     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, where other libraries are measured too
+//     ROBCOGEN_BENCH_FIRST_ROBCOGEN, ROBCOGEN_BENCH_CPPADCODEGEN   where code of these generators for the robot is
+//     linked
 //
 // Exit status 1: another library disagrees with the generated code; nothing was timed.
 #include ROBCOGEN_ROBOT_HEADER
@@ -23,6 +25,8 @@
 
 #include "compared.h"
 #include "peer_benchmarks.h"
+#include "rivals/rival.h"
+#include "rivals/rivals.h"
 #endif
 
 namespace robcogen::bench {
@@ -41,20 +45,37 @@ void add_functions(const Robot& robot, const std::vector<State<R>>& states) {
 #ifdef ROBCOGEN_BENCH_URDF
 constexpr std::size_t kCheckedStates = 64;
 
+std::vector<const rivals::Rival*> linked_rivals() {
+  return {
+#ifdef ROBCOGEN_BENCH_FIRST_ROBCOGEN
+      robcogen_rival_first_robcogen(),
+#endif
+#ifdef ROBCOGEN_BENCH_CPPADCODEGEN
+      robcogen_rival_cppadcodegen(),
+#endif
+  };
+}
+
 // Loads the other libraries' models of the robot and adds their benchmarks; false, with a message, when one of them
 // disagrees with the generated code. The peers outlive the benchmarks.
 template <class R>
 bool add_peers(const Robot& robot, const std::vector<State<R>>& states, std::vector<peers::Candidate>& candidates) {
-  candidates = peers::load(subject(robot, ROBCOGEN_BENCH_URDF));
+  const peers::Subject robot_of_peers = subject(robot, ROBCOGEN_BENCH_URDF);
   const std::vector<Computed> ours = computed<R>(robot, states);
   bool agree = true;
-  for (const peers::Candidate& candidate : candidates) {
-    if (candidate.peer == nullptr) continue;
+  const auto check = [&](const peers::Candidate& candidate, double agreement) {
+    if (candidate.peer == nullptr) return;
     candidate.peer->prepare(converted_states<R>(states));
-    for (const std::string& message : disagreements(*candidate.peer, ours, kCheckedStates)) {
+    for (const std::string& message : disagreements(*candidate.peer, ours, kCheckedStates, agreement)) {
       std::fprintf(stderr, "%s: %s\n", robot.name, message.c_str());
       agree = false;
     }
+  };
+  candidates = peers::load(robot_of_peers);
+  for (const peers::Candidate& candidate : candidates) check(candidate, kAgreement);
+  for (const rivals::Rival* rival : linked_rivals()) {
+    candidates.push_back(rivals::candidate(*rival, robot_of_peers));
+    check(candidates.back(), rival->agreement);
   }
   add_peer_benchmarks(candidates, ours, kStates);
   return agree;

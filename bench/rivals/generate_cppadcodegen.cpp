@@ -1,0 +1,157 @@
+// Generates C for one robot by Pinocchio and CppADCodeGen, with the arguments and results of this project's functions,
+// so that neither side converts:
+//     generate_cppadcodegen ROBOT.urdf ROBOT.c JOINT…
+// The joints are in the order of joint vectors. `--floating` in front of them gives the root link a floating joint.
+#include <cppad/cg.hpp>
+#include <fstream>
+#include <iostream>
+#include <pinocchio/codegen/cppadcg.hpp>
+// After that.
+#include <pinocchio/algorithm/aba.hpp>
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+#include <pinocchio/parsers/urdf.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Code = CppAD::cg::CG<double>;
+using Scalar = CppAD::AD<Code>;
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+struct Robot {
+  pinocchio::ModelTpl<Scalar> model;
+  std::vector<int> order;  // of velocities: for each coordinate of ours, the base's angular ones first, its place
+  bool floating;
+  int joints;
+
+  Vector velocities(const Vector& ours) const {
+    Vector theirs(model.nv);
+    for (int k = 0; k < model.nv; ++k) theirs[order[static_cast<std::size_t>(k)]] = ours[k];
+    return theirs;
+  }
+  // The base coincides with the world.
+  Vector positions(const Vector& ours) const {
+    Vector theirs = Vector::Zero(model.nq);
+    if (floating) theirs[6] = 1;  // of the quaternion
+    const int base = floating ? 6 : 0;
+    for (int k = 0; k < joints; ++k) theirs[order[static_cast<std::size_t>(base + k)] + (floating ? 1 : 0)] = ours[k];
+    return theirs;
+  }
+  Vector stacked(const Vector& base, const Vector& joint_values) const {
+    Vector all(model.nv);
+    all << base, joint_values;
+    return velocities(all);
+  }
+  Vector ours(const Vector& theirs) const {
+    Vector result(model.nv);
+    for (int k = 0; k < model.nv; ++k) result[k] = theirs[order[static_cast<std::size_t>(k)]];
+    return result;
+  }
+};
+
+Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool floating) {
+  pinocchio::Model model;
+  if (floating)
+    pinocchio::urdf::buildModel(urdf, pinocchio::JointModelFreeFlyer(), model);
+  else
+    pinocchio::urdf::buildModel(urdf, model);
+  Robot robot{model.cast<Scalar>(), {}, floating, static_cast<int>(joints.size())};
+  if (floating) robot.order = {3, 4, 5, 0, 1, 2};
+  for (const std::string& joint : joints) {
+    if (!model.existJointName(joint)) throw std::runtime_error("no joint '" + joint + "' in the URDF");
+    robot.order.push_back(model.joints[model.getJointId(joint)].idx_v());
+  }
+  if (static_cast<int>(robot.order.size()) != model.nv) throw std::runtime_error("the URDF has other joints");
+  return robot;
+}
+
+// Arguments one after the other.
+class Arguments {
+ public:
+  explicit Arguments(const Vector& all) : all_(all) {}
+  Vector next(int size) {
+    begin_ += size;
+    return all_.segment(begin_ - size, size);
+  }
+
+ private:
+  const Vector& all_;
+  int begin_ = 0;
+};
+
+template <class Function>
+void generate(std::ostream& out, const std::string& name, int inputs, const Function& function) {
+  // At no special position: a branch of the algorithm is recorded as it is taken here.
+  Vector x(inputs);
+  for (int i = 0; i < inputs; ++i) x[i] = Scalar(Code(0.1 + 0.01 * i));
+  CppAD::Independent(x);
+  const Vector y = function(Arguments(x));
+  CppAD::ADFun<Code> tape(x, y);
+  tape.optimize();
+  CppAD::cg::CodeHandler<double> handler;
+  CppAD::vector<Code> variables(static_cast<std::size_t>(inputs));
+  handler.makeVariables(variables);
+  CppAD::vector<Code> results = tape.Forward(0, variables);
+  CppAD::cg::LanguageC<double> language("double");
+  language.setGenerateFunction(name);
+  CppAD::cg::LangCDefaultVariableNameGenerator<double> names;
+  handler.generateCode(out, language, results, names);
+}
+
+void generate_all(std::ostream& out, Robot& robot) {
+  pinocchio::DataTpl<Scalar> data(robot.model);
+  const int n = robot.joints, base = robot.floating ? 6 : 0, gravity = robot.floating ? 3 : 0;
+  const auto set_gravity = [&](Arguments& in) {
+    if (robot.floating) robot.model.gravity.linear() = in.next(3);
+  };
+  generate(out, "rival_inverse_dynamics", 3 * n + 2 * base + gravity, [&](Arguments in) {
+    const Vector q = in.next(n), qd = in.next(n), qdd = in.next(n), v = in.next(base), a = in.next(base);
+    set_gravity(in);
+    return robot.ours(
+        pinocchio::rnea(robot.model, data, robot.positions(q), robot.stacked(v, qd), robot.stacked(a, qdd)));
+  });
+  generate(out, "rival_forward_dynamics", 3 * n + base + gravity, [&](Arguments in) {
+    const Vector q = in.next(n), qd = in.next(n), tau = in.next(n), v = in.next(base);
+    set_gravity(in);
+    return robot.ours(pinocchio::aba(
+        robot.model, data, robot.positions(q), robot.stacked(v, qd), robot.stacked(Vector::Zero(base), tau),
+        pinocchio::Convention::LOCAL));
+  });
+  generate(out, "rival_inertia_matrix", n, [&](Arguments in) {
+    pinocchio::crba(robot.model, data, robot.positions(in.next(n)), pinocchio::Convention::LOCAL);
+    const Matrix H = data.M.selfadjointView<Eigen::Upper>();
+    Vector columns(base * base + n * (2 * base + n));
+    Eigen::Index k = 0;
+    for (const int column : robot.order)
+      for (const int row : robot.order) columns[k++] = H(row, column);
+    return columns;
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> joints(argv + std::min(argc, 3), argv + argc);
+  const bool floating = !joints.empty() && joints.front() == "--floating";
+  if (floating) joints.erase(joints.begin());
+  if (argc < 3) {
+    std::cerr << "usage: generate_cppadcodegen ROBOT.urdf ROBOT.c [--floating] JOINT…\n";
+    return 2;
+  }
+  try {
+    Robot robot = load(argv[1], joints, floating);
+    std::ofstream out(argv[2]);
+    out << "#include <math.h>\n\nconst int rival_joints = " << robot.joints
+        << ", rival_floating_base = " << (robot.floating ? 1 : 0) << ";\n\n";
+    generate_all(out, robot);
+    out.close();
+    return out ? 0 : 2;
+  } catch (const std::exception& e) {
+    std::cerr << argv[1] << ": " << e.what() << "\n";
+    return 1;
+  }
+}
