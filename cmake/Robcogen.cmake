@@ -18,6 +18,9 @@
 #       [DERIVATIVES function:input…]
 #                                   # partial derivatives of any functions by any of their inputs, as further functions:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
+#       [CONTACTS frame[:point|:surface]…]
+#                                   # frames that touch what does not move, for functions of contacts: three rows each, six
+#                                   # of a surface. Without ALGORITHMS, the default groups and `contacts`
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
 #                                   # ten times as long. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for the
 #                                   # baseline of the compiler; a program selects one when it starts
@@ -63,8 +66,9 @@ set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
 set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passive_forces forward_dynamics
                                              joint_space_inertia joint_space_inertia_factor coriolis_matrix
                                              inverse_dynamics_derivatives inverse_dynamics_gradient
-                                             forward_dynamics_derivatives centroidal energy transforms jacobians
-                                             jacobian_references jacobian_derivatives velocities accelerations)
+                                             forward_dynamics_derivatives centroidal energy centroidal_bias contacts
+                                             operational_space transforms jacobians jacobian_references
+                                             jacobians_with_base jacobian_derivatives velocities accelerations)
 # The default: the functions that most programs need, which compile quickly.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
@@ -72,7 +76,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists XACRO_ARGS ALGORITHMS DERIVATIVES BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -177,6 +181,9 @@ function(_robcogen_choose_groups)
   set(chosen ${library_ALGORITHMS})
   if(NOT chosen)
     get_property(chosen GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS)
+    if(library_CONTACTS)
+      list(APPEND chosen contacts)
+    endif()
   elseif("all" IN_LIST chosen)
     get_property(chosen GLOBAL PROPERTY ROBCOGEN_GROUPS)
     set(library_ALGORITHMS all PARENT_SCOPE)
@@ -278,6 +285,10 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_DERIVATIVES)
     list(APPEND arguments --derivatives ${library_DERIVATIVES})
+  endif()
+  if(library_CONTACTS)
+    list(JOIN library_CONTACTS "," contacts)
+    list(APPEND arguments --contacts ${contacts})
   endif()
   if(library_BATCH)
     list(APPEND arguments --batch)

@@ -49,6 +49,22 @@ TEST(Desired, ReadsEverySpellingOfADocument) {
   }
 }
 
+// `Contacts`, `point` and `surface` may be names of frames.
+TEST(Desired, ReadsContacts) {
+  const auto contacts = [](const std::string& text) {
+    std::string found;
+    for (const Contact& c : read_desired("Robot R Frames { Contacts } Transforms { } " + text).contacts)
+      found += c.frame.text + (c.is_surface ? "* " : " ");
+    return found;
+  };
+  EXPECT_EQ(contacts("Contacts { A, point B surface C, surface, point }"), "A B C* surface point ");
+  EXPECT_EQ(contacts("Contacts { surface surface, point point, Contacts }"), "surface* point Contacts ");
+  EXPECT_EQ(contacts("Contacts { }"), "");
+  EXPECT_EQ(contacts(""), "");
+  EXPECT_EQ(desired_codes("Robot R Frames { } Transforms { } Contacts { A } Contacts { B }"), Codes{"duplicate-item"});
+  EXPECT_EQ(desired_codes("Robot R Frames { } Transforms { } Contacts { A, }"), Codes{"unexpected-token"});
+}
+
 constexpr const char* kList = R"(/* of a leg */
 Robot Leg
 
@@ -65,12 +81,17 @@ Transforms {
 Jacobians {
     base = fr_base, target = ^base
 }
+
+Contacts {
+    point fr_base,
+    surface ^base
+}
 )";
 
 TEST(Desired, PrintsTheCanonicalText) {
   EXPECT_EQ(
       print(read_desired("Model Leg Frames{fr_base ^base}Transforms{fr_base <- ^base fr_base->^base}\n"
-                         "/* of a leg */ Jacobians{right=^base left=fr_base}")),
+                         "/* of a leg */ Jacobians{right=^base left=fr_base}Contacts{fr_base surface ^base}")),
       kList);
   EXPECT_EQ(print(read_desired(kList)), kList);
   EXPECT_EQ(print(read_desired("Robot A Frames {} Transforms {}")), "Robot A\n\nFrames {\n}\n\nTransforms {\n}\n");
@@ -97,7 +118,9 @@ TEST(Desired, TellsDocumentsApart) {
       {"fr_base,\n", "fr_tip,\n"},
       {"target = ^base\n", "target = tip\n"},
       {"base = ^base, target = fr_base\n", ""},
-      {"Jacobians {\n    base = fr_base, target = ^base\n}", ""}};
+      {"Jacobians {\n    base = fr_base, target = ^base\n}", ""},
+      {"surface", "point"},
+      {"point fr_base", "point fr_tip"}};
   for (const auto& [from, to] : changes) {
     std::string text = kList;
     const std::size_t at = text.find(from);

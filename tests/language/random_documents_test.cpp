@@ -275,13 +275,17 @@ rc::Gen<kinematics::Document> robot() {
 }
 
 rc::Gen<desired::Document> list() {
-  using desired::Document, desired::Pair;
+  using desired::Contact, desired::Document, desired::Pair;
   const auto frame = name<desired::Name>(desired::keywords());
   const auto pairs = rc::gen::resize(
       10, rc::gen::container<std::vector<Pair>>(
               rc::gen::build<Pair>(rc::gen::set(&Pair::left, frame), rc::gen::set(&Pair::right, frame))));
+  const auto contacts = rc::gen::resize(
+      5, rc::gen::container<std::vector<Contact>>(rc::gen::build<Contact>(
+             rc::gen::set(&Contact::frame, frame), rc::gen::set(&Contact::is_surface, rc::gen::arbitrary<bool>()))));
   return rc::gen::build<Document>(
       rc::gen::set(&Document::robot, frame), rc::gen::set(&Document::comments, comments()),
+      rc::gen::set(&Document::contacts, contacts),
       rc::gen::set(&Document::frames, rc::gen::resize(10, rc::gen::container<std::vector<desired::Name>>(frame))),
       rc::gen::set(&Document::transforms, pairs), rc::gen::set(&Document::jacobians, pairs));
 }

@@ -214,7 +214,7 @@ std::string losses(const KinematicTree& tree) {
       {.caches_parameters = true, .has_lanes = true});
   std::map<std::string, Program> plain;
   for (const std::string& group : groups())
-    for (Program& program : algorithm::plain_programs(tree, group)) plain.emplace(program.name, program);
+    for (Program& program : algorithm::plain_programs(tree, {}, group)) plain.emplace(program.name, program);
   for (const backend::Function& f : library.functions) {
     // Functions that read a factor have no formulation.
     if (f.scope == "inertia_factor") continue;

@@ -63,7 +63,8 @@ InterpretedRobot::InterpretedRobot(
     const model::DesiredTransforms& desired,
     const std::vector<std::string>& steps,
     std::vector<double> parameters,
-    const algorithm::LinkFrames& frames)
+    const algorithm::LinkFrames& frames,
+    const std::vector<std::string>& groups)
     : floating_(robot.floating_base),
       dof_(robot.dof()),
       parameters_(std::move(parameters)),
@@ -74,7 +75,7 @@ InterpretedRobot::InterpretedRobot(
   std::vector<std::string> passes = steps;
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.frames = frames;
-  for (const std::string& group : algorithm::groups()) {
+  for (const std::string& group : groups) {
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
       const std::string name = f.program.name;
       if (group == "jacobians")

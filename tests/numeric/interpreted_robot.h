@@ -27,13 +27,14 @@ class InterpretedRobot {
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces all functions, in these link frames, and optimises them by `steps`.
+  // Traces the functions of these groups, in these link frames, and optimises them by `steps`.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
       const std::vector<std::string>& steps = all_steps(),
       std::vector<double> parameters = {},
-      const algorithm::LinkFrames& frames = {});
+      const algorithm::LinkFrames& frames = {},
+      const std::vector<std::string>& groups = algorithm::groups());
 
   // The robot and its desired transforms and Jacobians; valid as long as this object.
   reflection::Robot tables() const { return tables_.robot(); }

@@ -201,7 +201,7 @@ void expect_same_results(
   for (const std::string& group : algorithm::groups()) {
     const std::vector<algorithm::RobotFunction> functions = algorithm::functions(tree, {}, group, formulations);
     std::vector<std::optional<Program>> congruent;
-    if (tree.parameters.empty()) congruent = algorithm::congruent_programs(tree, group, for_congruent_limbs);
+    if (tree.parameters.empty()) congruent = algorithm::congruent_programs(tree, {}, group, for_congruent_limbs);
     congruent.resize(functions.size());
     for (std::size_t i = 0; i < functions.size(); ++i) {
       const Program program = pass::run(functions[i].program, passes);
@@ -285,8 +285,8 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
   auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
   auto for_others = algorithm::FormulationChoices::for_congruent_limbs(of_others);
   for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
-    const auto congruent = algorithm::congruent_programs(with_zeros, group, for_congruent_limbs);
-    for (const auto& program : algorithm::congruent_programs(without, group, for_others))
+    const auto congruent = algorithm::congruent_programs(with_zeros, {}, group, for_congruent_limbs);
+    for (const auto& program : algorithm::congruent_programs(without, {}, group, for_others))
       EXPECT_FALSE(program) << "nothing differs";
     const auto others = algorithm::functions(without, {}, group, of_others);
     ASSERT_EQ(congruent.size(), others.size()) << group;

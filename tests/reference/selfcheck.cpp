@@ -15,6 +15,7 @@
 #include "robcogen/level.h"
 #include "robcogen/reference/available.h"
 #include "robcogen/reference/check_batch.h"
+#include "robcogen/reference/check_contacts.h"
 #include "robcogen/reference/check_control.h"
 #include "robcogen/reference/check_derivatives.h"
 #include "robcogen/reference/check_factor.h"
@@ -63,6 +64,7 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
     check_transforms(subject, c, checks);
     check_jacobians(subject, c, checks);
     check_frame_motions(subject, c, checks);
+    check_contacts(c, subject.cache(), engine, checks);
   }
   check_trigonometry(robot, subject.cache(), engine, samples, checks);
 #ifdef ROBCOGEN_BATCH_HEADER

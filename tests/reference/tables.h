@@ -70,6 +70,8 @@ class Tables {
     return static_cast<int>(frames_.size()) - 1;
   }
 
+  void add_contact(int frame, bool is_surface) { contacts_.push_back({frame, is_surface}); }
+
   // By frame indices; without kernels.
   void add_transform(const std::string& name, int left, int right) {
     transforms_.push_back({stored(name), left, right, nullptr, nullptr, nullptr});
@@ -96,6 +98,7 @@ class Tables {
                                view(frames_), view(transforms_), view(jacobians_), view(frame_functions_),
                                {nullptr, 0}};
     robot.couplings = view(couplings_);
+    robot.contacts = view(contacts_);
     return robot;
   }
 
@@ -117,6 +120,7 @@ class Tables {
   std::deque<std::vector<int>> columns_;
   std::deque<std::vector<double>> factors_;
   std::vector<reflection::Coupling> couplings_;
+  std::vector<reflection::Contact> contacts_;
   std::vector<reflection::Jacobian> jacobians_;
   std::vector<reflection::FrameFunction> frame_functions_;
 };

@@ -69,6 +69,11 @@ struct FrameData {
   std::array<double, 3> rotation{};
 };
 
+struct ContactData {
+  int frame = 0;  // into Library::frames
+  bool is_surface = false;
+};
+
 // In the order of the elements of inputs of role `parameters`.
 struct ParameterData {
   std::string name;
@@ -141,9 +146,10 @@ struct Library {
   std::vector<JointData> joints;    // those of joint arrays
   std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
-  std::vector<ParameterData> parameters;  // constants above that depend on one without default are not a number
-  std::vector<std::string> variables;     // with no robot: in the document's order of their first use
-  std::vector<std::string> groups;        // which groups were asked for, in canonical order
+  std::vector<ContactData> contacts = {};  // where the library has functions of them
+  std::vector<ParameterData> parameters;   // constants above that depend on one without default are not a number
+  std::vector<std::string> variables;      // with no robot: in the document's order of their first use
+  std::vector<std::string> groups;         // which groups were asked for, in canonical order
   std::vector<Function> functions;
   // Of robots with parameters, for languages that cache the values that depend on parameters alone (`functions` then
   // read the cache as their parameters). Each update computes a part of the cache from the parameters: the values that

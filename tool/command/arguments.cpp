@@ -39,6 +39,8 @@ std::string meaning_of(Role role) {
       return "factor L of the joint-space inertia matrix";
     case Role::inverse_diagonal:
       return "reciprocals of the diagonal of L";
+    case Role::contact_activity:
+      return "1 where a contact holds, 0 where it is open";
     case Role::parameters:
       return "parameters of the model";
     case Role::variables:

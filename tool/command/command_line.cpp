@@ -138,6 +138,13 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       subcommand.add_option("model", model.file, "Robot (.kindsl or .urdf), motions (.motdsl) or transforms (.ctdsl)");
   file->required();
   subcommand.add_option("--desired", model.desired, "Desired transforms and Jacobians (.dtdsl)");
+  subcommand
+      .add_option(
+          "--contacts", model.contacts,
+          "Frames that touch what does not move, for functions of contacts: a comma-separated list of FRAME or "
+          "FRAME:point (three rows) and FRAME:surface (six)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   subcommand.add_flag("--strict", model.strict, kStrictHelp);
   subcommand
       .add_option_function<std::vector<std::string>>(

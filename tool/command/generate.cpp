@@ -39,6 +39,14 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
+// Without a list the default ones, and those of contacts where there are some.
+std::vector<std::string> asked_groups(const GenerateOptions& options) {
+  if (!options.groups.empty() || options.model.contacts.empty()) return options.groups;
+  std::vector<std::string> groups = algorithm::default_groups();
+  groups.emplace_back("contacts");
+  return groups;
+}
+
 // The groups that were named, in canonical order. A Failure when the language does not offer one of them.
 std::vector<std::string> groups_of(const backend::Language& language, const std::vector<std::string>& asked) {
   std::vector<std::string> ordered;
@@ -117,7 +125,7 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
   for (const backend::Language* language : languages_of(options)) {
     const backend::Library library = driver::library(
         model,
-        {options.names, groups_of(*language, options.groups), options.model.steps, primitives_of(options),
+        {options.names, groups_of(*language, asked_groups(options)), options.model.steps, primitives_of(options),
          options.has_batches, levels_of(options)},
         language->features);
     hash = library.model_hash;
@@ -168,7 +176,7 @@ Status list_outputs(const GenerateOptions& options) {
   for (const backend::Language* language : languages_of(options)) {
     if (language->name != "cpp") continue;
     std::vector<std::string> groups =
-        transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, options.groups);
+        transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, asked_groups(options));
     if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);
     for (const std::string& file :

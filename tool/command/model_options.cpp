@@ -68,6 +68,8 @@ void require_groups_of_transforms(const std::vector<std::string>& asked) {
 
 std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups) const {
   require_urdf(file, urdf);
+  if (!contacts.empty() && !driver::is_robot(driver::language_of(file)))
+    throw Failure{wrong_usage, "robcogen: error: --contacts applies to robots only, not to motions and transforms"};
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
   options.strict = strict;
@@ -75,6 +77,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
+  options.contacts = contacts;
   Diagnostics diagnostics;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));

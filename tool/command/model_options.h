@@ -32,6 +32,7 @@ struct Programs {
 struct ModelOptions {
   std::string file;
   std::string desired;
+  std::vector<std::string> contacts;  // of robots
   bool strict = false;
   import::UrdfOptions urdf;
   ErrorFormat error_format = ErrorFormat::gnu;

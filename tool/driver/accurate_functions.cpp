@@ -50,7 +50,7 @@ class SimplerFunctions {
   }
 
   std::vector<symbolic::Program> traced_plainly() const {
-    if (!are_derivatives()) return algorithm::plain_programs(robot_.tree, group_);
+    if (!are_derivatives()) return algorithm::plain_programs(robot_.tree, robot_.desired, group_);
     Formulation formulation = algorithm::plain_formulation();
     formulation.is_draft = true;
     std::vector<symbolic::Program> programs;

@@ -27,7 +27,7 @@ struct NamePattern {
 std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::FormulationChoices& formulations) {
   const std::vector<model::Frame> frames = tree.frames();
   const model::FramePair pair = {frames.front(), frames.back()};
-  const model::DesiredTransforms desired = {{pair}, {pair}};
+  const model::DesiredTransforms desired = {{pair}, {pair}, {}};
   std::vector<NamePattern> found;
   for (const std::string& group : algorithm::groups_between_frames())
     for (const RobotFunction& f : algorithm::functions(tree, desired, group, formulations)) {
@@ -92,10 +92,10 @@ FoundFunctions find_functions(
   const std::vector<NamePattern> known = patterns(robot.tree, formulations);
   for (const NamePattern& pattern : known) {
     const std::optional<model::FramePair> pair = frames_in(robot.tree, pattern, name);
-    if (pair && search(pattern.group, {{*pair}, {*pair}})) return found;
+    if (pair && search(pattern.group, {{*pair}, {*pair}, {}})) return found;
   }
   for (const std::string& group : groups_of_robot(name))
-    if (search(group, {})) return found;
+    if (search(group, {{}, {}, robot.desired.contacts})) return found;
   for (const NamePattern& pattern : known)
     for (const auto* pairs : {&robot.desired.transforms, &robot.desired.jacobians})
       for (const model::FramePair& pair : *pairs) found.names.push_back(pattern.name(pair));

@@ -93,6 +93,13 @@ backend::Function library_function(
   return function;
 }
 
+bool has_contacts(const Functions& functions) {
+  const std::vector<std::string>& groups = algorithm::groups_of_contacts();
+  return std::any_of(functions.list.begin(), functions.list.end(), [&](const Function& f) {
+    return std::find(groups.begin(), groups.end(), f.traced.group) != groups.end();
+  });
+}
+
 }  // namespace
 
 backend::Library assemble(
@@ -115,6 +122,9 @@ backend::Library assemble(
     result.floating_base = robot->tree.floating_base;
     result.uses_passive_forces = robot->tree.uses_passive_forces;
     add_model(robot->tree, result);
+    if (has_contacts(functions))
+      for (const model::ContactFrame& contact : robot->desired.contacts)
+        result.contacts.push_back({index_of(result.frames, contact.frame.name), contact.is_surface});
   } else {
     add_document(model.transforms()->document, result);
   }

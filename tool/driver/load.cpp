@@ -80,6 +80,49 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
         "solve for the columns of inverse_dynamics_derivatives with joint_space_inertia_factor: d_q = -H^-1 d tau/d q";
 }
 
+// The contact frames of an option, whose text is a source of its own.
+std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words) {
+  const auto source = std::make_shared<const Source>("--contacts", fmt::format("{}", fmt::join(words, " ")));
+  std::vector<import::NamedContact> contacts;
+  std::size_t begin = 0;
+  for (const std::string& word : words) {
+    const std::size_t colon = word.rfind(':');
+    const std::string kind = colon == std::string::npos ? "" : word.substr(colon + 1);
+    const bool has_kind = kind == "point" || kind == "surface";
+    contacts.push_back(
+        {has_kind ? word.substr(0, colon) : word, kind == "surface", {source, {begin, begin + word.size()}}});
+    begin += word.size() + 1;
+  }
+  return contacts;
+}
+
+void require_contacts(const Robot& robot, const std::vector<std::string>& groups, Diagnostics& diagnostics) {
+  if (!robot.desired.contacts.empty()) return;
+  for (const std::string& group : algorithm::groups_of_contacts())
+    if (std::find(groups.begin(), groups.end(), group) != groups.end())
+      diagnostics
+          .error(
+              "no-contacts", robot.tree.links[0].place,
+              fmt::format("'{}' of robot '{}' needs contact frames", group, robot.tree.name))
+          .hint = "name them: --contacts FRAME… (CONTACTS in CMake), or 'Contacts { … }' in the desired transforms";
+}
+
+// What is to be generated, of a robot that has all groups that were asked for.
+model::DesiredTransforms desired_of(
+    const model::KinematicTree& tree,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  model::DesiredTransforms result = model::default_desired(tree);
+  if (options.desired) {
+    const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
+    if (diagnostics.has_errors()) return result;
+    result = import::desired_transforms(list, tree, diagnostics);
+  }
+  if (!options.contacts.empty())
+    result.contacts = import::contact_frames(named_contacts(options.contacts), tree, diagnostics);
+  return result;
+}
+
 std::optional<Model> load_robot(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
@@ -98,13 +141,9 @@ std::optional<Model> load_robot(
   }
   if (diagnostics.has_errors()) return std::nullopt;
   if (options.lists_parameters) list_parameters(tree.parameters, diagnostics);
-  if (!options.desired) {
-    robot.desired = model::default_desired(tree);
-    return model;
-  }
-  const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
+  robot.desired = desired_of(tree, options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  robot.desired = import::desired_transforms(list, tree, diagnostics);
+  require_contacts(robot, options.groups, diagnostics);
   return model;
 }
 

@@ -54,6 +54,8 @@ struct LoadOptions {
   bool lists_parameters = false;                      // a note with the model's parameters
   std::vector<std::string> groups = {};               // asked for by name: one that the robot cannot have is an error
   std::vector<Derivative> derivatives = {};           // checked when they are traced
+  // Instead of the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
+  std::vector<std::string> contacts = {};
 };
 
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt

@@ -39,7 +39,7 @@ Functions trace_robot(
   if (for_lanes && robot.tree.parameters.empty() && !algorithm::limbs_in_lanes(robot.tree).empty()) {
     auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
     for_each_index(groups.size(), [&](std::size_t g) {
-      auto programs = algorithm::congruent_programs(robot.tree, groups[g], for_congruent_limbs);
+      auto programs = algorithm::congruent_programs(robot.tree, robot.desired, groups[g], for_congruent_limbs);
       for (std::size_t i = 0; i < programs.size(); ++i) of_groups[g][i].congruent = std::move(programs[i]);
     });
     std::vector<RobotFunction> programs = derivative_functions(robot, file, for_congruent_limbs);

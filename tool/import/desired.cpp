@@ -125,6 +125,26 @@ std::string connections(const model::RigidMotions& motions, const std::string& f
   return fmt::format("'{}' is connected to {}", frame, fmt::join(names, ", "));
 }
 
+// With what there is, user frames first: of what moves.
+void report_no_contact_frame(const NamedContact& contact, const model::KinematicTree& tree, Diagnostics& diagnostics) {
+  constexpr std::size_t kShown = 12;
+  model::NameIndex index;
+  std::vector<std::string> names;
+  for (const model::Frame& frame : tree.frames()) index.add(frame.name);
+  for (const auto kind : {model::Frame::Kind::user, model::Frame::Kind::link})
+    for (const model::Frame& frame : tree.frames())
+      if (frame.kind == kind && (tree.floating_base || tree.link_of(frame) != 0)) names.push_back(frame.name);
+  if (names.size() > kShown) {
+    names.resize(kShown);
+    names.emplace_back("…");
+  }
+  Diagnostic& error = diagnostics.error(
+      "unknown-contact-frame", contact.place, fmt::format("robot '{}' has no frame '{}'", tree.name, contact.frame));
+  const std::optional<int> similar = index.nearest_to(contact.frame);
+  error.hint = (similar ? fmt::format("did you mean '{}'? ", index.name_of(*similar)) : std::string()) +
+               fmt::format("its frames are {}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 model::DesiredTransforms desired_transforms(
@@ -146,7 +166,40 @@ model::DesiredTransforms desired_transforms(
   model::DesiredTransforms result;
   result.transforms = resolve(document.transforms, "transform");
   result.jacobians = resolve(document.jacobians, "Jacobian");
+  std::vector<NamedContact> contacts;
+  for (const desired::Contact& contact : document.contacts)
+    contacts.push_back({contact.frame.text, contact.is_surface, {document.source, contact.frame.span}});
+  result.contacts = contact_frames(contacts, tree, diagnostics);
   return result;
+}
+
+std::vector<model::ContactFrame> contact_frames(
+    const std::vector<NamedContact>& names,
+    const model::KinematicTree& tree,
+    Diagnostics& diagnostics) {
+  const std::vector<model::Frame> all = tree.frames();
+  std::map<std::string, Place> seen;
+  std::vector<model::ContactFrame> contacts;
+  for (const NamedContact& contact : names) {
+    const std::optional<model::Frame> frame = tree.find_frame(contact.frame);
+    const auto [earlier, is_new] = seen.insert({contact.frame, contact.place});
+    if (!frame) {
+      report_no_contact_frame(contact, tree, diagnostics);
+    } else if (!is_new) {
+      diagnostics
+          .error("repeated-contact", contact.place, fmt::format("contact frame '{}' is listed twice", contact.frame))
+          .notes.push_back({earlier->second, "first listed here"});
+    } else if (!tree.floating_base && tree.link_of(*frame) == 0) {
+      diagnostics
+          .error(
+              "contact-of-fixed-base", contact.place,
+              fmt::format("contact frame '{}' does not move: it belongs to the fixed base", contact.frame))
+          .hint = "list frames of links that move, or declare the base 'floating'";
+    } else {
+      contacts.push_back({*frame, contact.is_surface});
+    }
+  }
+  return contacts;
 }
 
 std::vector<FrameNames> desired_frame_pairs(
@@ -162,6 +215,11 @@ std::vector<FrameNames> desired_frame_pairs(
     diagnostics.error(
         "jacobian-without-robot", {document.source, document.jacobians.front().span},
         "Jacobians need a robot: motions have no joints");
+  }
+  if (!document.contacts.empty()) {
+    diagnostics.error(
+        "contact-without-robot", {document.source, document.contacts.front().frame.span},
+        "contacts need a robot: motions have no dynamics");
   }
   std::vector<FrameNames> result;
   for (const auto& [left_index, right_index, place] : resolver.resolve(document.transforms, "transform")) {

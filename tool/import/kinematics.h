@@ -25,6 +25,19 @@ model::DesiredTransforms desired_transforms(
     const model::KinematicTree& tree,
     Diagnostics& diagnostics);
 
+// A contact frame by name.
+struct NamedContact {
+  std::string frame;
+  bool is_surface = false;
+  Place place;
+};
+
+// Unknown frames, frames of a fixed base and repetitions are errors: the rows of contacts follow from the list.
+std::vector<model::ContactFrame> contact_frames(
+    const std::vector<NamedContact>& names,
+    const model::KinematicTree& tree,
+    Diagnostics& diagnostics);
+
 // The codes of the warnings of desired_transforms, which a strict reading makes errors.
 const std::vector<std::string>& lenient_codes();
 

@@ -165,10 +165,17 @@ struct FramePair {
   }
 };
 
-// What to generate: coordinate transforms left_X_right and geometric Jacobians left_J_right.
+// A frame that touches what does not move, by a point at its origin or by a surface, which does not let it turn either.
+struct ContactFrame {
+  Frame frame;
+  bool is_surface = false;
+};
+
+// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, and functions of contacts.
 struct DesiredTransforms {
   std::vector<FramePair> transforms;
   std::vector<FramePair> jacobians;
+  std::vector<ContactFrame> contacts = {};
 };
 
 // Every link frame and user frame to and from the base frame; a Jacobian, from the base, for every user frame and

@@ -120,6 +120,10 @@ double input_of(
       return 0.125 * x;
     case Role::inverse_diagonal:
       return 1.0 + 0.5 * x;
+    case Role::contact_activity:
+      return x > -0.5 ? 1.0 : 0.0;
+    case Role::contact_compliance:
+      return 1.0 + 0.5 * x;
     default:
       return 2.0 * x;
   }

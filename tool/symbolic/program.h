@@ -103,6 +103,8 @@ enum class Role {
   mass,                     // 1: kg
   parameters,               // kinematics, then dynamics parameters
   variables,                // of a document of transforms: m or rad
+  contact_activity,         // 1 a contact: 1 where it holds, 0 where it is open
+  contact_compliance,       // not negative
   value,                    // anything else
 };
 

@@ -42,6 +42,8 @@ inline constexpr std::array kRoles = {
     RoleName{Role::mass, "mass"},
     RoleName{Role::parameters, "parameters"},
     RoleName{Role::variables, "variables"},
+    RoleName{Role::contact_activity, "contact_activity"},
+    RoleName{Role::contact_compliance, "contact_compliance"},
     RoleName{Role::value, "value"}};
 
 struct OpName {

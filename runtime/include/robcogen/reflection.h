@@ -250,6 +250,12 @@ struct Table {
 
 using BatchFunctions = Table<BatchFunction>;
 
+// A frame that touches what does not move, by a point or by a surface.
+struct Contact {
+  int frame;
+  bool is_surface;
+};
+
 struct Robot {
   const char* name;
   bool floating_base;
@@ -274,6 +280,7 @@ struct Robot {
   void (*coupling_numbers)(const double* parameters, double* couplings) noexcept = nullptr;
   Table<Coupling> couplings = {nullptr, 0};  // of the last joints, in order
   Table<Derivative> derivatives = {nullptr, 0};
+  Table<Contact> contacts = {nullptr, 0};  // in the order of their rows
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of q
 };

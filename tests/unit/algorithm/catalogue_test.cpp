@@ -223,10 +223,59 @@ TEST(RobotPrograms, OfFrames) {
       signatures(tree, "jacobian_references"),
       (List{"in_target_fr_base_J_fr_two: q -> J 6x2", "spatial_fr_base_J_fr_two: q -> J 6x2"}));
   EXPECT_EQ(
+      signatures(tree, "jacobians_with_base"),
+      (List{"with_base_fr_base_J_fr_two: q -> J 6x2", "with_base_fr_base_bias_fr_two: q qd -> a 6x1"}));
+  EXPECT_EQ(
       signatures(tree, "jacobian_derivatives"),
       (List{"fr_base_Jd_fr_two: q qd -> Jd 6x2", "fr_base_Jd_qd_fr_two: q qd -> a 6x1"}));
   EXPECT_EQ(signatures(tree, "velocities"), (List{"fr_base_V_fr_two: q qd -> V 6x1"}));
   EXPECT_EQ(signatures(tree, "accelerations"), (List{"fr_base_A_fr_two: q qd qdd -> A 6x1"}));
+}
+
+TEST(RobotPrograms, OfContacts) {
+  using List = std::vector<std::string>;
+  const auto of = [](bool floating, const std::string& group) {
+    const model::KinematicTree tree = robot(floating);
+    model::DesiredTransforms desired;
+    EXPECT_TRUE(functions(tree, desired, group).empty());
+    desired.contacts = {{*tree.find_frame("fr_one")}, {*tree.find_frame("fr_two"), true}};
+    std::vector<std::string> list;
+    for (const RobotFunction& f : functions(tree, desired, group)) list.push_back(signature(f.program));
+    return list;
+  };
+  const List fixed = of(false, "contacts"), floating = of(true, "contacts");
+  ASSERT_EQ(fixed.size(), 11U);
+  EXPECT_EQ(
+      List(fixed.begin(), fixed.begin() + 5),
+      (List{
+          "contact_jacobian: q -> J 9x2", "contact_velocity: q qd -> velocity 9x1", "contact_bias: q qd -> bias 9x1",
+          "inverse_contact_inertia: q -> W 9x9",
+          "constrained_forward_dynamics: q qd tau contact_acceleration active compliance -> qdd 2x1 contact_wrenches "
+          "9x1"}));
+  EXPECT_EQ(
+      List(floating.begin() + 3, floating.end()),
+      (List{
+          "inverse_contact_inertia: q -> W 9x9",
+          "constrained_forward_dynamics: q qd tau base_velocity contact_acceleration active compliance gravity -> qdd "
+          "2x1 base_acceleration 6x1 contact_wrenches 9x1",
+          "constrained_forward_dynamics_external: q qd tau base_velocity contact_acceleration active compliance "
+          "gravity "
+          "external -> qdd 2x1 base_acceleration 6x1 contact_wrenches 9x1",
+          "impact: q qd base_velocity restitution active compliance -> qd_after 2x1 base_velocity_after 6x1 "
+          "contact_impulses 9x1",
+          "inverse_dynamics_with_contacts: q qd qdd base_velocity base_acceleration contact_wrenches gravity -> tau "
+          "2x1 "
+          "base_wrench 6x1",
+          "inverse_dynamics_with_contacts_external: q qd qdd base_velocity base_acceleration contact_wrenches gravity "
+          "external -> tau 2x1 base_wrench 6x1",
+          "constrained_inverse_dynamics: q qd qdd base_velocity base_acceleration weights regularization gravity -> "
+          "tau "
+          "2x1 contact_wrenches 9x1 base_wrench 6x1",
+          "constrained_inverse_dynamics_external: q qd qdd base_velocity base_acceleration weights regularization "
+          "gravity external -> tau 2x1 contact_wrenches 9x1 base_wrench 6x1"}));
+  EXPECT_EQ(
+      of(true, "operational_space"),
+      List{"operational_space: q active compliance -> inertia 9x9 inverse 8x9 projector 8x8"});
 }
 
 TEST(RobotPrograms, DefaultGroupsAreGroupsInTheirOrder) {

@@ -32,6 +32,17 @@ struct Group {
   // One of these.
   std::vector<RobotFunction> (*dynamics)(const KinematicTree&, FormulationChoices&);
   std::vector<RobotFunction> (*kinematics)(const KinematicTree&, const model::DesiredTransforms&);
+  std::vector<RobotFunction> (*contacts)(const KinematicTree&, const ContactFrames&, FormulationChoices&) = nullptr;
+
+  bool has_formulation() const { return kinematics == nullptr; }
+  std::vector<RobotFunction> functions(
+      const KinematicTree& tree,
+      const model::DesiredTransforms& desired,
+      FormulationChoices& choices) const {
+    if (dynamics) return dynamics(tree, choices);
+    if (kinematics) return kinematics(tree, desired);
+    return desired.contacts.empty() ? std::vector<RobotFunction>() : contacts(tree, desired.contacts, choices);
+  }
 };
 
 constexpr std::array kGroups = {
@@ -49,9 +60,13 @@ constexpr std::array kGroups = {
         forward_dynamics_derivatives_functions, nullptr},
     Group{"centroidal", true, kMass, centroidal_functions, nullptr},
     Group{"energy", true, kInertia, energy_functions, nullptr},
+    Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
+    Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
+    Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
+    Group{"jacobians_with_base", false, kNothing, nullptr, jacobians_with_base_functions},
     Group{"jacobian_derivatives", false, kNothing, nullptr, jacobian_derivatives_functions},
     Group{"velocities", false, kNothing, nullptr, velocities_functions},
     Group{"accelerations", false, kNothing, nullptr, accelerations_functions}};
@@ -125,6 +140,12 @@ const std::vector<std::string>& default_groups() {
   return names;
 }
 
+const std::vector<std::string>& groups_of_contacts() {
+  static const std::vector<std::string> names =
+      names_of_groups([](const Group& group) { return group.contacts != nullptr; });
+  return names;
+}
+
 const std::vector<std::string>& groups_between_frames() {
   static const std::vector<std::string> names =
       names_of_groups([](const Group& group) { return group.kinematics != nullptr; });
@@ -161,17 +182,20 @@ std::vector<RobotFunction> functions(
     FormulationChoices& choices) {
   const Group* found = group_of(group);
   if (!found || !is_available(*found, tree)) return {};
-  return found->dynamics ? found->dynamics(tree, choices) : found->kinematics(tree, desired);
+  return found->functions(tree, desired, choices);
 }
 
-std::vector<symbolic::Program> plain_programs(const KinematicTree& tree, const std::string& group) {
+std::vector<symbolic::Program> plain_programs(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group) {
   const Group* found = group_of(group);
-  if (!found || !found->dynamics || !is_available(*found, tree)) return {};
+  if (!found || !found->has_formulation() || !is_available(*found, tree)) return {};
   Formulation plain = plain_formulation();
   plain.is_draft = true;
   FormulationChoices choices(tree, plain);
   std::vector<symbolic::Program> programs;
-  for (RobotFunction& f : found->dynamics(tree, choices)) programs.push_back(std::move(f.program));
+  for (RobotFunction& f : found->functions(tree, desired, choices)) programs.push_back(std::move(f.program));
   return programs;
 }
 
@@ -182,12 +206,13 @@ bool folds_like_others(const symbolic::Program& program) {
 
 std::vector<std::optional<symbolic::Program>> congruent_programs(
     const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
     const std::string& group,
     FormulationChoices& for_congruent_limbs) {
   const Group* found = group_of(group);
-  if (!found || !found->dynamics || !is_available(*found, tree)) return {};
+  if (!found || !found->has_formulation() || !is_available(*found, tree)) return {};
   std::vector<std::optional<symbolic::Program>> programs;
-  for (RobotFunction& f : found->dynamics(tree, for_congruent_limbs)) {
+  for (RobotFunction& f : found->functions(tree, desired, for_congruent_limbs)) {
     const bool is_other = folds_like_others(f.program);
     programs.push_back(is_other ? std::optional(std::move(f.program)) : std::nullopt);
   }

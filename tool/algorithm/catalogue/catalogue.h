@@ -33,6 +33,9 @@ const std::vector<std::string>& groups();
 // Those whose functions are between two frames each: the pairs of the desired transforms.
 const std::vector<std::string>& groups_between_frames();
 
+// Those whose functions are of contacts: the robot has them where contact frames are desired.
+const std::vector<std::string>& groups_of_contacts();
+
 // The default groups of a robot: those that most programs need and that compile quickly.
 const std::vector<std::string>& default_groups();
 
@@ -58,7 +61,10 @@ std::vector<RobotFunction> functions(
 
 // The programs of these functions by the plain formulation, without names; empty for groups that do not depend on a
 // formulation.
-std::vector<symbolic::Program> plain_programs(const model::KinematicTree& tree, const std::string& group);
+std::vector<symbolic::Program> plain_programs(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group);
 
 // Whether a program with congruent limbs that fold in the same way is another one than without.
 bool folds_like_others(const symbolic::Program& program);
@@ -68,6 +74,7 @@ bool folds_like_others(const symbolic::Program& program);
 // a formulation.
 std::vector<std::optional<symbolic::Program>> congruent_programs(
     const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
     const std::string& group,
     FormulationChoices& for_congruent_limbs);
 

@@ -230,6 +230,21 @@ std::vector<RobotFunction> centroidal_functions(const KinematicTree& tree, Formu
   return list;
 }
 
+std::vector<RobotFunction> centroidal_bias_functions(const KinematicTree& tree, FormulationChoices& choices) {
+  const std::string velocity = tree.floating_base ? "(spatial base acceleration, qdd)" : "qdd";
+  return {
+      {"centroidal_bias",
+       "",
+       "centroidal_momentum_bias",
+       {"Bias of the centroidal momentum: what is added to the centroidal momentum matrix times " + velocity +
+            " in the rate of angular (N m) and linear (N) momentum, in an inertial frame and in base axes, angular "
+            "first (Wensing and Orin 2016).",
+        "The rate of the momentum is the moment about the centre of mass and the force of all that acts from outside."},
+       {},
+       {},
+       centroidal_momentum_bias(tree, "centroidal_momentum_bias", choices.representative_of_model())}};
+}
+
 std::vector<RobotFunction> energy_functions(const KinematicTree& tree, FormulationChoices& choices) {
   const Formulation formulation =
       choices.cheaper_for([&](const Formulation& f) { return kinetic_energy(tree, "kinetic_energy", f); });

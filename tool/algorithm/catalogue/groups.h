@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithm/catalogue/catalogue.h"
+#include "algorithm/dynamics/contacts.h"
 
 namespace robcogen::algorithm {
 
@@ -30,6 +31,19 @@ std::vector<RobotFunction> forward_dynamics_derivatives_functions(
 std::vector<RobotFunction> centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> energy_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 
+std::vector<RobotFunction> centroidal_bias_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+
+// ---- Contacts: of all contact frames that are desired, at least one.
+
+std::vector<RobotFunction> contacts_functions(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    FormulationChoices& choices);
+std::vector<RobotFunction> operational_space_functions(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    FormulationChoices& choices);
+
 // ---- Kinematics: of each pair of frames that is desired.
 
 std::vector<RobotFunction> transforms_functions(
@@ -39,6 +53,9 @@ std::vector<RobotFunction> jacobians_functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired);
 std::vector<RobotFunction> jacobian_references_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired);
+std::vector<RobotFunction> jacobians_with_base_functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired);
 std::vector<RobotFunction> jacobian_derivatives_functions(

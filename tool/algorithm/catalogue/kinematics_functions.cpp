@@ -124,6 +124,41 @@ std::vector<RobotFunction> jacobian_references_functions(
   return list;
 }
 
+// Of pairs whose left frame is one of the base: others see the base move.
+std::vector<RobotFunction> jacobians_with_base_functions(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired) {
+  const std::string columns = tree.floating_base
+                                  ? "6 x (6 + n): for the velocity (base twist in base coordinates, angular first; qd)."
+                                  : "6 x n, all joints in the order of the model.";
+  model::DesiredTransforms of_base;
+  for (const model::FramePair& pair : desired.jacobians)
+    if (tree.link_of(pair.left) == 0) of_base.jacobians.push_back(pair);
+  std::vector<RobotFunction> list;
+  const std::string group = "jacobians_with_base", scope = "jacobians::with_base";
+  add_for_jacobians(
+      list, tree, of_base, group, scope, "J",
+      [&](const std::string& left, const std::string& right) {
+        return "Jacobian with base columns: angular velocity of " + right +
+               " and velocity of its origin in an inertial frame, in axes of " + left + "; angular rows first. " +
+               columns;
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return jacobian_with_base(tree, pair, name); },
+      "with_base_");
+  add_for_jacobians(
+      list, tree, of_base, group, scope, "bias",
+      [](const std::string& left, const std::string& right) {
+        return "Bias of " + right +
+               ": what is added to its Jacobian with base columns times (spatial base acceleration, qdd) in its "
+               "angular acceleration (rad/s^2) and the acceleration of its origin (m/s^2) in an inertial frame, in "
+               "axes of " +
+               left + ".";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return jacobian_with_base_bias(tree, pair, name); },
+      "with_base_");
+  return list;
+}
+
 std::vector<RobotFunction> jacobian_derivatives_functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired) {

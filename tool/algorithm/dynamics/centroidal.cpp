@@ -2,6 +2,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 
@@ -56,7 +57,40 @@ void append(std::vector<Expression>& columns, const Vector3& v) {
   columns.insert(columns.end(), v.element.begin(), v.element.end());
 }
 
+// The rate of momentum of a link and all beyond it that its motion takes, about its origin; of a fixed base only that
+// of the links beyond.
+Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& motions, const StateInputs& in, int link) {
+  Force total;
+  for (const Joint& joint : robot.children(link))
+    total += to_parent(robot.pose(joint.index), momentum_rate(robot, motions, in, joint.child));
+  if (robot.is_base(link) && !robot.floating()) return total;
+  const std::string& name = robot.link_name(link);
+  robot.trace.section(name, "link " + name + ": rate of momentum");
+  const LinkMotion& motion = motions[at(link)];
+  total += link_wrench(robot.trace, robot.mass(link), motion);
+  for (const TracedRotor& rotor : rotors_on(robot, link))
+    total.moment += cross(motion.angular.w, in.qd[at(rotor.joint)] * rotor.momentum);
+  describe(total, name + "_rate");
+  return total;
+}
+
 }  // namespace
+
+Program centroidal_momentum_bias(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const TracedRobot robot(trace, in.q, representative);
+  const WholeBody body(robot);
+  const std::vector<Expression> zeros(in.qd.size());
+  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, zeros, nullptr);
+  Force rate = momentum_rate(robot, forces.motions, in, 0);
+  rate.moment -= cross(body.com, rate.linear);
+  trace.output("bias", Role::value, rate);
+  return trace.program(name);
+}
 
 Program total_mass(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);

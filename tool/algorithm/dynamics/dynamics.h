@@ -177,6 +177,13 @@ symbolic::Program centroidal_momentum_matrix(
     const std::string& name,
     const RepresentativeLinks& representative = {});
 
+// What is added to that matrix times (base acceleration, qdd) in the rate of the momentum, in an inertial frame and in
+// base axes (Wensing and Orin 2016): q, qd [, base_velocity] -> bias, 6.
+symbolic::Program centroidal_momentum_bias(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative = {});
+
 // q, qd [, base_velocity] -> T, summed over the links.
 symbolic::Program kinetic_energy(
     const model::KinematicTree& tree,

@@ -5,43 +5,15 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
-#include "algorithm/dynamics/elimination.h"
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
-#include "algorithm/spatial/couplings.h"
+#include "algorithm/dynamics/ordered_inertia.h"
 
 namespace robcogen::algorithm {
 namespace {
 
 using symbolic::Role;
-
-// The joint-space inertia matrix in the order of elimination.
-struct OrderedInertia {
-  std::vector<int> order;
-  std::vector<std::string> names;
-  SquareMatrix a;
-
-  OrderedInertia(const model::KinematicTree& tree, const SquareMatrix& H)
-      : order(elimination_tree(tree).order), a(H.size()) {
-    const std::vector<std::string> all = coordinate_names(tree);
-    for (const int k : order) names.push_back(all[at(k)]);
-    for (int r = 0; r < H.size(); ++r)
-      for (int c = 0; c < H.size(); ++c) a(r, c) = H(order[at(r)], order[at(c)]);
-  }
-
-  // Of a vector with the coordinates of H.
-  std::vector<Expression> ordered(const std::vector<Expression>& x) const {
-    std::vector<Expression> result;
-    for (const int k : order) result.push_back(x[at(k)]);
-    return result;
-  }
-  std::vector<Expression> unordered(const std::vector<Expression>& x) const {
-    std::vector<Expression> result(x.size());
-    for (std::size_t r = 0; r < x.size(); ++r) result[at(order[r])] = x[r];
-    return result;
-  }
-};
 
 struct SolvedMotion {
   ForwardMotion motion;
@@ -53,14 +25,8 @@ SolvedMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in, 
   const model::KinematicTree& tree = robot.tree();
   const Forces bias = bias_forces(robot, in, load);
   const OrderedInertia H(tree, joint_space_inertia(robot));
-  std::vector<Expression> missing;
-  if (tree.floating_base) {
-    for (const Expression& e : bias.base_wrench.moment.element) missing.push_back(-e);
-    for (const Expression& e : bias.base_wrench.linear.element) missing.push_back(-e);
-  }
   robot.trace.section("solution", "solution with the joint-space inertia matrix");
-  const std::vector<Expression> needed = by_coordinate(robot.trace, bias.tau);
-  for (std::size_t k = 0; k < in.tau.size(); ++k) missing.push_back(in.tau[k] - needed[k]);
+  const std::vector<Expression> missing = missing_forces(robot.trace, in.tau, bias);
   const std::vector<Expression> x = H.unordered(solve(H.a, H.ordered(missing), H.names));
   ForwardMotion motion;
   const int base = tree.floating_base ? 6 : 0;

@@ -6,6 +6,33 @@
 
 namespace robcogen::algorithm {
 
+LdlFactors ldl_factors(
+    SquareMatrix a,
+    const std::vector<std::string>& names,
+    const std::function<void(int k)>& row,
+    const std::function<void(int k, int i, const Expression& l)>& element) {
+  const int n = a.size();
+  LdlFactors factors{SquareMatrix(n), std::vector<Expression>(at(n))};
+  SquareMatrix& l = factors.l;
+  for (int k = n; k-- > 0;) {
+    const std::string& name = names[at(k)];
+    for (int i = 0; i <= k; ++i) describe(a(k, i), "E_" + name + "_" + names[at(i)]);
+    if (row) row(k);
+    Expression& inverse_d = factors.inverse_d[at(k)];
+    inverse_d = a(k, k).graph()->one() / a(k, k);
+    describe(inverse_d, "D_" + name + "_inv");
+    for (int i = 0; i < k; ++i) {
+      l(k, i) = a(k, i) * inverse_d;
+      describe(l(k, i), "L_" + name + "_" + names[at(i)]);
+    }
+    for (int i = 0; i < k; ++i) {
+      for (int j = 0; j <= i; ++j) a(i, j) -= l(k, i) * a(k, j);
+      if (element) element(k, i, l(k, i));
+    }
+  }
+  return factors;
+}
+
 std::vector<Expression> solve(SquareMatrix a, std::vector<Expression> b, const std::vector<std::string>& names) {
   std::vector<RightSide> right;
   right.push_back({"", std::move(b)});
@@ -17,33 +44,36 @@ std::vector<std::vector<Expression>> solve(
     std::vector<RightSide> right,
     const std::vector<std::string>& names) {
   const int n = a.size();
-  std::vector<Expression> inverse_d(at(n));
-  SquareMatrix l(n);
-  for (int k = n; k-- > 0;) {
-    const std::string& row = names[at(k)];
-    for (int i = 0; i <= k; ++i) describe(a(k, i), "E_" + row + "_" + names[at(i)]);
-    for (const RightSide& side : right) describe(side.b[at(k)], "b_" + row + side.name);
-    inverse_d[at(k)] = a(k, k).graph()->one() / a(k, k);
-    describe(inverse_d[at(k)], "D_" + row + "_inv");
-    for (int i = 0; i < k; ++i) {
-      l(k, i) = a(k, i) * inverse_d[at(k)];
-      describe(l(k, i), "L_" + row + "_" + names[at(i)]);
-    }
-    for (int i = 0; i < k; ++i) {
-      for (int j = 0; j <= i; ++j) a(i, j) -= l(k, i) * a(k, j);
-      for (RightSide& side : right) side.b[at(i)] -= l(k, i) * side.b[at(k)];
-    }
-  }
+  const LdlFactors factors = ldl_factors(
+      std::move(a), names,
+      [&](int k) {
+        for (const RightSide& side : right) describe(side.b[at(k)], "b_" + names[at(k)] + side.name);
+      },
+      [&](int k, int i, const Expression& l) {
+        for (RightSide& side : right) side.b[at(i)] -= l * side.b[at(k)];
+      });
   std::vector<std::vector<Expression>> solutions;
   for (const RightSide& side : right) {
-    std::vector<Expression>& x = solutions.emplace_back(at(n));
-    for (int k = 0; k < n; ++k) {
-      x[at(k)] = side.b[at(k)] * inverse_d[at(k)];
-      for (int i = 0; i < k; ++i) x[at(k)] -= l(k, i) * x[at(i)];
-      describe(x[at(k)], "x_" + names[at(k)] + side.name);
-    }
+    std::vector<Expression>& x = solutions.emplace_back(second_half(factors, side.b));
+    for (int k = 0; k < n; ++k) describe(x[at(k)], "x_" + names[at(k)] + side.name);
   }
   return solutions;
+}
+
+std::vector<Expression> first_half(const LdlFactors& factors, std::vector<Expression> b) {
+  for (int k = factors.l.size(); k-- > 0;)
+    for (int i = 0; i < k; ++i) b[at(i)] -= factors.l(k, i) * b[at(k)];
+  return b;
+}
+
+std::vector<Expression> second_half(const LdlFactors& factors, const std::vector<Expression>& y) {
+  const int n = factors.l.size();
+  std::vector<Expression> x(at(n));
+  for (int k = 0; k < n; ++k) {
+    x[at(k)] = y[at(k)] * factors.inverse_d[at(k)];
+    for (int i = 0; i < k; ++i) x[at(k)] -= factors.l(k, i) * x[at(i)];
+  }
+  return x;
 }
 
 }  // namespace robcogen::algorithm

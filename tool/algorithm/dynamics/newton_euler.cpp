@@ -109,6 +109,17 @@ Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadIn
   return newton_euler_forces(robot, base_motion(in.base_velocity, {}, loads.gravity), in.qd, zeros, &loads);
 }
 
+std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expression>& tau, const Forces& needed) {
+  std::vector<Expression> missing;
+  if (trace.tree.floating_base) {
+    for (const Expression& e : needed.base_wrench.moment.element) missing.push_back(-e);
+    for (const Expression& e : needed.base_wrench.linear.element) missing.push_back(-e);
+  }
+  const std::vector<Expression> of_coordinates = by_coordinate(trace, needed.tau);
+  for (std::size_t k = 0; k < tau.size(); ++k) missing.push_back(tau[k] - of_coordinates[k]);
+  return missing;
+}
+
 Program newton_euler(
     const model::KinematicTree& tree,
     const std::string& name,

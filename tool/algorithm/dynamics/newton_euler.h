@@ -27,4 +27,8 @@ Forces newton_euler_forces(
 // At zero joint and base acceleration, without passive forces.
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads);
 
+// What is there to accelerate the robot: (- base wrench, tau - needed), an element a row of the joint-space inertia
+// matrix. `tau`: by coordinate.
+std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expression>& tau, const Forces& needed);
+
 }  // namespace robcogen::algorithm

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
@@ -31,38 +32,82 @@ Program coordinate_transform(
   return transform_along(tree, path_between(tree, frames), form, name);
 }
 
-Program geometric_jacobian(
-    const model::KinematicTree& tree,
+ChainColumns chain_columns(
+    Trace& trace,
+    const std::vector<Expression>& q,
     const model::FramePair& frames,
-    const std::string& name,
     JacobianReference reference) {
   // A joint's motion subspace in the axes that the Jacobian is in, and its origin.
   struct Column {
     Motion S;
     Vector3 point;
   };
-  Trace trace(tree);
-  const auto q = trace.joint_input("q", Role::joint_position);
   // In axes of the target everything is seen from there, on the way back.
   const bool back = reference == JacobianReference::in_target;
-  const Path path = path_between(tree, back ? model::FramePair{frames.right, frames.left} : frames);
+  const Path path = path_between(trace.tree, back ? model::FramePair{frames.right, frames.left} : frames);
   std::vector<Column> columns;
-  std::vector<int> joints;
+  ChainColumns result;
   const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
     const bool negated = segment.joint->backward != back;
-    joints.push_back(segment.joint->joint.index);
+    result.joints.push_back(segment.joint->joint.index);
     columns.push_back({in_axes(here.rotation, subspace(segment.joint->joint, trace.graph), negated), here.position});
   });
   if (back) {
     std::reverse(columns.begin(), columns.end());
-    std::reverse(joints.begin(), joints.end());
+    std::reverse(result.joints.begin(), result.joints.end());
   }
-  // Whose velocity the linear part is: that of the target's origin, or of the target's point at the left origin.
-  const Vector3 point = reference == JacobianReference::in_left ? end.position : Vector3();
-  std::vector<Motion> by_joint;
-  for (const auto& [S, origin] : columns) by_joint.push_back({S.angular, S.linear + cross(S.angular, point - origin)});
-  output_columns(trace, "J", role_of(reference), joints, by_joint);
+  if (reference == JacobianReference::in_left) result.point = end.position;
+  for (const auto& [S, origin] : columns)
+    result.columns.push_back({S.angular, S.linear + cross(S.angular, result.point - origin)});
+  return result;
+}
+
+Program geometric_jacobian(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name,
+    JacobianReference reference) {
+  Trace trace(tree);
+  const auto q = trace.joint_input("q", Role::joint_position);
+  const ChainColumns chain = chain_columns(trace, q, frames, reference);
+  output_columns(trace, "J", role_of(reference), chain.joints, chain.columns);
   return trace.program(name);
+}
+
+std::vector<Motion> columns_with_base(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames) {
+  const model::KinematicTree& tree = trace.tree;
+  const ChainColumns chain = chain_columns(trace, q, frames, JacobianReference::in_left);
+  std::vector<Motion> columns;
+  if (tree.floating_base) {
+    const Path to_base = path_between(tree, {frames.left, tree.frames().front()});
+    const Reached base = walk(trace, to_base, q, [](const PathSegment&, const Reached&) {});
+    const Vector3 arm = chain.point - base.position;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 axis = column(base.rotation, k);
+      columns.push_back({axis, cross(axis, arm)});
+    }
+    for (std::size_t k = 0; k < 3; ++k) columns.push_back({{}, column(base.rotation, k)});
+  }
+  std::vector<Motion> by_joint(tree.joints.size());
+  for (std::size_t k = 0; k < chain.joints.size(); ++k) by_joint[at(chain.joints[k])] = chain.columns[k];
+  for (const std::vector<Share>& moved : shares(trace))
+    columns.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
+  return columns;
+}
+
+Program jacobian_with_base(const model::KinematicTree& tree, const model::FramePair& frames, const std::string& name) {
+  Trace trace(tree);
+  const std::vector<Motion> columns = columns_with_base(trace, trace.joint_input("q", Role::joint_position), frames);
+  trace.output("J", Role::matrix, 6, static_cast<int>(columns.size()), elements_of(columns));
+  return trace.program(name);
+}
+
+std::vector<Expression> elements_of(const std::vector<Motion>& columns) {
+  std::vector<Expression> values;
+  for (const Motion& column : columns)
+    for (const Vector3& part : {column.angular, column.linear})
+      values.insert(values.end(), part.element.begin(), part.element.end());
+  return values;
 }
 
 void output_columns(
@@ -72,11 +117,7 @@ void output_columns(
     const std::vector<int>& joints,
     const std::vector<Motion>& by_joint) {
   const std::vector<Motion> columns = columns_by_coordinate(trace, joints, by_joint);
-  std::vector<Expression> values;
-  for (const Motion& column : columns)
-    for (const Vector3& part : {column.angular, column.linear})
-      values.insert(values.end(), part.element.begin(), part.element.end());
-  trace.output(name, role, 6, static_cast<int>(columns.size()), values);
+  trace.output(name, role, 6, static_cast<int>(columns.size()), elements_of(columns));
 }
 
 std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model::FramePair& frames) {

@@ -39,6 +39,20 @@ symbolic::Program geometric_jacobian(
     const std::string& name,
     JacobianReference reference = JacobianReference::in_left);
 
+// Angular velocity of `right` and velocity of its origin in an inertial frame, in axes of `left`, a frame of the base:
+// q -> J, 6 x n, or 6 x (6 + n) base twist first; angular rows first. All coordinates have a column.
+symbolic::Program jacobian_with_base(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name);
+
+// What is added to its product with (base acceleration, qdd) in the acceleration of `right`, angular first, in an
+// inertial frame, in axes of `left`: q, qd [, base_velocity] -> a.
+symbolic::Program jacobian_with_base_bias(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const std::string& name);
+
 // Time derivative of left_J_right (in_left): q, qd -> Jd, 6 x k.
 symbolic::Program jacobian_derivative(
     const model::KinematicTree& tree,

@@ -63,6 +63,12 @@ Table frames(const Library& library) {
   return table("Frame", "kFrames", rows);
 }
 
+Table contacts(const Library& library) {
+  std::vector<std::vector<Field>> rows;
+  for (const ContactData& c : library.contacts) rows.push_back({c.frame, c.is_surface ? "true" : "false"});
+  return table("Contact", "kContacts", rows);
+}
+
 bool is_form(const Callable& c, Role role) {
   return c.function->left_frame >= 0 && c.function->differentiated_by.empty() && !c.function->program.outputs.empty() &&
          c.function->program.outputs.front().role == role;
@@ -255,7 +261,8 @@ std::vector<LastField> last_fields(
     const Api& api,
     const Table& parameters,
     const Table& couplings,
-    const Table& derivatives) {
+    const Table& derivatives,
+    const Table& contacts) {
   const Library& library = *api.library;
   const auto numbers = [&](std::size_t i) {
     return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
@@ -268,7 +275,8 @@ std::vector<LastField> last_fields(
       {boolean(library.uses_passive_forces || !library.has_drives()), "passive forces", "true"},
       {numbers(1), "numbers of couplings", "nullptr"},
       {couplings.reference, "couplings", kNoTable},
-      {derivatives.reference, "derivatives", kNoTable}};
+      {derivatives.reference, "derivatives", kNoTable},
+      {contacts.reference, "contacts", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }
@@ -295,9 +303,10 @@ std::string print_reflection(const Api& api, const std::string& path) {
   const Table of_parameters = api.is_parametric() ? parameters(library) : none;
   const Table of_couplings = library.coupled.empty() ? none : couplings(library);
   const Table of_derivatives = derivatives(all_callables(api), api.is_parametric());
-  for (const Table& t : {of_parameters, of_couplings, of_derivatives})
+  const Table of_contacts = library.contacts.empty() ? none : contacts(library);
+  for (const Table& t : {of_parameters, of_couplings, of_derivatives, of_contacts})
     if (!t.definition.empty()) parts.push_back(t.definition);
-  for (const LastField& field : last_fields(api, of_parameters, of_couplings, of_derivatives)) {
+  for (const LastField& field : last_fields(api, of_parameters, of_couplings, of_derivatives, of_contacts)) {
     fields.push_back(field.value);
     remarks.push_back(field.remark);
   }

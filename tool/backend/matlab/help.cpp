@@ -39,6 +39,8 @@ std::string meaning(Role role) {
       return "factor of the inertia matrix H = L' * L";
     case Role::inverse_diagonal:
       return "reciprocals of the diagonal of L";
+    case Role::contact_activity:
+      return "1 where a contact holds, 0 where it is open";
     case Role::parameters:
       return "struct of the parameters, as parameters() returns it";
     default:

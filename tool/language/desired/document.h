@@ -22,12 +22,19 @@ struct Pair {
   Span span;
 };
 
+// A frame that touches what does not move: by a point, or by a surface.
+struct Contact {
+  Name frame;
+  bool is_surface = false;
+};
+
 struct Document {
   std::shared_ptr<const Source> source;
   Name robot;
   std::vector<Name> frames;
   std::vector<Pair> transforms;
   std::vector<Pair> jacobians;
+  std::vector<Contact> contacts;
   std::vector<std::string> comments;
 };
 

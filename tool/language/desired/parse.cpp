@@ -53,16 +53,20 @@ class Parser {
     }
   }
 
-  bool at_section() const { return cursor_.at_any({"Frames", "Transforms", "Jacobians"}) && cursor_.at("{", 1); }
+  // 'Contacts' is no reserved word: a frame may have this name.
+  bool at_section_word() const { return cursor_.at_any({"Frames", "Transforms", "Jacobians", "Contacts"}); }
+  bool at_section() const { return at_section_word() && cursor_.at("{", 1); }
 
   void sections() {
     while (!cursor_.at_end()) {
       cursor_.begin_statement();
       try {
-        if (!cursor_.at_any({"Frames", "Transforms", "Jacobians"})) unknown_section();
+        if (!at_section_word()) unknown_section();
         const Token word = section_word();
         if (word.text == "Frames") {
           frames();
+        } else if (word.text == "Contacts") {
+          contacts();
         } else {
           pairs(word, word.text == "Transforms" ? document_.transforms : document_.jacobians);
         }
@@ -98,7 +102,7 @@ class Parser {
           .hint = "list pairs of frames in 'Transforms { … }' and 'Jacobians { … }'";
       throw OtherLanguage{};
     }
-    cursor_.unexpected("'Frames', 'Transforms' or 'Jacobians'", "");
+    cursor_.unexpected("'Frames', 'Transforms', 'Jacobians' or 'Contacts'", "");
   }
 
   void check_complete() {
@@ -123,16 +127,31 @@ class Parser {
     throw SyntaxError{};
   }
 
-  void frames() {
-    const Token open = cursor_.expect("{", "after 'Frames'");
+  // The names of a section; calls element() at each.
+  template <class Element>
+  void list(std::string_view section, const Element& element) {
+    const Token open = cursor_.expect("{", fmt::format("after '{}'", section));
     while (!cursor_.at("}")) {
       cursor_.begin_statement();
-      if (at_section()) missing_brace("Frames", open);
+      if (at_section()) missing_brace(section, open);
       if (cursor_.accept(",") && cursor_.at("}")) cursor_.unexpected("the name of a frame", "after ','");
-      document_.frames.push_back(name("the name of a frame"));
+      element();
       if (cursor_.at("-") || cursor_.at(".")) cursor_.unexpected("',' or '}'", "after the name of a frame");
     }
     cursor_.take();
+  }
+
+  void frames() {
+    list("Frames", [&] { document_.frames.push_back(name("the name of a frame")); });
+  }
+
+  // `fr_foot`, `point fr_foot`, `surface fr_sole`.
+  void contacts() {
+    list("Contacts", [&] {
+      const bool has_kind = cursor_.at_any({"point", "surface"}) && cursor_.at_name(1);
+      const bool is_surface = has_kind && cursor_.take().text == "surface";
+      document_.contacts.push_back({name("the name of a frame"), is_surface});
+    });
   }
 
   void pairs(const Token& section, std::vector<Pair>& list) {

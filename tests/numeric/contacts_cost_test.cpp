@@ -1,0 +1,46 @@
+// What functions of contacts cost, as the generator makes them: they must stay sparse.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "driver/driver.h"
+#include "symbolic/count.h"
+
+namespace robcogen::numeric {
+namespace {
+
+// Multiplications and additions by function.
+std::map<std::string, int> costs(const std::string& robot, const std::vector<std::string>& contacts) {
+  Diagnostics diagnostics;
+  const std::string file = std::string(ROBCOGEN_ROBOTS_DIR) + "/" + robot + "/" + robot + ".kindsl";
+  driver::LoadOptions options;
+  options.contacts = contacts;
+  const std::optional<driver::Model> model = driver::load(file, options, diagnostics);
+  if (!model) throw std::runtime_error(diagnostics.render());
+  std::map<std::string, int> result;
+  for (const driver::Function& f : driver::programs(*model, {"contacts"}, {}).list) {
+    const symbolic::OperationCount count = symbolic::count(f.traced.program);
+    result.insert({f.traced.program.name, count.mul + count.add});
+  }
+  return result;
+}
+
+// Figures of a textbook implementation with the factor's sparsity.
+TEST(ContactsCost, IsThatOfTheSparseFactor) {
+  const auto quadruped = costs("quadruped", {"fr_LF_foot", "fr_RF_foot", "fr_LH_foot", "fr_RH_foot"});
+  EXPECT_LE(quadruped.at("inverse_contact_inertia"), 3307);
+  EXPECT_LE(quadruped.at("constrained_forward_dynamics"), 6258);
+  const auto arm = costs("iiwa14", {"fr_link6"});
+  EXPECT_LE(arm.at("inverse_contact_inertia"), 625);
+  EXPECT_LE(arm.at("constrained_forward_dynamics"), 1222);
+}
+
+// Of legs on a fixed base: blocks that couple none.
+TEST(ContactsCost, GrowsWithTheContacts) {
+  const auto one = costs("quadruped_fixed", {"fr_LF_foot"});
+  const auto all = costs("quadruped_fixed", {"fr_LF_foot", "fr_RF_foot", "fr_LH_foot", "fr_RH_foot"});
+  EXPECT_LE(all.at("inverse_contact_inertia"), 4 * one.at("inverse_contact_inertia"));
+}
+
+}  // namespace
+}  // namespace robcogen::numeric

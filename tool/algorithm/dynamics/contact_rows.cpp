@@ -1,0 +1,81 @@
+#include "algorithm/dynamics/contact_rows.h"
+
+#include "algorithm/dynamics/frame_bias.h"
+#include "algorithm/kinematics/chain_columns.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+std::vector<std::string> elements(const ContactFrames& contacts, const char* angular, const char* linear) {
+  std::vector<std::string> names;
+  for (const model::ContactFrame& contact : contacts)
+    for (const char* part : {angular, linear})
+      for (const char axis : {'x', 'y', 'z'})
+        if (contact.is_surface || part == linear) names.push_back(contact.frame.name + "_" + part + axis);
+  return names;
+}
+
+// The elements that are rows of this contact.
+std::vector<Expression> elements_of(const model::ContactFrame& contact, const Motion& motion) {
+  std::vector<Expression> values;
+  if (contact.is_surface) values.assign(motion.angular.element.begin(), motion.angular.element.end());
+  values.insert(values.end(), motion.linear.element.begin(), motion.linear.element.end());
+  return values;
+}
+
+}  // namespace
+
+ContactRows::ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts)
+    : names(motion_elements(contacts)) {
+  const model::Frame base = trace.tree.frames().front();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::vector<Motion> columns = columns_with_base(trace, q, {base, contacts[c].frame});
+    const std::size_t first = J.size();
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const std::vector<Expression> elements = elements_of(contacts[c], columns[k]);
+      J.resize(first + elements.size(), std::vector<Expression>(columns.size()));
+      for (std::size_t i = 0; i < elements.size(); ++i) J[first + i][k] = elements[i];
+    }
+    contact.resize(J.size(), static_cast<int>(c));
+  }
+}
+
+std::vector<std::string> motion_elements(const ContactFrames& contacts) {
+  return elements(contacts, "w", "v");
+}
+
+std::vector<std::string> force_elements(const ContactFrames& contacts) {
+  return elements(contacts, "n", "f");
+}
+
+std::vector<Expression> contact_bias(
+    const TracedRobot& robot,
+    const std::vector<LinkMotion>& motions,
+    const Vector3& gravity,
+    const ContactFrames& contacts) {
+  std::vector<Expression> bias;
+  for (const model::ContactFrame& contact : contacts) {
+    Motion acceleration = acceleration_of(robot, motions, contact.frame);
+    acceleration.linear += gravity;
+    for (const Expression& e : elements_of(contact, acceleration)) bias.push_back(e);
+  }
+  return bias;
+}
+
+std::vector<Expression> times(const ContactRows& rows, const std::vector<Expression>& v) {
+  std::vector<Expression> result;
+  for (const std::vector<Expression>& row : rows.J) {
+    Expression& sum = result.emplace_back();
+    for (std::size_t k = 0; k < v.size(); ++k) sum += row[k] * v[k];
+  }
+  return result;
+}
+
+std::vector<Expression> transposed_times(const ContactRows& rows, const std::vector<Expression>& f) {
+  std::vector<Expression> result(rows.J.empty() ? 0 : rows.J.front().size());
+  for (std::size_t r = 0; r < rows.J.size(); ++r)
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] += rows.J[r][k] * f[r];
+  return result;
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,43 @@
+// Contacts as rows of constraints: how the coordinates move the frames that touch what does not move.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithm/dynamics/newton_euler.h"
+#include "model/kinematic_tree.h"
+
+namespace robcogen::algorithm {
+
+using ContactFrames = std::vector<model::ContactFrame>;
+
+// The rows of all contacts, in the order of the list: of a surface angular velocity and velocity of the frame's origin,
+// of a point the latter alone; in base axes.
+struct ContactRows {
+  ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts);
+
+  std::vector<int> contact;                // by row
+  std::vector<std::string> names;          // by row: `fr_LF_foot_vx`
+  std::vector<std::vector<Expression>> J;  // by row: an element for each coordinate of H
+
+  int size() const { return static_cast<int>(J.size()); }
+};
+
+// Names of the elements of arrays over the rows: of velocities and accelerations, or of forces.
+std::vector<std::string> motion_elements(const ContactFrames& contacts);
+std::vector<std::string> force_elements(const ContactFrames& contacts);
+
+// By row: what is added to J times the accelerations in the acceleration of the contact frames. `motions` carry
+// gravity.
+std::vector<Expression> contact_bias(
+    const TracedRobot& robot,
+    const std::vector<LinkMotion>& motions,
+    const Vector3& gravity,
+    const ContactFrames& contacts);
+
+// J v, of velocities or accelerations by coordinate of H.
+std::vector<Expression> times(const ContactRows& rows, const std::vector<Expression>& v);
+// J^T f.
+std::vector<Expression> transposed_times(const ContactRows& rows, const std::vector<Expression>& f);
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,281 @@
+#include "algorithm/dynamics/contacts.h"
+
+#include <utility>
+
+#include "algorithm/dynamics/contact_system.h"
+#include "algorithm/dynamics/drives.h"
+#include "algorithm/spatial/couplings.h"
+#include "algorithm/spatial/describe.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// The rows of a motion: base, then coordinates.
+std::vector<Expression> stacked(Trace& trace, const Motion& base, const std::vector<Expression>& by_coordinate) {
+  std::vector<Expression> v;
+  if (trace.tree.floating_base)
+    for (const Vector3& part : {base.angular, base.linear}) v.insert(v.end(), part.element.begin(), part.element.end());
+  v.insert(v.end(), by_coordinate.begin(), by_coordinate.end());
+  return v;
+}
+
+// Of an array over joints.
+std::vector<Expression> of_coordinates(const model::KinematicTree& tree, const std::vector<Expression>& by_joint) {
+  std::vector<Expression> result;
+  for (const int joint : tree.coordinates()) result.push_back(by_joint[at(joint)]);
+  return result;
+}
+
+std::vector<Expression> velocities(Trace& trace, const StateInputs& in) {
+  return stacked(trace, in.base_velocity, of_coordinates(trace.tree, in.qd));
+}
+
+// The elements of the base, then of the coordinates, as two outputs.
+void output_motion(
+    Trace& trace,
+    const std::vector<Expression>& v,
+    const std::pair<const char*, Role>& joints,
+    const std::pair<const char*, Role>& base) {
+  const int first = trace.tree.floating_base ? 6 : 0;
+  trace.output(joints.first, joints.second, {v.begin() + first, v.end()});
+  if (first > 0) trace.output(base.first, base.second, Motion{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
+}
+
+// By row.
+void output_matrix(Trace& trace, const std::string& name, const std::vector<std::vector<Expression>>& rows) {
+  std::vector<Expression> columns;
+  const std::size_t count = rows.empty() ? 0 : rows.front().size();
+  for (std::size_t c = 0; c < count; ++c)
+    for (const std::vector<Expression>& row : rows) columns.push_back(row[c]);
+  trace.output(name, Role::matrix, static_cast<int>(rows.size()), static_cast<int>(count), columns);
+}
+
+Forces forces_of(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load) {
+  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
+  return newton_euler_forces(robot, base, in.qd, in.qdd, &load);
+}
+
+void subtract(Trace& trace, const std::vector<Expression>& generalized, std::vector<Expression>& tau, Force& base) {
+  const std::size_t first = trace.tree.floating_base ? 6 : 0;
+  for (std::size_t k = 0; k < first; ++k) (k < 3 ? base.moment[k] : base.linear[k - 3]) -= generalized[k];
+  for (std::size_t k = 0; k < tau.size(); ++k) tau[k] -= generalized[first + k];
+}
+
+}  // namespace
+
+Program contact_jacobian(const model::KinematicTree& tree, const ContactFrames& contacts, const std::string& name) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  output_matrix(trace, "J", ContactRows(trace, in.q, contacts).J);
+  return trace.program(name);
+}
+
+Program contact_velocity(const model::KinematicTree& tree, const ContactFrames& contacts, const std::string& name) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const ContactRows rows(trace, in.q, contacts);
+  trace.output("velocity", Role::value, times(rows, velocities(trace, in)));
+  return trace.program(name);
+}
+
+Program contact_bias(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const TracedRobot robot(trace, in.q, formulation);
+  const std::vector<Expression> zeros(in.qd.size());
+  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, zeros, nullptr);
+  trace.output("bias", Role::value, contact_bias(robot, forces.motions, {}, contacts));
+  return trace.program(name);
+}
+
+Program inverse_contact_inertia(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  const TracedRobot robot(trace, in.q, formulation);
+  const ContactSystem system(robot, ContactRows(trace, in.q, contacts));
+  const SquareMatrix& W = system.inverse_inertia();
+  trace.output("W", Role::matrix, W.size(), W.size(), W.columns());
+  return trace.program(name);
+}
+
+Program constrained_forward_dynamics(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
+  const std::vector<Expression> wanted = trace.input("contact_acceleration", Role::value, motion_elements(contacts));
+  const ContactSwitches switches(trace, contacts);
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  subtract_passive_forces(trace, in, in.tau);
+  const Forces bias = bias_forces(robot, in, load);
+  const std::vector<Expression> of_contacts = contact_bias(robot, bias.motions, load.gravity, contacts);
+  const ContactRows rows(trace, in.q, contacts);
+  const ContactSystem system(robot, rows);
+  const ActiveContacts active(trace, rows, system.inverse_inertia(), switches);
+  trace.section("contacts", "contacts: accelerations that are missing");
+  const std::vector<Expression> halved = system.halved(missing_forces(trace, in.tau, bias));
+  const std::vector<Expression> free = system.at_contacts(halved);
+  std::vector<Expression> missing;
+  for (std::size_t r = 0; r < wanted.size(); ++r) missing.push_back(wanted[r] - of_contacts[r] - free[r]);
+  const std::vector<Expression> wrenches = active.wrenches(missing);
+  output_motion(
+      trace, system.accelerations(halved, wrenches), {"qdd", Role::joint_acceleration},
+      {"base_acceleration", Role::base_acceleration});
+  trace.output("contact_wrenches", Role::value, wrenches);
+  return trace.program(name);
+}
+
+Program impact(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  std::vector<std::string> names;
+  for (const model::ContactFrame& contact : contacts) names.push_back(contact.frame.name);
+  const std::vector<Expression> restitution = trace.input("restitution", Role::value, names);
+  const ContactSwitches switches(trace, contacts);
+  const TracedRobot robot(trace, in.q, formulation);
+  const ContactRows rows(trace, in.q, contacts);
+  const ContactSystem system(robot, rows);
+  const ActiveContacts active(trace, rows, system.inverse_inertia(), switches);
+  const std::vector<Expression> before = velocities(trace, in);
+  std::vector<Expression> change;
+  for (const Expression& velocity : times(rows, before))
+    change.push_back(-(trace.graph.one() + restitution[at(rows.contact[change.size()])]) * velocity);
+  const std::vector<Expression> impulses = active.wrenches(change);
+  const std::vector<Expression> none(before.size());
+  std::vector<Expression> after = system.accelerations(none, impulses);
+  for (std::size_t k = 0; k < after.size(); ++k) after[k] += before[k];
+  output_motion(trace, after, {"qd_after", Role::joint_velocity}, {"base_velocity_after", Role::base_velocity});
+  trace.output("contact_impulses", Role::value, impulses);
+  return trace.program(name);
+}
+
+Program inverse_dynamics_with_contacts(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(
+      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const std::vector<Expression> wrenches = trace.input("contact_wrenches", Role::value, force_elements(contacts));
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  Forces forces = forces_of(robot, in, load);
+  add_passive_forces(trace, in, forces.tau);
+  std::vector<Expression> tau = by_coordinate(trace, forces.tau);
+  const ContactRows rows(trace, in.q, contacts);
+  trace.section("contacts", "contacts: what their wrenches leave to the joints");
+  subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
+  trace.output("tau", Role::joint_force, tau);
+  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
+  return trace.program(name);
+}
+
+// With J = [J_b J_q] and weights G: f = G J_b y, (J_b^T G J_b + r) y = the wrench that the base needs.
+Program constrained_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  constexpr int kBase = 6;
+  Trace trace(tree);
+  const StateInputs in(
+      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const std::vector<Expression> weights = trace.input("weights", Role::contact_compliance, force_elements(contacts));
+  const Expression regularization = trace.input("regularization", Role::contact_compliance, {"r"}).front();
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  Forces forces = forces_of(robot, in, load);
+  add_passive_forces(trace, in, forces.tau);
+  std::vector<Expression> tau = by_coordinate(trace, forces.tau);
+  const ContactRows rows(trace, in.q, contacts);
+  trace.section("contacts", "contacts: wrenches");
+  std::vector<std::vector<Expression>> weighted;  // G J_b, by row
+  SquareMatrix gram(kBase);
+  for (int r = 0; r < rows.size(); ++r) {
+    std::vector<Expression>& row = weighted.emplace_back();
+    for (int k = 0; k < kBase; ++k) row.push_back(weights[at(r)] * rows.J[at(r)][at(k)]);
+    for (int i = 0; i < kBase; ++i)
+      for (int k = 0; k <= i; ++k) gram(i, k) += rows.J[at(r)][at(i)] * row[at(k)];
+  }
+  for (int i = 0; i < kBase; ++i) {
+    gram(i, i) += regularization;
+    for (int k = 0; k < i; ++k) gram(k, i) = gram(i, k);
+  }
+  const Force& needed = forces.base_wrench;
+  std::vector<Expression> b(needed.moment.element.begin(), needed.moment.element.end());
+  b.insert(b.end(), needed.linear.element.begin(), needed.linear.element.end());
+  const std::vector<Expression> y = solve(gram, b, {"nx", "ny", "nz", "fx", "fy", "fz"});
+  std::vector<Expression> wrenches;
+  for (const std::vector<Expression>& row : weighted) {
+    Expression& f = wrenches.emplace_back();
+    for (std::size_t k = 0; k < row.size(); ++k) f += row[k] * y[k];
+  }
+  subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
+  trace.output("tau", Role::joint_force, tau);
+  trace.output("contact_wrenches", Role::value, wrenches);
+  trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
+  return trace.program(name);
+}
+
+Program operational_space(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position});
+  const ContactSwitches switches(trace, contacts);
+  const TracedRobot robot(trace, in.q, formulation);
+  const ContactRows rows(trace, in.q, contacts);
+  const ContactSystem system(robot, rows);
+  const ActiveContacts active(trace, rows, system.inverse_inertia(), switches);
+  const SquareMatrix inertia = active.inverse();
+  const std::size_t size = rows.J.front().size();
+  const std::vector<Expression> none(size);
+  // Columns of H^-1 J^T, then of the consistent inverse.
+  std::vector<std::vector<Expression>> moved;
+  for (int r = 0; r < rows.size(); ++r) {
+    std::vector<Expression> unit(at(rows.size()));
+    unit[at(r)] = trace.graph.one();
+    moved.push_back(system.accelerations(none, unit));
+  }
+  trace.section("task", "dynamically consistent inverse and projector");
+  std::vector<std::vector<Expression>> inverse(size, std::vector<Expression>(at(rows.size())));
+  std::vector<std::vector<Expression>> projector(size, std::vector<Expression>(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (int c = 0; c < rows.size(); ++c)
+      for (int r = 0; r < rows.size(); ++r) inverse[i][at(c)] += moved[at(r)][i] * inertia(r, c);
+    for (std::size_t k = 0; k < size; ++k) {
+      if (i == k) projector[i][k] = trace.graph.one();
+      for (int r = 0; r < rows.size(); ++r) projector[i][k] -= inverse[i][at(r)] * rows.J[at(r)][k];
+    }
+  }
+  trace.output("inertia", Role::matrix, inertia.size(), inertia.size(), inertia.columns());
+  output_matrix(trace, "inverse", inverse);
+  output_matrix(trace, "projector", projector);
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,14 @@
+// How frames accelerate in a motion of the robot.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/dynamics/traced_robot.h"
+
+namespace robcogen::algorithm {
+
+// Angular acceleration of a frame and acceleration of its origin in an inertial frame, in base axes, minus gravity
+// where the motions carry it. `motions`: by link, as newton_euler_forces has them.
+Motion acceleration_of(const TracedRobot& robot, const std::vector<LinkMotion>& motions, const model::Frame& frame);
+
+}  // namespace robcogen::algorithm

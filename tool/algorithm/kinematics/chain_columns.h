@@ -1,0 +1,30 @@
+// Columns of Jacobians as expressions.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/kinematics/kinematics.h"
+#include "algorithm/spatial/motion_force.h"
+#include "algorithm/spatial/trace.h"
+
+namespace robcogen::algorithm {
+
+// The columns of the joints of a chain, in order, as geometric_jacobian has them.
+struct ChainColumns {
+  std::vector<int> joints;
+  std::vector<Motion> columns;
+  Vector3 point;  // whose velocity the linear part is: the target's origin, or the target's point at the left origin
+};
+ChainColumns chain_columns(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const model::FramePair& frames,
+    JacobianReference reference);
+
+// The columns of jacobian_with_base.
+std::vector<Motion> columns_with_base(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames);
+
+// Column by column, angular rows first.
+std::vector<Expression> elements_of(const std::vector<Motion>& columns);
+
+}  // namespace robcogen::algorithm
