@@ -1,15 +1,11 @@
-// C that generate_cppadcodegen.cpp made for one robot, with Pinocchio and CppADCodeGen. Compiled once a robot.
+// What generate_cppadcodegen.cpp made for one robot, with Pinocchio and CppADCodeGen. Compiled once a robot, with
+//     ROBCOGEN_RIVAL_CODE   the file, in quotes
 #include <array>
 #include <vector>
 
 #include "rivals/rival.h"
 
-extern "C" {
-struct LangCAtomicFun;
-using GeneratedFunction = void(double const* const* in, double* const* out, LangCAtomicFun* atomic);
-GeneratedFunction rival_inverse_dynamics, rival_forward_dynamics, rival_inertia_matrix;
-extern const int rival_joints, rival_floating_base;
-}
+#include ROBCOGEN_RIVAL_CODE
 
 namespace robcogen::rivals {
 namespace {
@@ -41,12 +37,17 @@ class Robot {
   }
 
   void run(Function function, std::size_t state) {
-    static constexpr std::array<GeneratedFunction*, kFunctions> kGenerated = {
-        rival_inverse_dynamics, rival_forward_dynamics, rival_inertia_matrix};
     const auto f = static_cast<std::size_t>(function);
     const double* in = arguments_[f].data() + state * (arguments_[f].size() / count_);
     double* out = results_[f].data();
-    kGenerated[f](&in, &out, nullptr);
+    switch (function) {
+      case Function::inverse_dynamics:
+        return rival_inverse_dynamics::call(&in, &out, {});
+      case Function::forward_dynamics:
+        return rival_forward_dynamics::call(&in, &out, {});
+      case Function::inertia_matrix:
+        return rival_inertia_matrix::call(&in, &out, {});
+    }
   }
 
   void result(Function function, double* values) const {

@@ -1,7 +1,8 @@
-// Generates C for one robot by Pinocchio and CppADCodeGen, with the arguments and results of this project's functions,
-// so that neither side converts:
-//     generate_cppadcodegen ROBOT.urdf ROBOT.c JOINT…
-// The joints are in the order of joint vectors. `--floating` in front of them gives the root link a floating joint.
+// Generates code for one robot by Pinocchio and CppADCodeGen, with the arguments and results of this project's
+// functions, so that neither side converts:
+//     generate_cppadcodegen ROBOT.urdf ROBOT.inc JOINT…
+// The joints are in the order of joint vectors. `--floating` in front of them: the base floats, by a joint
+// of the URDF or by one that is added.
 #include <cppad/cg.hpp>
 #include <fstream>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/parsers/urdf.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,7 +26,9 @@ using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 struct Robot {
   pinocchio::ModelTpl<Scalar> model;
-  std::vector<int> order;  // of velocities: for each coordinate of ours, the base's angular ones first, its place
+  std::vector<int> order;      // of velocities: for each coordinate of ours, the base's angular ones first, its place
+  std::vector<int> places;     // of positions, by joint
+  std::vector<bool> is_angle;  // its position is a cosine and a sine
   bool floating;
   int joints;
 
@@ -37,8 +41,15 @@ struct Robot {
   Vector positions(const Vector& ours) const {
     Vector theirs = Vector::Zero(model.nq);
     if (floating) theirs[6] = 1;  // of the quaternion
-    const int base = floating ? 6 : 0;
-    for (int k = 0; k < joints; ++k) theirs[order[static_cast<std::size_t>(base + k)] + (floating ? 1 : 0)] = ours[k];
+    for (int k = 0; k < joints; ++k) {
+      const int place = places[static_cast<std::size_t>(k)];
+      if (is_angle[static_cast<std::size_t>(k)]) {
+        theirs[place] = cos(ours[k]);
+        theirs[place + 1] = sin(ours[k]);
+      } else {
+        theirs[place] = ours[k];
+      }
+    }
     return theirs;
   }
   Vector stacked(const Vector& base, const Vector& joint_values) const {
@@ -55,15 +66,21 @@ struct Robot {
 
 Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool floating) {
   pinocchio::Model model;
-  if (floating)
-    pinocchio::urdf::buildModel(urdf, pinocchio::JointModelFreeFlyer(), model);
+  std::ostringstream text;
+  text << std::ifstream(urdf).rdbuf();
+  if (floating && text.str().find("\"floating\"") == std::string::npos)
+    pinocchio::urdf::buildModelFromXML(text.str(), pinocchio::JointModelFreeFlyer(), model);
   else
-    pinocchio::urdf::buildModel(urdf, model);
-  Robot robot{model.cast<Scalar>(), {}, floating, static_cast<int>(joints.size())};
+    pinocchio::urdf::buildModelFromXML(text.str(), model);
+  Robot robot{model.cast<Scalar>(), {}, {}, {}, floating, static_cast<int>(joints.size())};
+  // A floating joint is the first one; its velocity is a twist, linear first.
   if (floating) robot.order = {3, 4, 5, 0, 1, 2};
   for (const std::string& joint : joints) {
     if (!model.existJointName(joint)) throw std::runtime_error("no joint '" + joint + "' in the URDF");
-    robot.order.push_back(model.joints[model.getJointId(joint)].idx_v());
+    const pinocchio::JointModel& of_model = model.joints[model.getJointId(joint)];
+    robot.order.push_back(of_model.idx_v());
+    robot.places.push_back(of_model.idx_q());
+    robot.is_angle.push_back(of_model.nq() == 2);
   }
   if (static_cast<int>(robot.order.size()) != model.nv) throw std::runtime_error("the URDF has other joints");
   return robot;
@@ -91,15 +108,19 @@ void generate(std::ostream& out, const std::string& name, int inputs, const Func
   CppAD::Independent(x);
   const Vector y = function(Arguments(x));
   CppAD::ADFun<Code> tape(x, y);
-  tape.optimize();
+  // Pivots are those of this position.
+  tape.optimize("no_compare_op");
   CppAD::cg::CodeHandler<double> handler;
   CppAD::vector<Code> variables(static_cast<std::size_t>(inputs));
   handler.makeVariables(variables);
   CppAD::vector<Code> results = tape.Forward(0, variables);
   CppAD::cg::LanguageC<double> language("double");
-  language.setGenerateFunction(name);
+  language.setGenerateFunction("call");
   CppAD::cg::LangCDefaultVariableNameGenerator<double> names;
+  // Each repeats declarations.
+  out << "namespace " << name << " {\n";
   handler.generateCode(out, language, results, names);
+  out << "}\n";
 }
 
 void generate_all(std::ostream& out, Robot& robot) {
@@ -139,13 +160,13 @@ int main(int argc, char** argv) {
   const bool floating = !joints.empty() && joints.front() == "--floating";
   if (floating) joints.erase(joints.begin());
   if (argc < 3) {
-    std::cerr << "usage: generate_cppadcodegen ROBOT.urdf ROBOT.c [--floating] JOINT…\n";
+    std::cerr << "usage: generate_cppadcodegen ROBOT.urdf ROBOT.inc [--floating] JOINT…\n";
     return 2;
   }
   try {
     Robot robot = load(argv[1], joints, floating);
     std::ofstream out(argv[2]);
-    out << "#include <math.h>\n\nconst int rival_joints = " << robot.joints
+    out << "#include <math.h>\n#include <stdio.h>\n\nconst int rival_joints = " << robot.joints
         << ", rival_floating_base = " << (robot.floating ? 1 : 0) << ";\n\n";
     generate_all(out, robot);
     out.close();

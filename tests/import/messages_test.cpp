@@ -3,10 +3,6 @@
 //
 // With ROBCOGEN_ACCEPT_MESSAGES in the environment, the present messages are written to those files instead, for
 // review.
-#include <cstdlib>
-#include <regex>
-#include <set>
-
 #include "reading.h"
 
 namespace robcogen {
@@ -16,12 +12,6 @@ using std::filesystem::path;
 
 path folder() {
   return path(TEST_SOURCE_DIR) / "bad";
-}
-
-std::vector<std::string> names() {
-  std::vector<std::string> result;
-  for (const path& file : test::files(folder(), ".urdf")) result.push_back(file.stem().string());
-  return result;
 }
 
 class Messages : public testing::TestWithParam<std::string> {};
@@ -41,30 +31,10 @@ TEST_P(Messages, AreAsExpected) {
   EXPECT_EQ(testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(tree.has_value(), !diagnostics.has_errors());
 
-  const path expected = folder() / (GetParam() + ".expected");
-  if (std::getenv("ROBCOGEN_ACCEPT_MESSAGES") != nullptr) {
-    std::ofstream(expected, std::ios::binary) << diagnostics.render();
-    GTEST_SKIP() << "wrote " << expected;
-  }
-  ASSERT_TRUE(exists(expected)) << expected << " is missing; the messages are\n" << diagnostics.render();
-  EXPECT_EQ(diagnostics.render(), test::contents(expected));
+  test::expect_messages(diagnostics.render(), folder() / (GetParam() + ".expected"));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Bad,
-    Messages,
-    testing::ValuesIn(names()),
-    [](const testing::TestParamInfo<std::string>& document) {
-      std::string name = document.param;
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
-
-std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
-  std::set<std::string> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) result.insert((*it)[1]);
-  return result;
-}
+INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), ".urdf")), test::test_name);
 
 // Codes are the string literals in kebab case, and whatever is given literally to error(), warning() or note().
 TEST(Messages, OfEveryCodeHaveADocument) {
@@ -72,16 +42,11 @@ TEST(Messages, OfEveryCodeHaveADocument) {
   std::set<std::string> codes;
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/urdf", ".cpp")) {
     const std::string text = test::contents(file);
-    codes.merge(matches(text, kebab));
-    codes.merge(matches(text, reported));
+    codes.merge(test::matches(text, kebab));
+    codes.merge(test::matches(text, reported));
   }
   codes.erase("urdf-unavailable");  // of a generator without urdfdom
-  EXPECT_GT(codes.size(), 30u) << "the codes were not found in the sources";
-  std::set<std::string> shown;
-  for (const path& file : test::files(folder(), ".expected")) {
-    shown.merge(matches(test::contents(file), std::regex(R"re((?:error|warning|note): .*\[([a-z-]+)\])re")));
-  }
-  for (const std::string& code : codes) EXPECT_TRUE(shown.contains(code)) << "no document yields [" << code << "]";
+  test::expect_documents(codes, folder());
 }
 
 }  // namespace
