@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Lanes, OfRandomRobotsComputeTheSame) {
   Tally tally;
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 150); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 75); ++i) {
     SCOPED_TRACE("seed " + std::to_string(i));
     const KinematicTree tree = RobotsWithLimbs(static_cast<std::uint64_t>(i)).make();
     const std::vector<std::string> passes = i % 3 == 0 ? std::vector<std::string>() : all_steps();

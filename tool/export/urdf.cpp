@@ -4,10 +4,10 @@
 
 #include <cassert>
 #include <cmath>
-#include <set>
 
 #include "export/pose.h"
 #include "support/index.h"
+#include "support/unique_names.h"
 
 namespace robcogen::exporting {
 
@@ -45,21 +45,6 @@ std::vector<const UserFrame*> own_frames(const KinematicTree& tree) {
   }
   return own;
 }
-
-class UniqueNames {
- public:
-  // Whether the name was free.
-  bool reserve(const std::string& name) { return taken_.insert(name).second; }
-  // `wish`, or `wish_2` and so on.
-  std::string add(const std::string& wish) {
-    std::string name = wish;
-    for (int i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{}_{}", wish, i);
-    return name;
-  }
-
- private:
-  std::set<std::string> taken_;
-};
 
 // A massless link on a fixed joint.
 struct FrameLink {

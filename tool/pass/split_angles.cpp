@@ -4,13 +4,12 @@
 #include <map>
 #include <set>
 #include <string>
-#include <unordered_set>
 #include <utility>
 
 #include "pass/statements.h"
 #include "support/index.h"
 #include "support/parallel.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
 #include "symbolic/lane_names.h"
@@ -57,7 +56,7 @@ class Angles {
       : q_{"q", Role::joint_position, {}}, positions_(positions) {
     for (const Position& p : positions) q_.elements.push_back(p.joint);
     labels_ = q_.elements;
-    taken_ = {labels_.begin(), labels_.end()};
+    taken_.reserve_all(labels_);
     for (const WithLanes& p : programs)
       if (const Place place = place_of(p.program, Role::parameters); place.array) parameters_ = *place.array;
     for (int k = 0; k < joint_count(); ++k) {
@@ -249,7 +248,7 @@ class Angles {
     std::string joints;
     bool turned = false;
     describe(angle, joints, turned);
-    return unique_name(turned ? joints + "_turned" : joints, taken_);
+    return taken_.add(turned ? joints + "_turned" : joints);
   }
 
   void describe(const Expression& e, std::string& joints, bool& turned) const {
@@ -275,7 +274,7 @@ class Angles {
   Graph graph_;
   std::vector<Expression> all_;
   std::vector<std::string> labels_;
-  std::unordered_set<std::string> taken_;
+  UniqueNames taken_;
   std::map<int, int> numbers_;  // by node
 };
 
@@ -289,7 +288,7 @@ class Core {
     behind_ = static_cast<std::size_t>(q.array - program.inputs.data()) + 1;
     end_ = q.begin + q.size();
     if (program.has_lanes())
-      for (const Statement& s : program.statements) names_.insert(s.name);
+      for (const Statement& s : program.statements) names_.reserve(s.name);
   }
 
   Program run() {
@@ -336,17 +335,17 @@ class Core {
       s.lanes.push_back(input(i, lane, false));
       labels.push_back((old.op == Op::cosine ? cosines_ : sines_).elements[at(readings_[i][lane].angle)]);
     }
-    names_.erase(old.name);
-    s.name = unique_name(symbolic::common_name(labels), names_);
+    names_.release(old.name);
+    s.name = names_.add(symbolic::common_name(labels));
     return s;
   }
 
   const Program& program_;
   const Angles::Readings& readings_;
   const InputArray &sines_, &cosines_;
-  std::size_t behind_ = 0;                 // the array behind the joint positions
-  int end_ = 0;                            // the element behind them
-  std::unordered_set<std::string> names_;  // of a program with lanes
+  std::size_t behind_ = 0;  // the array behind the joint positions
+  int end_ = 0;             // the element behind them
+  UniqueNames names_;       // of a program with lanes
 };
 
 std::set<int> angles_read(const Angles::Readings& readings) {

@@ -4,11 +4,10 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <unordered_set>
 
 #include "pass/gather_parameters.h"
 #include "pass/statements.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
 
@@ -129,7 +128,7 @@ class Derived {
 
  private:
   // The name that a statement gave it, or its parameter's own; numbered where another value has it.
-  std::string label(const Expression& value) { return unique_name(names_.at(value.node()), taken_); }
+  std::string label(const Expression& value) { return taken_.add(names_.at(value.node())); }
 
   Graph graph_;
   std::map<int, std::string> names_;  // by node
@@ -138,7 +137,7 @@ class Derived {
   std::vector<Expression> parts_[3];
   std::map<int, int> places_;  // by node
   std::vector<std::string> labels_;
-  std::unordered_set<std::string> taken_;
+  UniqueNames taken_;
 };
 
 // One program, and what of it follows from the parameters.

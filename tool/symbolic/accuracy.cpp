@@ -77,7 +77,7 @@ DoubleDouble exact(std::int64_t n) {
 
 // As in the generated code literals are doubles, which are what the results are judged by; multiples of PI are exact.
 template <class Real>
-Real value_of(const Number& n) {
+Real literal_as(const Number& n) {
   if constexpr (std::is_same_v<Real, DoubleDouble>) {
     if (!n.is_pi_multiple()) return {n.value(), 0.0};
     return kPiPair * (exact(n.ratio()->num) / exact(n.ratio()->den));
@@ -145,7 +145,7 @@ class Evaluator {
     }
     for (const Number& n : program.constants) {
       Values& constant = constants_.emplace_back();
-      for (std::size_t s = 0; s < kStates; ++s) set(constant, s, value_of<Real>(n));
+      for (std::size_t s = 0; s < kStates; ++s) set(constant, s, literal_as<Real>(n));
     }
     first_.reserve(program.statements.size());
     computed_.reserve(program.statements.size());

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "support/index.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -20,10 +19,10 @@ Graph* common_graph(const Expression& a, const Expression& b) {
 
 // Makes the names that statements have unique, and numbers the others by their sections' prefixes.
 void name_statements(Program& p) {
-  std::unordered_set<std::string> used;
+  UniqueNames used;
   for (const bool is_own : {true, false})
     for (Statement& s : p.statements)
-      if (has_meaning(s) && s.named == is_own) s.name = unique_name(s.name, used);
+      if (has_meaning(s) && s.named == is_own) s.name = used.add(s.name);
   // Two numbered names are different anyway.
   std::unordered_map<std::string, int> next_number;
   std::vector<int*> next_of_section;
@@ -32,7 +31,7 @@ void name_statements(Program& p) {
     if (has_meaning(s)) continue;
     const auto section = at(s.section);
     s.name = p.sections[section].prefix + "_t" + std::to_string((*next_of_section[section])++);
-    if (used.contains(s.name)) s.name = unique_name(s.name, used);
+    if (used.contains(s.name)) s.name = used.add(s.name);
   }
 }
 

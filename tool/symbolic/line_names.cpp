@@ -2,10 +2,9 @@
 
 #include <map>
 #include <optional>
-#include <unordered_set>
 
 #include "support/index.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 #include "symbolic/lane_names.h"
 
 namespace robcogen::symbolic {
@@ -57,9 +56,9 @@ class LineNamer {
   }
 
   std::vector<std::string> run() {
-    std::unordered_set<std::string> given;
+    UniqueNames given;
     for (const Statement& s : p_.statements)
-      if (has_meaning(s)) given.insert(s.name);
+      if (has_meaning(s)) given.reserve(s.name);
     for (std::size_t i = 0; i < known_.size(); ++i) {
       const Statement& s = p_.statements[i];
       known_[i] = has_meaning(s) ? called(s.name) : composed(s);
@@ -316,8 +315,8 @@ class LineNamer {
 
   std::vector<std::string> distinct() const {
     std::vector<std::string> result(known_.size());
-    std::unordered_set<std::string> used;
-    const auto take = [&](std::size_t i, const std::string& name) { result[i] = unique_name(name, used); };
+    UniqueNames used;
+    const auto take = [&](std::size_t i, const std::string& name) { result[i] = used.add(name); };
     // What the algorithm named comes first, and keeps its name.
     for (std::size_t i = 0; i < known_.size(); ++i)
       if (p_.statements[i].named) take(i, p_.statements[i].name);

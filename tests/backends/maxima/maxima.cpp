@@ -128,7 +128,8 @@ backend::Library library_of(
     const std::filesystem::path& document,
     const std::string& name,
     driver::Primitives primitives,
-    const std::vector<driver::Derivative>& derivatives) {
+    const std::vector<driver::Derivative>& derivatives,
+    const std::vector<std::string>& groups) {
   Diagnostics diagnostics;
   driver::LoadOptions reading;
   reading.derivatives = derivatives;
@@ -138,7 +139,7 @@ backend::Library library_of(
   const std::optional<driver::Model> model = driver::load(document, reading, diagnostics);
   if (!model) throw std::runtime_error(diagnostics.render());
   if (!model->robot()) primitives = std::nullopt;
-  return driver::library(*model, {.names = {name}, .groups = algorithm::groups(), .primitives = primitives});
+  return driver::library(*model, {.names = {name}, .groups = groups, .primitives = primitives});
 }
 
 OutputFile maxima_text(const backend::Library& library) {

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <unordered_set>
 #include <utility>
 
 #include "import/urdf/mass.h"
 #include "support/index.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -55,8 +54,8 @@ class Describer {
  public:
   Describer(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics)
       : document_(document), identifiers_(identifiers), diagnostics_(diagnostics) {
-    names_.insert(identifiers.bodies.begin(), identifiers.bodies.end());
-    for (const auto& joints : identifiers.joints) names_.insert(joints.begin(), joints.end());
+    names_.reserve_all(identifiers.bodies);
+    for (const auto& joints : identifiers.joints) names_.reserve_all(joints);
   }
 
   model::Description describe() {
@@ -150,7 +149,7 @@ class Describer {
     const bool is_last = j + 1 == body.joints.size();
     const std::string& name = identifiers_.joints[b][j];
     const std::string& body_name = identifiers_.bodies[b];
-    const std::string link_name = is_last ? body_name : unique_name(fmt::format("{}_{}", body_name, j + 1), names_);
+    const std::string link_name = is_last ? body_name : names_.add(fmt::format("{}_{}", body_name, j + 1));
 
     const Pose in_body = pose_of_joint(joint);
     Carried& carried = carried_[b];
@@ -216,7 +215,7 @@ class Describer {
   std::vector<model::DescribedLink> links_;
   std::vector<std::vector<model::Inertia>> parts_;  // by link
   std::vector<Carried> carried_;                    // by body
-  std::unordered_set<std::string> names_;
+  UniqueNames names_;
 };
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <unordered_set>
-
 #include "import/mjcf/describe.h"
 #include "import/urdf/names.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -29,7 +27,7 @@ class Namer {
         const Name& body = document_.bodies[b].name;
         if (body.text.empty() == is_named) continue;
         result.bodies[b] = element("body", body, is_named ? body.text : fmt::format("body_{}", b), "", elements_);
-        frames_.insert(result.bodies[b]);
+        frames_.reserve(result.bodies[b]);
       }
     }
     for (const bool is_named : {true, false}) {
@@ -53,8 +51,6 @@ class Namer {
   }
 
  private:
-  using Taken = std::unordered_set<std::string>;
-
   void check_length(const char* kind, const Name& name) {
     if (name.text.size() <= kMaxNameLength) return;
     diagnostics_.error(
@@ -68,7 +64,7 @@ class Namer {
       const Name& name,
       const std::string& wanted,
       const std::string& suffix,
-      Taken& taken) {
+      UniqueNames& taken) {
     check_length(kind, name);
     if (!name.text.empty()) {
       const auto [earlier, is_new] = declared_.insert({kind + (":" + name.text), name.place});
@@ -80,7 +76,7 @@ class Namer {
     }
     std::string identifier = from_urdf::identifier(wanted);
     if (taken.contains(identifier)) identifier += suffix;
-    identifier = unique_name(identifier, taken);
+    identifier = taken.add(identifier);
     if (identifier == name.text) return identifier;
     if (changes_.empty()) first_change_ = name.place;
     changes_.push_back(
@@ -100,8 +96,8 @@ class Namer {
 
   const Document& document_;
   Diagnostics& diagnostics_;
-  Taken elements_;  // bodies and joints
-  Taken frames_;    // bodies and sites
+  UniqueNames elements_;  // bodies and joints
+  UniqueNames frames_;    // bodies and sites
   std::map<std::string, Place> declared_;
   std::vector<std::string> changes_;
   Place first_change_;

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <queue>
-#include <unordered_set>
 
 #include "pass/statements.h"
 #include "support/index.h"
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 #include "symbolic/count.h"
 #include "symbolic/lane_names.h"
 
@@ -277,15 +276,15 @@ std::vector<int> LaneBuilder::order() const {
 }
 
 void LaneBuilder::name_all(Program& program) const {
-  std::unordered_set<std::string> used;
+  UniqueNames used;
   for (const bool scalars : {true, false})
     for (Statement& s : program.statements)
-      if (!s.name.empty() && (s.width == 1) == scalars) s.name = unique_name(s.name, used);
+      if (!s.name.empty() && (s.width == 1) == scalars) s.name = used.add(s.name);
   std::map<std::string, int> next;
   for (Statement& s : program.statements) {
     if (!s.name.empty()) continue;
     const std::string& prefix = program.sections[at(s.section)].prefix;
-    s.name = unique_name(prefix + "_t" + std::to_string(next[prefix]++), used);
+    s.name = used.add(prefix + "_t" + std::to_string(next[prefix]++));
   }
 }
 
