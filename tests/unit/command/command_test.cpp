@@ -103,7 +103,7 @@ TEST(Command, UnwritableOutputExitsWithTwo) {
 
 TEST(Command, WritesWhatItListsAndNothingElse) {
   const Scratch scratch("list");
-  for (const std::string algorithms : {"", " --algorithms jacobians inverse_dynamics"}) {
+  for (const std::string algorithms : {"", " --algorithms jacobians inverse_dynamics", " --contacts fr_foot"}) {
     const fs::path out = scratch.path / ("out" + std::to_string(algorithms.size()));
     const Outcome list = run_tool("generate --list-outputs --name hyl" + algorithms);
     ASSERT_EQ(list.status, 0) << list.errors;

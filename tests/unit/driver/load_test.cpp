@@ -155,6 +155,35 @@ TEST_F(Load, GroupsWhoseCodeWouldBeTooLongAreErrorsWhereTheyAreAskedFor) {
   EXPECT_EQ(codes(Severity::error), Codes{"unavailable-group"}) << diagnostics.render();
 }
 
+TEST_F(Load, ContactsOfAnOptionTakeThePlaceOfTheList) {
+  const std::string list =
+      folder.file("rods.dtdsl", "Robot Rods Frames { } Transforms { } Contacts { surface fr_upper }").string();
+  const auto contacts = [&](const LoadOptions& options) {
+    std::string found;
+    const std::optional<Model> model = try_load("rods.kindsl", kRods, options);
+    if (!model) return diagnostics.render();
+    for (const model::ContactFrame& contact : model->robot()->desired.contacts)
+      found += contact.frame.name + (contact.is_surface ? "* " : " ");
+    return found;
+  };
+  EXPECT_EQ(contacts({}), "");
+  EXPECT_EQ(contacts({.desired = list}), "fr_upper* ");
+  EXPECT_EQ(contacts({.desired = list, .contacts = {"fr_lower", "fr_upper:point"}}), "fr_lower fr_upper ");
+  EXPECT_EQ(contacts({.contacts = {"fr_lower:surface"}}), "fr_lower* ");
+}
+
+TEST_F(Load, ContactsThatCannotBe) {
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.contacts = {"fr_lower", "fr_upper:line"}}));
+  EXPECT_EQ(codes(Severity::error), Codes{"unknown-contact-frame"});
+  EXPECT_EQ(diagnostics.render().find("--contacts:1:10: error: robot 'Rods' has no frame 'fr_upper:line'"), 0U)
+      << diagnostics.render();
+  for (const char* group : {"contacts", "operational_space"}) {
+    EXPECT_FALSE(try_load("rods.kindsl", kRods, {.groups = {group}}));
+    EXPECT_EQ(codes(Severity::error), Codes{"no-contacts"});
+    EXPECT_TRUE(try_load("rods.kindsl", kRods, {.groups = {group}, .contacts = {"fr_lower"}}));
+  }
+}
+
 TEST_F(Load, ParametersAreListedOnDemand) {
   const std::string text = replaced(kRods, "mass = 2.0", "mass = heavy[2.0]");
   ASSERT_TRUE(try_load("rods.kindsl", text));
