@@ -143,7 +143,7 @@ TEST(Reflection, TablesHoldTheModel) {
   EXPECT_EQ(r.links[2].mass, 0.4);
   EXPECT_EQ(r.links[2].com[2], -0.7);
   ASSERT_EQ(r.joints.size, 2);
-  EXPECT_FALSE(r.joints[0].revolute);
+  EXPECT_EQ(r.joints[0].type, robcogen::JointType::prismatic);
   EXPECT_EQ(r.joints[1].child, 2);
   ASSERT_EQ(r.frames.size, 2);
   EXPECT_EQ(r.frames[1].translation[2], -0.7);

@@ -316,7 +316,7 @@ Library cart_pole() {
   Library result = library("cart_pole", false);
   result.links = {{"base", -1}, {"cart", 0, kCart}, {"pole", 1, kPole, {0, 0, -kLength}}};
   result.links[2].inertia = {1.0 / 3, 1.0 / 7, 1.0 / 11, -1e-5 / 3, 1e-5 / 7, -1e-5 / 13};
-  result.joints = {{"CART", false, 0, 1}, {"POLE", true, 1, 2}};
+  result.joints = {{"CART", backend::JointType::prismatic, 0, 1}, {"POLE", backend::JointType::revolute, 1, 2}};
   result.joints[0].limits = {-0.1, 2.5, 3, std::numeric_limits<double>::infinity()};
   result.frames = {{"fr_base", 0}, {"fr_tip", 2, {0, 0, -kLength}}};
   result.groups = kDynamics;
@@ -348,7 +348,7 @@ Library hopper() {
   Library result = library("hopper", true);
   result.enclosing = "legs::floating";
   result.links = {{"trunk", -1, 5.0}, {"leg", 0, 0.5}};
-  result.joints = {{"LEG", false, 0, 1}};
+  result.joints = {{"LEG", backend::JointType::prismatic, 0, 1}};
   result.frames = {{"fr_trunk", 0}, {"fr_leg", 1}};
   result.groups = kDynamics;
   const auto add = [&](const std::string& group, const std::string& name, std::vector<Array> inputs,
@@ -454,7 +454,7 @@ Library nasty() {
   result.links = {{"base", -1}};
   for (const std::string& name : names) {
     const int j = static_cast<int>(result.joints.size());
-    result.joints.push_back({name, true, j, j + 1});
+    result.joints.push_back({name, backend::JointType::revolute, j, j + 1});
     result.links.push_back({name, j});
     result.frames.push_back({name, j + 1});
   }

@@ -243,13 +243,29 @@ rc::Gen<kinematics::Limits> limits() {
 
 rc::Gen<kinematics::Joint> joint() {
   using kinematics::Joint;
-  return rc::gen::build<Joint>(
+  const auto of_its_type = [](std::pair<Joint, ExpressionPtr> made) {
+    Joint& joint = made.first;
+    if (joint.type == Joint::Type::helical) joint.pitch = made.second;
+    const auto words = kinematics::coordinate_words(joint.type);
+    if (words.empty()) return joint;
+    for (std::size_t k = joint.comments.size() % 2; k < words.size(); ++k)
+      joint.coordinates.push_back({{std::string(words[k]), {}}, joint.drive, joint.rotor, joint.limits});
+    joint.drive = {};
+    joint.rotor.reset();
+    joint.limits = {};
+    return joint;
+  };
+  const auto any = rc::gen::build<Joint>(
       rc::gen::set(&Joint::name, robot_name()),
-      rc::gen::set(&Joint::type, rc::gen::element(Joint::Type::revolute, Joint::Type::prismatic)),
+      rc::gen::set(
+          &Joint::type, rc::gen::element(
+                            Joint::Type::revolute, Joint::Type::prismatic, Joint::Type::helical,
+                            Joint::Type::cylindrical, Joint::Type::universal, Joint::Type::planar)),
       rc::gen::set(&Joint::id, rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()))),
       rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::drive, drive()),
       rc::gen::set(&Joint::rotor, maybe(rotor())), rc::gen::set(&Joint::limits, limits()),
       rc::gen::set(&Joint::comments, comments()));
+  return rc::gen::map(rc::gen::pair(any, expression(1)), of_its_type);
 }
 
 rc::Gen<kinematics::Coupling> coupling() {

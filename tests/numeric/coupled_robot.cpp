@@ -50,7 +50,7 @@ CoupledRobot coupled(const KinematicTree& free, std::uint64_t seed, bool paramet
     for (const int k : followed)
       coupling.terms.push_back({k, quantity(made, factor(dice), model::ParameterKind::ratio, parametric)});
     if (dice.chance(0.5)) {
-      const bool turns = free.joints[static_cast<std::size_t>(j)].type == model::JointType::revolute;
+      const bool turns = model::turns(free.joints[static_cast<std::size_t>(j)].type);
       coupling.offset = quantity(
           made, dice.between(-1, 1), turns ? model::ParameterKind::angle : model::ParameterKind::length, parametric);
     }

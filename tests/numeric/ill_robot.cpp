@@ -95,6 +95,7 @@ KinematicTree ill_robot(std::uint64_t seed) {
   Dice dice(seed * 0x9e3779b97f4a7c15ULL + 1);
   KinematicTree robot;
   robot.name = "ill_" + std::to_string(seed);
+  Dice screws(seed + 0x2545f4914f6cdd1d);
   robot.floating_base = dice.chance(0.5);
   // Decades to either side of metres and kilogrammes.
   const int decades = dice.chance(0.7) ? 0 : 1 + dice.below(6);
@@ -113,6 +114,10 @@ KinematicTree ill_robot(std::uint64_t seed) {
     joint.name = "j" + number;
     joint.type = dice.chance(revolute) ? JointType::revolute : JointType::prismatic;
     joint.placement = placement(dice, scale());
+    if (screws.chance(0.1)) {
+      joint.type = JointType::helical;
+      joint.pitch = model::Quantity(screws.sign() * power_of_ten(-screws.below(5)));
+    }
     joint.parent = dice.chance(chain) ? k : dice.below(k + 1);
     joint.child = k + 1;
     robot.links[static_cast<std::size_t>(joint.parent)].child_joints.push_back(k);

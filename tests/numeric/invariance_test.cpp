@@ -161,8 +161,7 @@ std::string after_renaming(const KinematicTree& robot, std::uint64_t seed) {
 
 std::string in_a_mirror(const KinematicTree& robot, std::uint64_t seed) {
   Translation t = same_words(robot);
-  for (std::size_t k = 0; k < t.signs.size(); ++k)
-    t.signs[k] = robot.joints[k].type == model::JointType::revolute ? -1 : 1;
+  for (std::size_t k = 0; k < t.signs.size(); ++k) t.signs[k] = model::turns(robot.joints[k].type) ? -1 : 1;
   // Rotations about x and z, and translations along y, are reversed.
   Matrix<double> M(6, 6);
   for (int k = 0; k < 6; ++k) M(k, k) = k == 0 || k == 2 || k == 4 ? -1 : 1;

@@ -43,13 +43,17 @@ class RobotsWithLimbs {
     if (pick(3) == 0) {
       d.base.children.push_back({"trunk", "waist", {}, {}});
       d.links.push_back(model::test::link(trunk = "trunk"));
-      d.joints.push_back(joint("waist", pick(2) == 0));
+      d.joints.push_back(joint("waist", pick(2) == 0 ? model::JointType::revolute : model::JointType::prismatic));
     }
     const bool mirrored = pick(3) != 0, has_other_zeros = mirrored && pick(2) == 0;
-    std::vector<bool> revolute;
+    std::vector<model::JointType> types;
     std::vector<int> parent;
     for (int k = 0; k < length; ++k) {
-      revolute.push_back(pick(4) != 0);
+      const int type = pick(8);
+      types.push_back(
+          type > 2   ? model::JointType::revolute
+          : type > 0 ? model::JointType::prismatic
+                     : model::JointType::helical);
       parent.push_back(pick(3) == 0 ? pick(k + 1) - 1 : k - 1);
     }
     std::vector<model::DescribedLink> first_links;
@@ -61,7 +65,7 @@ class RobotsWithLimbs {
         };
         const auto at = static_cast<std::size_t>(k);
         model::DescribedLink link = model::test::link("link_" + name(k));
-        model::DescribedJoint j = joint("joint_" + name(k), revolute[at]);
+        model::DescribedJoint j = joint("joint_" + name(k), types[at]);
         link.inertia = body();
         if (i == 0) {
           first_links.push_back(link);
@@ -69,6 +73,7 @@ class RobotsWithLimbs {
         } else if (mirrored) {
           link.inertia = first_links[at].inertia;
           j.placement = first_joints[at].placement;
+          j.pitch = pick(2) == 0 ? first_joints[at].pitch : -first_joints[at].pitch;
           flip_some(link.inertia->com);
           flip_some(j.placement.translation);
           flip_some(j.placement.rotation);
@@ -110,13 +115,15 @@ class RobotsWithLimbs {
       if (pick(3) == 0) q = model::test::number(value);
   }
 
-  model::DescribedJoint joint(const std::string& name, bool is_revolute) {
+  model::DescribedJoint joint(const std::string& name, model::JointType type) {
     model::Placement placement;
     for (std::size_t i = 0; i < 3; ++i) {
       placement.translation[i] = length();
       placement.rotation[i] = angle();
     }
-    return model::test::joint(name, is_revolute ? model::JointType::revolute : model::JointType::prismatic, placement);
+    model::DescribedJoint made = model::test::joint(name, type, placement);
+    if (type == model::JointType::helical) made.pitch = model::test::number(uniform(0.01, 0.5));
+    return made;
   }
 
   model::Inertia body() {

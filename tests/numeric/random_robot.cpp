@@ -149,6 +149,18 @@ void add_odd_parts(KinematicTree& robot, Dice& dice) {
   }
 }
 
+// Makes some joints of some robots helical.
+void make_screws(KinematicTree& robot, std::uint64_t seed) {
+  Dice dice(seed + 0x2545f4914f6cdd1d);
+  if (!dice.chance(0.4)) return;
+  const double share = dice.between(0.1, 0.6);
+  for (Joint& joint : robot.joints) {
+    if (!dice.chance(share)) continue;
+    joint.type = JointType::helical;
+    joint.pitch = Quantity(dice.sign() * (dice.chance(0.2) ? 1.0 : dice.between(0.001, 0.3)));
+  }
+}
+
 }  // namespace
 
 KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options) {
@@ -172,12 +184,16 @@ KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options) {
     joint.placement = placement(dice);
     connect(robot, parent_of_next(dice, options.shape, chain_likeness, k), k + 1, joint);
   }
+  make_screws(robot, seed);
   // Parallel prismatic joints, or axes that coincide, make H singular or nearly so: spread them. Long chains are badly
   // conditioned whatever their frames.
   for (int trial = 0; trial < 5 && !well_conditioned(robot); ++trial) {
     for (Joint& joint : robot.joints) {
       for (Quantity& t : joint.placement.translation) t = Quantity(dice.between(-0.5, 0.5));
-      if (trial > 0) joint.type = JointType::revolute;
+      if (trial > 0) {
+        joint.type = JointType::revolute;
+        joint.pitch = Quantity();
+      }
     }
   }
   for (int k = dice.below(4); k > 0; --k)
@@ -254,6 +270,22 @@ KinematicTree shrink(KinematicTree robot, const std::function<bool(const Kinemat
   return robot;
 }
 
+namespace {
+
+std::string describe_type(const Joint& joint) {
+  switch (joint.type) {
+    case JointType::revolute:
+      break;
+    case JointType::prismatic:
+      return "p_joint";
+    case JointType::helical:
+      return "h_joint of pitch " + model::print(joint.pitch, {});
+  }
+  return "r_joint";
+}
+
+}  // namespace
+
 std::string describe(const KinematicTree& robot) {
   const auto triple = [&](const std::array<Quantity, 3>& v) {
     std::string text = "(";
@@ -265,8 +297,7 @@ std::string describe(const KinematicTree& robot) {
     text += "  " + link.name;
     if (link.parent_joint >= 0) {
       const Joint& joint = robot.joints[at(link.parent_joint)];
-      text += " on " + robot.links[at(joint.parent)].name + " by " +
-              (joint.type == JointType::revolute ? "r_joint " : "p_joint ") + joint.name + " at " +
+      text += " on " + robot.links[at(joint.parent)].name + " by " + describe_type(joint) + " " + joint.name + " at " +
               triple(joint.placement.translation) + " " + triple(joint.placement.rotation);
     }
     if (link.inertia) {

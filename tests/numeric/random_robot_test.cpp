@@ -55,7 +55,7 @@ TEST(RandomRobot, IsSoundAndOfEveryKind) {
     }
     kinds.insert(branched ? "tree" : "chain");
     for (const model::Joint& joint : robot.joints) {
-      kinds.insert(joint.type == model::JointType::revolute ? "revolute" : "prismatic");
+      kinds.insert(std::array{"revolute", "prismatic", "helical"}[static_cast<std::size_t>(joint.type)]);
       for (const model::Quantity& angle : joint.placement.rotation) {
         if (angle.is_zero()) kinds.insert("zero");
         if (!angle.is_zero() && angle.number().is_pi_multiple()) kinds.insert("right angle");
@@ -68,7 +68,7 @@ TEST(RandomRobot, IsSoundAndOfEveryKind) {
   }
   for (const char* kind :
        {"floating", "fixed", "small", "middling", "large", "tree", "chain", "massless link", "mass in a frame",
-        "revolute", "prismatic", "zero", "right angle", "angle", "user frame", "shuffled"})
+        "revolute", "prismatic", "helical", "zero", "right angle", "angle", "user frame", "shuffled"})
     EXPECT_TRUE(kinds.contains(kind)) << kind;
 }
 

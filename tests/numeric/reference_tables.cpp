@@ -62,6 +62,18 @@ reference::Tables::Body body(const model::Inertia& inertia, std::span<const doub
   return result;
 }
 
+JointType type_of(model::JointType type) {
+  switch (type) {
+    case model::JointType::revolute:
+      break;
+    case model::JointType::prismatic:
+      return JointType::prismatic;
+    case model::JointType::helical:
+      return JointType::helical;
+  }
+  return JointType::revolute;
+}
+
 // Of unit length, in axes of the carrier.
 Triple axis_of(const model::Rotor& rotor, const model::Joint& joint, std::span<const double> parameters) {
   if (!rotor.axis) {
@@ -108,9 +120,11 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
   for (const int j : order) {
     const model::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
     tables.add_joint(
-        joint.name, joint.type == model::JointType::revolute, joint.parent, joint.child,
-        values(joint.placement.translation, parameters), values(joint.placement.rotation, parameters));
-    tables.set_drive(tables.robot().joints.size - 1, drive_of(joint, parameters));
+        joint.name, type_of(joint.type), joint.parent, joint.child, values(joint.placement.translation, parameters),
+        values(joint.placement.rotation, parameters));
+    const int last = tables.robot().joints.size - 1;
+    tables.set_drive(last, drive_of(joint, parameters));
+    tables.set_pitch(last, model::evaluate(joint.pitch, parameters));
   }
   for (const model::Coupling& coupling : robot.couplings) {
     std::vector<double> factors(order.size() - robot.couplings.size());

@@ -10,7 +10,6 @@ namespace {
 
 using model::Inertia;
 using model::Joint;
-using model::JointType;
 using model::KinematicTree;
 using model::Link;
 using model::Placement;
@@ -167,7 +166,10 @@ KinematicTree mirrored(const KinematicTree& robot) {
     p.rotation[2] = -p.rotation[2];
   };
   KinematicTree result = robot;
-  for (Joint& joint : result.joints) mirror(joint.placement);
+  for (Joint& joint : result.joints) {
+    mirror(joint.placement);
+    joint.pitch = -joint.pitch;
+  }
   for (UserFrame& frame : result.user_frames) mirror(frame.placement);
   for (Link& link : result.links) {
     if (!link.inertia) continue;
@@ -181,7 +183,9 @@ KinematicTree mirrored(const KinematicTree& robot) {
 
 KinematicTree with_locked_joint(const KinematicTree& robot, int joint, double position) {
   const Joint locked = robot.joints[at(joint)];
-  const Pose motion = reference::joint_matrix<Real>(locked.type == JointType::revolute, position);
+  const Real slide = static_cast<Real>(position) * static_cast<Real>(model::evaluate(slide_of(locked)));
+  const Pose motion = reference::rotation(2, turns(locked.type) ? static_cast<Real>(position) : Real(0)) *
+                      reference::translation(Real(0), Real(0), slide);
   const Pose parent_X_child = pose_of(locked.placement) * motion;
 
   KinematicTree result = robot;

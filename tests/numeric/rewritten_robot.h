@@ -30,7 +30,8 @@ struct Reframed {
 };
 Reframed reframed(const model::KinematicTree& robot);
 
-// Seen in a mirror: y becomes -y everywhere. Revolute joints turn the other way, prismatic ones do not.
+// Seen in a mirror: y becomes -y everywhere. Joints turn the other way, but slide as before: screws are of the other
+// hand.
 model::KinematicTree mirrored(const model::KinematicTree& robot);
 
 // Welds a joint at a position: its child becomes a part of its parent. Links and joints beyond move up by one place.

@@ -200,7 +200,7 @@ class RobotMotions : public testing::Test {
   std::vector<double> positions(const model::KinematicTree& robot) {
     std::vector<double> q;
     for (const int j : robot.coordinates()) {
-      const bool turns = robot.joints[static_cast<std::size_t>(j)].type == model::JointType::revolute;
+      const bool turns = model::turns(robot.joints[static_cast<std::size_t>(j)].type);
       q.push_back(std::uniform_real_distribution<double>(-1, 1)(random_) * (turns ? 3.0 : 1.0));
     }
     return q;

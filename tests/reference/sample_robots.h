@@ -32,7 +32,7 @@ inline Tables pendulum(double mass, double length, double central_moment) {
   Tables t("pendulum");
   t.add_link("base", {});
   t.add_link("rod", body(mass, {0, -length, 0}, {0, 0, central_moment}));
-  t.add_joint("hinge", true, 0, 1, {}, {kPi / 2, 0, 0});  // x = base x, y = base z, z = -base y
+  t.add_joint("hinge", JointType::revolute, 0, 1, {}, {kPi / 2, 0, 0});  // x = base x, y = base z, z = -base y
   return t;
 }
 
@@ -42,8 +42,8 @@ inline Tables double_pendulum(double m1, double l1, double m2, double l2) {
   t.add_link("base", {});
   t.add_link("upper", point_mass(m1, {0, -l1, 0}));
   t.add_link("lower", point_mass(m2, {0, -l2, 0}));
-  t.add_joint("shoulder", true, 0, 1, {}, {kPi / 2, 0, 0});
-  t.add_joint("elbow", true, 1, 2, {0, -l1, 0});
+  t.add_joint("shoulder", JointType::revolute, 0, 1, {}, {kPi / 2, 0, 0});
+  t.add_joint("elbow", JointType::revolute, 1, 2, {0, -l1, 0});
   return t;
 }
 
@@ -53,9 +53,10 @@ inline Tables cart_pole(double m_cart, double m_pole, double length) {
   t.add_link("base", {});
   t.add_link("cart", point_mass(m_cart, {}));
   t.add_link("pole", point_mass(m_pole, {0, -length, 0}));
-  t.add_joint("slide", false, 0, 1, {}, {0, kPi / 2, 0});  // cart axes: z = base x, x = -base z, y = base y
+  t.add_joint(
+      "slide", JointType::prismatic, 0, 1, {}, {0, kPi / 2, 0});  // cart axes: z = base x, x = -base z, y = base y
   // Pole axes at q = 0: x = base x, y = base z, z = -base y, in cart axes.
-  t.add_joint("pivot", true, 1, 2, {}, {kPi / 2, 0, kPi / 2});
+  t.add_joint("pivot", JointType::revolute, 1, 2, {}, {kPi / 2, 0, kPi / 2});
   return t;
 }
 
@@ -82,11 +83,11 @@ inline Tables crooked_tree(bool floating_base) {
   t.add_link("b1", crooked(1.8, {-0.03, 0.06, 0.11}));
   t.add_link("b2", crooked(0.4, {0.02, 0.02, 0.2}));
   // Declared out of tree order, as documents may.
-  t.add_joint("A2", false, 1, 2, {0.3, -0.1, 0.05}, {0.4, -0.8, 1.1});
-  t.add_joint("A1", true, 0, 1, {0.2, 0.1, -0.1}, {0.3, 0.5, -0.7});
-  t.add_joint("B2", true, 4, 5, {0.0, 0.25, 0.1}, {kPi / 2, 0.0, 0.2});
-  t.add_joint("A3", true, 2, 3, {0.1, 0.2, 0.3}, {-1.2, 0.3, 0.9});
-  t.add_joint("B1", true, 0, 4, {-0.2, 0.1, 0.15}, {-0.6, 0.2, 2.1});
+  t.add_joint("A2", JointType::prismatic, 1, 2, {0.3, -0.1, 0.05}, {0.4, -0.8, 1.1});
+  t.add_joint("A1", JointType::revolute, 0, 1, {0.2, 0.1, -0.1}, {0.3, 0.5, -0.7});
+  t.add_joint("B2", JointType::revolute, 4, 5, {0.0, 0.25, 0.1}, {kPi / 2, 0.0, 0.2});
+  t.add_joint("A3", JointType::revolute, 2, 3, {0.1, 0.2, 0.3}, {-1.2, 0.3, 0.9});
+  t.add_joint("B1", JointType::revolute, 0, 4, {-0.2, 0.1, 0.15}, {-0.6, 0.2, 2.1});
   t.add_frame("fr_trunk", 0);
   t.add_frame("hand", 3, {0.05, 0.06, 0.07}, {0.1, 0.2, 0.3});
   t.add_frame("foot", 5, {-0.04, 0.01, 0.3}, {-0.5, 0.4, -0.3});

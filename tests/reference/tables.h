@@ -42,18 +42,19 @@ class Tables {
   // Returns the joint's index.
   int add_joint(
       const std::string& name,
-      bool revolute,
+      JointType type,
       int parent,
       int child,
       const Triple& translation = {},
       const Triple& rotation = {}) {
-    joints_.push_back({stored(name), revolute, parent, child, {}, {}});
+    joints_.push_back({stored(name), type, parent, child, {}, {}});
     std::copy(translation.begin(), translation.end(), joints_.back().translation);
     std::copy(rotation.begin(), rotation.end(), joints_.back().rotation);
     links_[static_cast<std::size_t>(child)].parent_joint = static_cast<int>(joints_.size()) - 1;
     return static_cast<int>(joints_.size()) - 1;
   }
 
+  void set_pitch(int joint, double pitch) { joints_[static_cast<std::size_t>(joint)].pitch = pitch; }
   void set_drive(int joint, const JointDrive& drive) { joints_[static_cast<std::size_t>(joint)].drive = drive; }
 
   // Of the last joints, in their order: the next one follows the others by these factors.

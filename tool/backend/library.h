@@ -33,10 +33,25 @@ struct DriveData {
   int rotor_carrier = -1;
 };
 
+// Of one coordinate, as robcogen::JointType of the runtime.
+enum class JointType { revolute, prismatic, helical };
+
+// Whether the position is an angle; else it is a length.
+inline bool turns(JointType type) {
+  switch (type) {
+    case JointType::revolute:
+    case JointType::helical:
+      return true;
+    case JointType::prismatic:
+      break;
+  }
+  return false;
+}
+
 // Constants of the model in SI units, for traits and for the self-check's independent recursion.
 struct JointData {
   std::string name;
-  bool revolute = true;
+  JointType type = JointType::revolute;
   int parent = 0;  // link index
   int child = 0;   // link index
   // Pose of the joint frame in the parent link frame: translation (m), rotation about intrinsic x, y', z'' (rad).
@@ -44,6 +59,7 @@ struct JointData {
   std::array<double, 3> rotation{};
   JointLimits limits{};
   std::optional<DriveData> drive = {};
+  double pitch = 0;  // of a helical joint: m a radian
 };
 
 // A joint whose position is a sum of factor * q of the joints that have positions of their own, and of `offset`.
@@ -185,6 +201,10 @@ struct Library {
   bool has_drives() const {
     return std::any_of(joints.begin(), joints.end(), [](const JointData& j) { return j.drive.has_value(); }) ||
            std::any_of(coupled.begin(), coupled.end(), [](const auto& c) { return c.joint.drive.has_value(); });
+  }
+  bool has_pitches() const {
+    const std::vector<JointData> all = all_joints();
+    return std::any_of(all.begin(), all.end(), [](const JointData& joint) { return joint.type == JointType::helical; });
   }
 };
 

@@ -75,6 +75,18 @@ void require_mimics(const driver::Model& model, const Robot& robot) {
   }
 }
 
+void require_urdf_types(const driver::Model& model, const Robot& robot) {
+  std::vector<std::string> helical;
+  for (const model::Joint& joint : robot.tree.joints)
+    if (joint.type == model::JointType::helical) helical.push_back(fmt::format("'{}'", joint.name));
+  if (helical.empty()) return;
+  throw Failure{
+      wrong_input, fmt::format(
+                       "{}: error: URDF has no helical joints, but robot '{}' has {} [helical-urdf]\nhint: a p_joint "
+                       "that is coupled to an r_joint moves in the same way",
+                       model.file.string(), robot.tree.name, fmt::join(helical, ", "))};
+}
+
 // A comment that names the source of the document.
 std::vector<std::string> origin(const ConvertOptions& options) {
   return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
@@ -188,6 +200,7 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
     case Language::urdf: {
       require_values(*model, robot);
       require_mimics(*model, robot);
+      require_urdf_types(*model, robot);
       mention_lost_drives(robot, diagnostics);
       std::string text = exporting::urdf(robot.tree);
       mention_implausible(text, model->file, diagnostics);

@@ -13,6 +13,18 @@
 namespace robcogen::driver {
 namespace {
 
+backend::JointType type_of(model::JointType type) {
+  switch (type) {
+    case model::JointType::revolute:
+      break;
+    case model::JointType::prismatic:
+      return backend::JointType::prismatic;
+    case model::JointType::helical:
+      return backend::JointType::helical;
+  }
+  return backend::JointType::revolute;
+}
+
 // Constants of the model, as far as the parameters' defaults determine them.
 class Constants {
  public:
@@ -41,13 +53,14 @@ class Constants {
   backend::JointData of(const model::Joint& joint) const {
     return {
         joint.name,
-        joint.type == model::JointType::revolute,
+        type_of(joint.type),
         joint.parent,
         joint.child,
         values(joint.placement.translation),
         values(joint.placement.rotation),
         {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
-        drive_of(joint)};
+        drive_of(joint),
+        value(joint.pitch)};
   }
 
   std::optional<backend::DriveData> drive_of(const model::Joint& joint) const {

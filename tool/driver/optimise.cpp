@@ -97,7 +97,7 @@ Functions split_angles(const Robot& robot, Functions functions) {
   std::vector<pass::Position> positions;
   for (const int j : robot.tree.coordinates()) {
     const model::Joint& joint = robot.tree.joints[at(j)];
-    positions.push_back({joint.name, joint.type == model::JointType::revolute});
+    positions.push_back({joint.name, model::turns(joint.type)});
   }
   pass::SplitAngles split = pass::split_angles(programs, positions);
   for (std::size_t i = 0; i < programs.size(); ++i) functions.list[i].parts = std::move(split.parts[i]);

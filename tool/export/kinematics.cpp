@@ -27,6 +27,18 @@ model::Inertia moved_to_link_frame(const model::Inertia& inertia) {
   return moved;
 }
 
+kinematics::Joint::Type type_of(model::JointType type) {
+  switch (type) {
+    case model::JointType::revolute:
+      break;
+    case model::JointType::prismatic:
+      return kinematics::Joint::Type::prismatic;
+    case model::JointType::helical:
+      return kinematics::Joint::Type::helical;
+  }
+  return kinematics::Joint::Type::revolute;
+}
+
 class Writer {
  public:
   explicit Writer(const model::KinematicTree& tree) : tree_(tree), frames_(tree.links.size()) {
@@ -109,8 +121,8 @@ class Writer {
   kinematics::Joint write(const model::Joint& from) const {
     kinematics::Joint joint;
     joint.name.text = from.name;
-    joint.type = from.type == model::JointType::revolute ? kinematics::Joint::Type::revolute
-                                                         : kinematics::Joint::Type::prismatic;
+    joint.type = type_of(from.type);
+    if (from.type == model::JointType::helical) joint.pitch = write(from.pitch);
     joint.placement = write(from.placement);
     joint.drive = write(from.drive);
     if (from.drive.rotor) joint.rotor = write(*from.drive.rotor, from.parent);
@@ -158,7 +170,7 @@ class Writer {
     std::vector<std::string> names = {"rad", "m"};
     for (const model::Joint& joint : tree_.joints) names.push_back(joint.name);
     const Quantity rad = Quantity::variable(0), m = Quantity::variable(1);
-    const auto slides = [&](int joint) { return tree_.joints[at(joint)].type == model::JointType::prismatic; };
+    const auto slides = [&](int joint) { return !model::turns(tree_.joints[at(joint)].type); };
     Quantity value;
     for (const model::Coupling::Term& term : from.terms) {
       // The unit of a factor between joints of different kinds.

@@ -190,6 +190,7 @@ bool has_bounds(const JointLimits& limits) {
 }
 
 const char* type_of(const Joint& joint) {
+  assert(joint.type != JointType::helical);
   if (joint.type == JointType::prismatic) return "prismatic";
   return has_bounds(joint.limits) ? "revolute" : "continuous";
 }

@@ -19,6 +19,7 @@ namespace robcogen::exporting {
 // - Revolute joints without position limits become `continuous`. Other limits that URDF requires and the model does not
 //   have are 1e9.
 // - A joint that follows another mimics it; all couplings must be such that URDF can say them.
+// There must be no helical joint.
 // Names that are added get `_2` and so on when they are taken. Rotations of quarter turns, and about one axis, are
 // exact, others within 1e-15 rad; mass properties are rounded once. The robot must not have parameters.
 std::string urdf(const model::KinematicTree& tree);

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "import/kinematics.h"
+
 namespace robcogen::import {
 namespace {
 
@@ -45,12 +47,28 @@ class Couplings {
  public:
   Couplings(const kinematics::Document& document, QuantityReader& reader, Diagnostics& diagnostics)
       : document_(document), reader_(reader), diagnostics_(diagnostics) {
-    for (const kinematics::Joint& joint : document.joints) types_.insert({joint.name.text, joint.type});
+    for (const kinematics::Joint& joint : document.joints) {
+      const auto compound = compound_type_of(joint.type);
+      if (!compound) {
+        turns_.insert({joint.name.text, model::turns(type_of(joint.type))});
+        continue;
+      }
+      std::string& coordinates = coordinates_[joint.name.text];
+      for (const model::CompoundCoordinate& coordinate : model::coordinates_of(*compound)) {
+        const std::string name = model::coordinate_name(joint.name.text, coordinate);
+        turns_.insert({name, model::turns(coordinate.type)});
+        coordinates += fmt::format("{}'{}'", coordinates.empty() ? "" : ", ", name);
+      }
+    }
   }
 
+  // False for a joint of several coordinates, which have names of their own.
+  bool is_single(const std::string& joint) const { return !coordinates_.contains(joint); }
+
   model::DescribedCoupling read(const kinematics::Coupling& coupling) {
-    const auto type = types_.find(coupling.joint.text);
-    const bool turns = type == types_.end() || type->second == kinematics::Joint::Type::revolute;
+    check_single(coupling.joint.text, coupling.joint.span);
+    const auto known = turns_.find(coupling.joint.text);
+    const bool turns = known == turns_.end() || known->second;
     model::DescribedCoupling result = {coupling.joint.text, place(coupling.joint.span), {}, {}};
     const Sum sum = this->sum(*coupling.value, turns ? ParameterKind::angle : ParameterKind::length);
     if (is_wrong_) {
@@ -59,7 +77,7 @@ class Couplings {
     }
     result.offset = sum.offset;
     for (const auto& [joint, term] : sum.terms) {
-      if (type != types_.end()) check_unit(coupling, joint, term);
+      if (known != turns_.end()) check_unit(coupling, joint, term);
       result.terms.push_back({joint, term.factor, place(term.span)});
     }
     const Dimension own = unit_of(turns);
@@ -72,10 +90,19 @@ class Couplings {
   const kinematics::Document& document_;
   QuantityReader& reader_;
   Diagnostics& diagnostics_;
-  std::map<std::string, kinematics::Joint::Type> types_;  // by joint
-  bool is_wrong_ = false;                                 // an error in the present coupling was reported
+  std::map<std::string, bool> turns_;               // by joint
+  std::map<std::string, std::string> coordinates_;  // of joints that have several: their names
+  bool is_wrong_ = false;                           // an error in the present coupling was reported
 
   Place place(const Span& span) const { return {document_.source, span}; }
+
+  // Reports a joint of several coordinates.
+  void check_single(const std::string& joint, const Span& span) {
+    if (is_single(joint)) return;
+    is_wrong_ = true;
+    diagnostics_.error("coupling-of-several", place(span), fmt::format("joint '{}' has several coordinates", joint))
+        .hint = fmt::format("couple one of them: {}", coordinates_.at(joint));
+  }
 
   static Dimension unit_of(bool turns) { return {turns ? 1 : 0, turns ? 0 : 1, true}; }
 
@@ -84,10 +111,10 @@ class Couplings {
   }
   // What is neither a joint nor a parameter is reported as an unknown joint.
   bool is_joint(const Expression& e) const {
-    return is_plain(e) && !is_unit(e) && (types_.contains(e.name) || !reader_.knows_parameter(e.name));
+    return is_plain(e) && !is_unit(e) && (turns_.contains(e.name) || !reader_.knows_parameter(e.name));
   }
   bool is_unit(const Expression& e) const {
-    return is_plain(e) && (e.name == "rad" || e.name == "m") && !types_.contains(e.name) &&
+    return is_plain(e) && (e.name == "rad" || e.name == "m") && !turns_.contains(e.name) &&
            !reader_.knows_parameter(e.name);
   }
   bool has_joint_or_unit(const Expression& e) const {
@@ -108,6 +135,7 @@ class Couplings {
     }
     switch (e.kind) {
       case Kind::name:
+        check_single(e.name, e.span);
         result.terms.push_back({e.name, {Quantity(1.0), {}, e.span}});
         return result;
       case Kind::negate:
@@ -178,10 +206,10 @@ class Couplings {
 
   // A factor between joints of different kinds needs its unit; elsewhere it has none.
   void check_unit(const kinematics::Coupling& coupling, const std::string& joint, const Term& term) {
-    const auto followed = types_.find(joint);
-    if (followed == types_.end()) return;
-    const bool turns = types_.at(coupling.joint.text) == kinematics::Joint::Type::revolute;
-    const bool followed_turns = followed->second == kinematics::Joint::Type::revolute;
+    const auto followed = turns_.find(joint);
+    if (followed == turns_.end()) return;
+    const bool turns = turns_.at(coupling.joint.text);
+    const bool followed_turns = followed->second;
     Dimension wanted = product(unit_of(turns), unit_of(followed_turns), -1);
     wanted.is_said = term.unit.is_said;
     if (term.unit == wanted && (term.unit.is_said || turns == followed_turns)) return;
@@ -215,7 +243,10 @@ std::vector<model::DescribedCoupling> read_couplings(
     Diagnostics& diagnostics) {
   Couplings couplings(document, reader, diagnostics);
   std::vector<model::DescribedCoupling> result;
-  for (const kinematics::Coupling& coupling : document.couplings) result.push_back(couplings.read(coupling));
+  for (const kinematics::Coupling& coupling : document.couplings) {
+    model::DescribedCoupling read = couplings.read(coupling);
+    if (couplings.is_single(coupling.joint.text)) result.push_back(std::move(read));
+  }
   return result;
 }
 

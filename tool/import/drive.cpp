@@ -59,7 +59,7 @@ class DriveDescriber {
   Diagnostics& diagnostics_;
   model::DescribedJoint& described_;
 
-  // A joint may turn more than once; degrees are likelier beyond some turns.
+  // A joint may turn more than once; degrees are likelier beyond some turns, except of a screw.
   void check_angle(const language::Expression& expression, const model::Quantity& position) {
     constexpr double kTurns = 4.0;
     if (described_.type == model::JointType::revolute && position.is_constant())
@@ -89,28 +89,32 @@ class DriveDescriber {
 
 }  // namespace
 
-std::vector<ExpressionPtr> expressions_of_drive(const kinematics::Joint& joint) {
-  const kinematics::Drive& d = joint.drive;
+std::vector<ExpressionPtr> expressions_of_drive(
+    const kinematics::Drive& d,
+    const std::optional<kinematics::Rotor>& rotor,
+    const kinematics::Limits& limits) {
   std::vector<ExpressionPtr> all = {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest};
-  if (joint.rotor) {
-    all.insert(all.end(), {joint.rotor->inertia, joint.rotor->ratio});
-    if (joint.rotor->axis) all.insert(all.end(), joint.rotor->axis->begin(), joint.rotor->axis->end());
+  if (rotor) {
+    all.insert(all.end(), {rotor->inertia, rotor->ratio});
+    if (rotor->axis) all.insert(all.end(), rotor->axis->begin(), rotor->axis->end());
   }
-  if (joint.limits.position) all.insert(all.end(), joint.limits.position->begin(), joint.limits.position->end());
-  all.insert(all.end(), {joint.limits.velocity, joint.limits.effort});
+  if (limits.position) all.insert(all.end(), limits.position->begin(), limits.position->end());
+  all.insert(all.end(), {limits.velocity, limits.effort});
   std::erase(all, nullptr);
   return all;
 }
 
 void describe_drive(
-    const kinematics::Joint& joint,
+    const kinematics::Drive& drive,
+    const std::optional<kinematics::Rotor>& rotor,
+    const kinematics::Limits& limits,
     QuantityReader& reader,
     Diagnostics& diagnostics,
     model::DescribedJoint& described) {
   DriveDescriber describer(reader, diagnostics, described);
-  describer.describe(joint.drive);
-  if (joint.rotor) describer.describe(*joint.rotor);
-  describer.describe(joint.limits);
+  describer.describe(drive);
+  if (rotor) describer.describe(*rotor);
+  describer.describe(limits);
 }
 
 }  // namespace robcogen::import

@@ -1,6 +1,7 @@
 // Drives and limits of joints, from robot documents to the model.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "import/parameters.h"
@@ -10,11 +11,16 @@
 namespace robcogen::import {
 
 // Those that are given, in the order of the document.
-std::vector<language::ExpressionPtr> expressions_of_drive(const language::kinematics::Joint& joint);
+std::vector<language::ExpressionPtr> expressions_of_drive(
+    const language::kinematics::Drive& drive,
+    const std::optional<language::kinematics::Rotor>& rotor,
+    const language::kinematics::Limits& limits);
 
 // Fills in drive and limits. Values of the drive are dynamics quantities; reports limits that depend on a parameter.
 void describe_drive(
-    const language::kinematics::Joint& joint,
+    const language::kinematics::Drive& drive,
+    const std::optional<language::kinematics::Rotor>& rotor,
+    const language::kinematics::Limits& limits,
     QuantityReader& reader,
     Diagnostics& diagnostics,
     model::DescribedJoint& described);

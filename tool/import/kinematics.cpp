@@ -1,5 +1,10 @@
 #include "import/kinematics.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
 #include "import/couplings.h"
 #include "import/drive.h"
 #include "import/parameters.h"
@@ -32,7 +37,10 @@ std::vector<const Expression*> expressions_of(const kinematics::Document& docume
   }
   for (const kinematics::Joint& joint : document.joints) {
     add_placement(joint.placement);
-    for (const language::ExpressionPtr& e : expressions_of_drive(joint)) add(e);
+    if (joint.pitch) add(joint.pitch);
+    for (const language::ExpressionPtr& e : expressions_of_drive(joint.drive, joint.rotor, joint.limits)) add(e);
+    for (const kinematics::Coordinate& c : joint.coordinates)
+      for (const language::ExpressionPtr& e : expressions_of_drive(c.drive, c.rotor, c.limits)) add(e);
   }
   for (const kinematics::Coupling& coupling : document.couplings) add(coupling.value);
   return all;
@@ -57,7 +65,12 @@ class Describer {
         description.links.push_back(describe(link));
       }
     }
-    for (const kinematics::Joint& joint : document_.joints) description.joints.push_back(describe(joint));
+    for (const kinematics::Joint& joint : document_.joints) {
+      if (const auto compound = compound_type_of(joint.type))
+        model::add_compound(describe(joint, *compound), description, diagnostics_);
+      else
+        description.joints.push_back(describe(joint));
+    }
     description.couplings = read_couplings(document_, reader_, diagnostics_);
     description.parameters = reader_.parameters();
     reader_.report_accidents();
@@ -113,12 +126,42 @@ class Describer {
   }
 
   model::DescribedJoint describe(const kinematics::Joint& joint) {
-    const bool revolute = joint.type == kinematics::Joint::Type::revolute;
     model::DescribedJoint result = {
-        joint.name.text, place(joint.name.span), revolute ? model::JointType::revolute : model::JointType::prismatic,
-        read(joint.placement)};
-    describe_drive(joint, reader_, diagnostics_, result);
+        joint.name.text, place(joint.name.span), type_of(joint.type), read(joint.placement)};
+    if (joint.pitch) result.pitch = read_pitch(joint);
+    describe_drive(joint.drive, joint.rotor, joint.limits, reader_, diagnostics_, result);
     return result;
+  }
+
+  model::DescribedCompound describe(const kinematics::Joint& joint, model::CompoundType type) {
+    model::DescribedCompound result;
+    result.name = joint.name.text;
+    result.place = place(joint.name.span);
+    result.type = type;
+    result.placement = read(joint.placement);
+    result.placement_place = place(joint.placement.span);
+    for (const model::CompoundCoordinate& coordinate : model::coordinates_of(type)) {
+      model::DescribedJoint& made = result.coordinates.emplace_back();
+      made.name = model::coordinate_name(joint.name.text, coordinate);
+      made.type = coordinate.type;
+      for (const kinematics::Coordinate& c : joint.coordinates)
+        if (c.word.text == coordinate.name) describe_drive(c.drive, c.rotor, c.limits, reader_, diagnostics_, made);
+    }
+    return result;
+  }
+
+  // Warns of one that looks like millimetres.
+  Quantity read_pitch(const kinematics::Joint& joint) {
+    constexpr double kLikely = 1.0;  // m/rad: no screw is as steep
+    const Quantity pitch = reader_.read(*joint.pitch, ParameterKind::length);
+    if (pitch.is_constant() && std::abs(pitch.number().value()) > kLikely)
+      diagnostics_
+          .warning(
+              "pitch-unit", place(joint.pitch->span),
+              fmt::format(
+                  "the pitch of joint '{}' is {} m a radian", joint.name.text, print_double(pitch.number().value())))
+          .hint = "a screw of 10 mm a turn has 'pitch = 0.01 / (2.0 PI)'";
+    return pitch;
   }
 
   const kinematics::Document& document_;
@@ -127,6 +170,38 @@ class Describer {
 };
 
 }  // namespace
+
+model::JointType type_of(kinematics::Joint::Type type) {
+  switch (type) {
+    case kinematics::Joint::Type::revolute:
+      break;
+    case kinematics::Joint::Type::prismatic:
+      return model::JointType::prismatic;
+    case kinematics::Joint::Type::helical:
+      return model::JointType::helical;
+    case kinematics::Joint::Type::cylindrical:
+    case kinematics::Joint::Type::universal:
+    case kinematics::Joint::Type::planar:
+      throw std::logic_error("a joint of several coordinates has several types");
+  }
+  return model::JointType::revolute;
+}
+
+std::optional<model::CompoundType> compound_type_of(kinematics::Joint::Type type) {
+  switch (type) {
+    case kinematics::Joint::Type::revolute:
+    case kinematics::Joint::Type::prismatic:
+    case kinematics::Joint::Type::helical:
+      break;
+    case kinematics::Joint::Type::cylindrical:
+      return model::CompoundType::cylindrical;
+    case kinematics::Joint::Type::universal:
+      return model::CompoundType::universal;
+    case kinematics::Joint::Type::planar:
+      return model::CompoundType::planar;
+  }
+  return std::nullopt;
+}
 
 model::Description describe(const kinematics::Document& document, Diagnostics& diagnostics) {
   return Describer(document, diagnostics).describe();

@@ -5,9 +5,15 @@
 
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
+#include "model/compound.h"
 #include "model/description.h"
 
 namespace robcogen::import {
+
+// Of a joint of one coordinate.
+model::JointType type_of(language::kinematics::Joint::Type type);
+// Of one of several.
+std::optional<model::CompoundType> compound_type_of(language::kinematics::Joint::Type type);
 
 // The robot of the document, with its parameters, whose kind follows from where they stand. Reports errors in
 // expressions, such as constants that are not finite, and parameters of two kinds.

@@ -72,12 +72,13 @@ void declare_elements(Assembly& a) {
     const DescribedLink& link = a.link(i);
     if (!declare(a.links, "link", "duplicate-link", link.name, link.place, a.tree.links, a.diagnostics))
       a.links_repeat = true;
-    a.tree.links.push_back({link.name, link.inertia, -1, {}, link.place});
+    a.tree.links.push_back({link.name, link.inertia, -1, {}, link.place, link.is_virtual});
   }
   for (const DescribedJoint& joint : a.description.joints) {
     if (!declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics))
       a.joints_repeat = true;
-    a.tree.joints.push_back({joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits, joint.drive});
+    a.tree.joints.push_back(
+        {joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits, joint.drive, joint.pitch});
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
           .error(

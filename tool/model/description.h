@@ -34,6 +34,7 @@ struct DescribedLink {
   Place reference_place;
   std::vector<DescribedChild> children;
   std::vector<DescribedFrame> frames;
+  bool is_virtual = false;  // as in Link
 };
 
 // Where a document gives the values of a drive and the limits.
@@ -63,6 +64,7 @@ struct DescribedJoint {
   Drive drive = {};
   DrivePlaces drive_places = {};
   std::optional<std::string> rotor_carrier = {};  // the joint's parent where none is named
+  Quantity pitch = {};                            // of a helical joint: m a radian
 };
 
 // The position of a joint as a sum over other joints, which may follow others in turn.

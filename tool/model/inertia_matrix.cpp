@@ -24,7 +24,8 @@ namespace {
 // Large compared with the rounding of one recursion step, small compared with any real inertia of a robot.
 constexpr double kAddition = 1e-12;
 
-using Matrix6 = std::array<std::array<double, 6>, 6>;  // spatial, angular rows first
+using Vector6 = std::array<double, 6>;
+using Matrix6 = std::array<Vector6, 6>;  // spatial, angular rows first
 
 // Repeatable numbers between 0.5 and 1.5: no special angles, lengths or masses.
 class OrdinaryNumbers {
@@ -61,8 +62,8 @@ Matrix6 motion_transform(const Joint& joint, double q, const std::vector<double>
   std::array<double, 3> p{}, sine{}, cosine{};
   for (std::size_t i = 0; i < 3; ++i) {
     p[i] = evaluate(joint.placement.translation[i], parameters);
-    // Turning about z is the last rotation of the placement and the motion of a revolute joint.
-    const double own = i == 2 && joint.type == JointType::revolute ? q : 0.0;
+    // Turning about z is the last rotation of the placement and that of a joint.
+    const double own = i == 2 && turns(joint.type) ? q : 0.0;
     const double angle = evaluate(joint.placement.rotation[i], parameters) + own;
     sine[i] = std::sin(angle), cosine[i] = std::cos(angle);
   }
@@ -74,9 +75,8 @@ Matrix6 motion_transform(const Joint& joint, double q, const std::vector<double>
       {cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy},
       {sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy},
   }};
-  if (joint.type == JointType::prismatic) {
-    for (std::size_t i = 0; i < 3; ++i) p[i] += q * R[i][2];
-  }
+  const double slide = q * evaluate(slide_of(joint), parameters);
+  for (std::size_t i = 0; i < 3; ++i) p[i] += slide * R[i][2];
   Matrix6 X{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -109,11 +109,30 @@ void add_in_proportion(Matrix6& a, double part) {
   for (std::size_t i = 0; i < 3; ++i) a[i][i] += part * rotation, a[i + 3][i + 3] += part * translation;
 }
 
+Vector6 operator*(const Matrix6& a, const Vector6& v) {
+  Vector6 result{};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) result[i] += a[i][j] * v[j];
+  return result;
+}
+
+double dot(const Vector6& a, const Vector6& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+Vector6 unit(std::size_t direction) {
+  Vector6 v{};
+  v[direction] = 1.0;
+  return v;
+}
+
 // Makes one direction free: leaves the inertia that the others meet. Without any inertia, leaves all as it is. `own` is
 // inertia that motion in this direction alone meets. Returns the pivot.
-double eliminate(Matrix6& a, std::size_t direction, double own = 0.0) {
-  const std::array<double, 6> column = a[direction];
-  const double pivot = column[direction] + own;
+double eliminate(Matrix6& a, const Vector6& direction, double own = 0.0) {
+  const Vector6 column = a * direction;
+  const double pivot = dot(column, direction) + own;
   if (pivot == 0.0) return pivot;
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) a[i][j] -= column[i] * column[j] / pivot;
@@ -129,8 +148,9 @@ double drive_inertia(const Drive& drive, const std::vector<double>& parameters) 
                      : armature;
 }
 
-std::size_t direction_of(const Joint& joint) {
-  return joint.type == JointType::revolute ? 2 : 5;
+// The motion subspace.
+Vector6 direction_of(const Joint& joint, const std::vector<double>& parameters) {
+  return {0.0, 0.0, turns(joint.type) ? 1.0 : 0.0, 0.0, 0.0, evaluate(slide_of(joint), parameters)};
 }
 
 struct Pivots {
@@ -157,14 +177,14 @@ Pivots pivots_of(const KinematicTree& tree, Beyond beyond, double addition) {
     add_in_proportion(inertia, addition);
     Matrix6 projected = inertia;
     const double own = drive_inertia(joint.drive, parameters);
-    pivots.joints[at(*it)] = eliminate(projected, direction_of(joint), own);
+    pivots.joints[at(*it)] = eliminate(projected, direction_of(joint, parameters), own);
     add_transformed(
         articulated[at(joint.parent)], motion_transform(joint, q[at(*it)], parameters),
         beyond == Beyond::free ? projected : inertia);
   }
   if (tree.floating_base) {
     add_in_proportion(articulated[0], addition);
-    for (std::size_t i = 6; i-- > 0;) pivots.base.push_back(eliminate(articulated[0], i));
+    for (std::size_t i = 6; i-- > 0;) pivots.base.push_back(eliminate(articulated[0], unit(i)));
   }
   return pivots;
 }
@@ -189,10 +209,10 @@ std::vector<std::vector<double>> inertia_of_joints(const KinematicTree& tree, do
   const std::size_t joints = tree.joints.size(), size = joints + (tree.floating_base ? 6 : 0);
   std::vector<std::vector<double>> H(size, std::vector<double>(size));
   for (std::size_t j = 0; j < joints; ++j) {
-    std::array<double, 6> wrench = composite[at(tree.joints[j].child)][direction_of(tree.joints[j])];
+    Vector6 wrench = composite[at(tree.joints[j].child)] * direction_of(tree.joints[j], parameters);
     for (int i = static_cast<int>(j); i >= 0; i = tree.parent_joint_of(i)) {
-      H[at(i)][j] = H[j][at(i)] = wrench[direction_of(tree.joints[at(i)])];
-      std::array<double, 6> seen{};
+      H[at(i)][j] = H[j][at(i)] = dot(wrench, direction_of(tree.joints[at(i)], parameters));
+      Vector6 seen{};
       for (std::size_t r = 0; r < 6; ++r)
         for (std::size_t c = 0; c < 6; ++c) seen[c] += X[at(i)][r][c] * wrench[r];
       wrench = seen;

@@ -15,9 +15,21 @@ constexpr const char* kNoMass = "no-mass";
 
 constexpr std::size_t kMaxNamed = 8;  // joints
 
+const char* missing_inertia(JointType type) {
+  switch (type) {
+    case JointType::revolute:
+      break;
+    case JointType::prismatic:
+      return "mass";
+    case JointType::helical:
+      return "mass or inertia about its axis";
+  }
+  return "inertia about its axis";
+}
+
 std::string reason(const KinematicTree& tree, const InertiaDefects::FreeJoint& free) {
   const Joint& joint = tree.joints[at(free.joint)];
-  const char* missing = joint.type == JointType::revolute ? "inertia about its axis" : "mass";
+  const char* missing = missing_inertia(joint.type);
   return free.locked ? fmt::format("nothing that joint '{}' moves has {}", joint.name, missing)
                      : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.name);
 }

@@ -20,6 +20,29 @@ std::vector<Coupling>::const_iterator first_coupling(const std::vector<Coupling>
 
 }  // namespace
 
+bool turns(JointType type) {
+  switch (type) {
+    case JointType::revolute:
+    case JointType::helical:
+      return true;
+    case JointType::prismatic:
+      break;
+  }
+  return false;
+}
+
+Quantity slide_of(const Joint& joint) {
+  switch (joint.type) {
+    case JointType::revolute:
+      break;
+    case JointType::prismatic:
+      return Quantity(1.0);
+    case JointType::helical:
+      return joint.pitch;
+  }
+  return Quantity();
+}
+
 std::string implicit_frame_name(const std::string& element) {
   return "fr_" + element;
 }
@@ -53,6 +76,10 @@ std::vector<int> KinematicTree::coordinates() const {
 
 int KinematicTree::coordinate_of(int joint) const {
   return joint - static_cast<int>(first_coupling(couplings, joint) - couplings.begin());
+}
+
+bool KinematicTree::has_pitches() const {
+  return std::any_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.type == JointType::helical; });
 }
 
 bool KinematicTree::has_drives() const {
@@ -151,7 +178,7 @@ DesiredTransforms default_desired(const KinematicTree& tree) {
     if (frame.kind == Frame::Kind::joint) continue;
     const int link = tree.link_of(frame);
     const bool is_link = frame.kind == Frame::Kind::link;
-    if (is_link && (link == 0 || has_frame_of_its_name(tree, link))) continue;
+    if (is_link && (link == 0 || tree.links[at(link)].is_virtual || has_frame_of_its_name(tree, link))) continue;
     const bool is_the_base =
         link == 0 && is_named_after_its_link(tree, frame) && is_identity(tree.user_frames[at(frame.index)].placement);
     if (is_the_base) continue;

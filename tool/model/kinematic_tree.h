@@ -14,7 +14,12 @@
 
 namespace robcogen::model {
 
-enum class JointType { revolute, prismatic };
+// Of one coordinate: a turn about the z axis of the joint frame (rad), a slide along it (m), or a screw motion: a turn
+// (rad) that slides in proportion.
+enum class JointType { revolute, prismatic, helical };
+
+// Whether the coordinate is an angle; else it is a length.
+bool turns(JointType type);
 
 // Pose of a frame in the frame of its parent: translate, then rotate about the intrinsic axes x, y', z''
 // (R = Rx Ry Rz). Metres and radians.
@@ -53,6 +58,7 @@ struct Link {
   int parent_joint = -1;           // index of the joint that supports it; -1 for the base
   std::vector<int> child_joints;   // indices, in the order of the document's `children`
   Place place;
+  bool is_virtual = false;  // between the joints of a joint with several coordinates: no body
 };
 
 struct Joint {
@@ -64,7 +70,11 @@ struct Joint {
   Place place;
   JointLimits limits = {};  // infinite when the document has none
   Drive drive = {};
+  Quantity pitch = {};  // of a helical joint: m a radian
 };
+
+// How far the child slides along z per unit of the coordinate: 0, 1, or the pitch.
+Quantity slide_of(const Joint& joint);
 
 // Of the joint's rotor: of unit length, in axes of its carrier.
 std::array<Quantity, 3> rotor_axis(const Joint& joint);
@@ -137,6 +147,8 @@ class KinematicTree {
   // Whether a joint has anything of a drive; whether one has a rotor.
   bool has_drives() const;
   bool has_rotors() const;
+  // Whether a joint is helical.
+  bool has_pitches() const;
   // nullptr for an independent joint.
   const Coupling* coupling_of(int joint) const;
   // Joint indices, parents before children, depth first, children in the order of the document.

@@ -16,7 +16,7 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     for (const Coupling::Term& term : coupling.terms) is_tied[at(term.joint)] = true;
   }
   constexpr int kUntied = -1;
-  std::map<std::tuple<JointType, std::vector<bool>, int, std::vector<int>>, int> known;
+  std::map<std::tuple<JointType, bool, std::vector<bool>, int, std::vector<int>>, int> known;
   std::vector<int> shape(tree.joints.size(), -1);
   const std::vector<int> order = tree.topological();
   for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
@@ -26,8 +26,9 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     const auto number = static_cast<int>(known.size());
     const Joint& own = tree.joints[at(*joint)];
     const int tied = is_tied[at(*joint)] ? *joint : kUntied;
+    std::vector<bool> drive = own.drive.present(tree.uses_passive_forces);
     shape[at(*joint)] =
-        known.try_emplace({own.type, own.drive.present(tree.uses_passive_forces), tied, std::move(beyond)}, number)
+        known.try_emplace({own.type, own.pitch.is_zero(), std::move(drive), tied, std::move(beyond)}, number)
             .first->second;
   }
   return shape;

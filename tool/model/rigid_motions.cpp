@@ -1,6 +1,7 @@
 #include "model/rigid_motions.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "support/index.h"
 
@@ -32,23 +33,33 @@ std::string variable_name(const KinematicTree& tree, const Joint& joint) {
   return name;
 }
 
-}  // namespace
+// What a joint makes of its position.
+std::vector<ElementaryMotion> travel_of(const Joint& joint, const Quantity& position) {
+  std::vector<ElementaryMotion> steps;
+  if (turns(joint.type)) steps.push_back({true, Axis::z, position});
+  const Quantity slide = slide_of(joint) * position;
+  if (!slide.is_zero()) steps.push_back({false, Axis::z, slide});
+  return steps;
+}
 
-RigidMotions motions_of(const KinematicTree& tree) {
+// `positions` of the joints, over the variables of these names.
+RigidMotions motions_of(
+    const KinematicTree& tree,
+    const std::vector<Quantity>& positions,
+    std::vector<std::string> variables) {
   RigidMotions motions;
   motions.name = tree.name;
   motions.convention = MotionConvention::local;
   motions.parameters = tree.parameters;
+  motions.variables = std::move(variables);
   for (const Frame& frame : tree.frames()) motions.frames.push_back(frame.name);
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     const Joint& joint = tree.joints[i];
     const std::string joint_frame = implicit_frame_name(joint.name);
-    const ElementaryMotion travel = {
-        joint.type == JointType::revolute, Axis::z, Quantity::variable(static_cast<int>(i))};
-    motions.variables.push_back(variable_name(tree, joint));
     motions.motions.push_back(
         {implicit_frame_name(tree.links[at(joint.parent)].name), joint_frame, steps_of(joint.placement), ""});
-    motions.motions.push_back({joint_frame, implicit_frame_name(tree.links[at(joint.child)].name), {travel}, ""});
+    motions.motions.push_back(
+        {joint_frame, implicit_frame_name(tree.links[at(joint.child)].name), travel_of(joint, positions[i]), ""});
   }
   for (const UserFrame& frame : tree.user_frames) {
     if (frame.hidden) continue;
@@ -58,25 +69,31 @@ RigidMotions motions_of(const KinematicTree& tree) {
   return motions;
 }
 
+}  // namespace
+
+RigidMotions motions_of(const KinematicTree& tree) {
+  std::vector<Quantity> positions;
+  std::vector<std::string> names;
+  for (const Joint& joint : tree.joints) {
+    positions.push_back(Quantity::variable(static_cast<int>(names.size())));
+    names.push_back(variable_name(tree, joint));
+  }
+  return motions_of(tree, positions, std::move(names));
+}
+
 RigidMotions motions_over_coordinates(const KinematicTree& tree) {
-  RigidMotions motions = motions_of(tree);
-  if (tree.couplings.empty()) return motions;
   std::vector<Quantity> positions(tree.joints.size());  // by joint
   std::vector<std::string> names;
   for (const int joint : tree.coordinates()) {
     positions[at(joint)] = Quantity::variable(static_cast<int>(names.size()));
-    names.push_back(motions.variables[at(joint)]);
+    names.push_back(variable_name(tree, tree.joints[at(joint)]));
   }
   for (const Coupling& coupling : tree.couplings) {
     Quantity& position = positions[at(coupling.joint)];
     for (const Coupling::Term& term : coupling.terms) position = position + term.factor * positions[at(term.joint)];
     position = position + coupling.offset;
   }
-  for (Motion& motion : motions.motions)
-    for (ElementaryMotion& step : motion.steps)
-      if (step.amount.op() == Quantity::Op::variable) step.amount = positions[at(step.amount.index())];
-  motions.variables = std::move(names);
-  return motions;
+  return motions_of(tree, positions, std::move(names));
 }
 
 }  // namespace robcogen::model

@@ -6,6 +6,12 @@ namespace robcogen {
 enum class JointType {
   revolute,   // turns about the z axis of the joint frame, rad
   prismatic,  // moves along it, m
+  helical,    // turns about it, rad, and moves along it by pitch times that angle
 };
+
+// Whether the position is an angle; else it is a length.
+constexpr bool turns(JointType type) {
+  return type != JointType::prismatic;
+}
 
 }  // namespace robcogen

@@ -7,12 +7,13 @@
 
 #include "robcogen/batch.h"
 #include "robcogen/joint_drive.h"
+#include "robcogen/joint_type.h"
 
 namespace robcogen::reflection {
 
 struct Joint {
   const char* name;
-  bool revolute;
+  JointType type;
   int parent;  // link index
   int child;   // link index
   // Pose of the joint frame in the parent link's frame: translation (m), then rotation about the intrinsic axes
@@ -20,6 +21,7 @@ struct Joint {
   double translation[3];
   double rotation[3];
   JointDrive drive = {};
+  double pitch = 0;  // of a helical joint: m a radian
 };
 
 struct Link {
@@ -281,6 +283,8 @@ struct Robot {
   Table<Coupling> couplings = {nullptr, 0};  // of the last joints, in order
   Table<Derivative> derivatives = {nullptr, 0};
   Table<Contact> contacts = {nullptr, 0};  // in the order of their rows
+  // Whether the numbers of a joint end with its pitch.
+  bool numbers_of_pitches = false;
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of q
 };

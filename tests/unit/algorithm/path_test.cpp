@@ -83,7 +83,7 @@ TEST_F(Paths, AreCutBehindEachJoint) {
     ASSERT_TRUE(segment.joint);
     EXPECT_EQ(segment.subject, joints[k]);
     EXPECT_EQ(segment.passed, std::string("joint ") + joints[k]);
-    EXPECT_EQ(tree.joints[static_cast<std::size_t>(segment.joint->joint.index)].name, joints[k]);
+    EXPECT_EQ(tree.joints[static_cast<std::size_t>(segment.joint->joint)].name, joints[k]);
     EXPECT_EQ(segment.joint->backward, k == 0);
     for (const model::PrimitiveTransform& p : segment.primitives)
       EXPECT_EQ(p.amount.is_constant(), &p != &segment.primitives.back());

@@ -54,7 +54,9 @@ inline backend::Library leg_library() {
   library.model_hash = "0123456789abcdef";
   library.generator_version = "1.2.3";
   library.links = {{"trunk", -1}, {"thigh", 0, 2.5, {0.1, 0, 0}, {1, 2, 3, 0, 0, 0}}, {"shank", 1}};
-  library.joints = {{"HFE", true, 0, 1}, {"KFE", false, 1, 2, {0.35, 0, 0}, {0, 0, 0}}};
+  library.joints = {
+      {"HFE", backend::JointType::revolute, 0, 1},
+      {"KFE", backend::JointType::prismatic, 1, 2, {0.35, 0, 0}, {0, 0, 0}}};
   library.frames = {{"fr_trunk", 0}, {"fr_foot", 2, {0.33, 0, 0}}};
   return library;
 }

@@ -26,15 +26,18 @@ inline Eigen::MatrixXd inertia_matrix(const Description& d, const std::vector<in
     if (i > 0) {
       const DescribedJoint& joint = d.joints[static_cast<std::size_t>(i - 1)];
       const int p = parents[static_cast<std::size_t>(i - 1)];
-      const bool turns = joint.type == JointType::revolute;
+      const bool turns = model::turns(joint.type);
+      const double slide = joint.type == JointType::prismatic ? 1.0 : evaluate(joint.pitch);
       const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-      const Eigen::Isometry3d travel = turns ? Eigen::Isometry3d(Eigen::AngleAxisd(q[i - 1], z))
-                                             : Eigen::Isometry3d(Eigen::Translation3d(q[i - 1] * z));
+      const Eigen::Isometry3d travel =
+          Eigen::AngleAxisd(turns ? q[i - 1] : 0.0, z) * Eigen::Translation3d(slide * q[i - 1] * z);
       const Eigen::Isometry3d parent = world[static_cast<std::size_t>(p)];
       world.push_back(parent * pose(joint.placement) * travel);
       Eigen::MatrixXd J = jacobians[static_cast<std::size_t>(p)];
       J.bottomRows(3) -= skew(world.back().translation() - parent.translation()) * J.topRows(3);
-      (turns ? J.topRows(3) : J.bottomRows(3)).col(b + i - 1) += world.back().linear() * z;
+      const Eigen::Vector3d axis = world.back().linear() * z;
+      if (turns) J.topRows(3).col(b + i - 1) += axis;
+      J.bottomRows(3).col(b + i - 1) += slide * axis;
       jacobians.push_back(J);
     }
     const DescribedLink& link = described_link(d, static_cast<std::size_t>(i));

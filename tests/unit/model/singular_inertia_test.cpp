@@ -196,7 +196,14 @@ class RandomRobots {
       placement.rotation[static_cast<std::size_t>(pick(3))] = pi(pick(8) - 3, 4);
       if (pick(3) == 0) placement.rotation[static_cast<std::size_t>(pick(3))] = pi(pick(4) - 1, 2);
       for (Quantity& length : placement.translation) length = number(pick(2) == 0 ? 0.0 : pick(3) - 1.0);
-      d.joints.push_back(test::joint("j" + name, pick(3) == 0 ? JointType::prismatic : JointType::revolute, placement));
+      const int type = pick(6);
+      d.joints.push_back(test::joint(
+          "j" + name,
+          type < 2   ? JointType::prismatic
+          : type > 2 ? JointType::revolute
+                     : JointType::helical,
+          placement));
+      if (type == 2) d.joints.back().pitch = number(pick(2) == 0 ? -1.0 : 0.25);
     }
     return r;
   }

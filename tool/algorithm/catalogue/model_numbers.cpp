@@ -64,12 +64,13 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
     trace.section(link.name, "link " + link.name);
     add_link({trace, links}, link);
   }
-  const bool has_drives = tree.has_drives();
+  const bool has_drives = tree.has_drives(), has_pitches = tree.has_pitches();
   for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint " + joint.name);
     add_placement({trace, joints}, joint.placement);
     if (has_drives) add_drive({trace, joints}, joint);
+    if (has_pitches) Column{trace, joints}.add(joint.pitch);
   }
   for (const model::Frame& frame : tree.frames()) {
     trace.section(frame.name, "frame " + frame.name);
@@ -79,7 +80,7 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
     trace.output(name, Role::value, rows, static_cast<int>(values.size()) / rows, values);
   };
   output("links", kNumbersOfLink, links);
-  output("joints", kNumbersOfPlacement + (has_drives ? kNumbersOfDrive : 0), joints);
+  output("joints", kNumbersOfPlacement + (has_drives ? kNumbersOfDrive : 0) + (has_pitches ? 1 : 0), joints);
   output("frames", kNumbersOfPlacement, frames);
   return trace.program("model_numbers");
 }

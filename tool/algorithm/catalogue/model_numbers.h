@@ -13,7 +13,7 @@ inline constexpr int kNumbersOfLink = 10, kNumbersOfPlacement = 6, kNumbersOfDri
 // (kg m^2), in the axes of the link and about its origin. Joint and frame: translation (m), then rotation about the
 // intrinsic axes x, y', z'' (rad), in the link that carries it. Where a joint has a drive, the numbers of drives follow
 // those of all joints: damping, friction and its velocity, armature, stiffness, rest, then inertia, ratio and axis of
-// the rotor. Coupled joints follow the others.
+// the rotor. Where a joint is helical, the pitches (m a radian) stand last. Coupled joints follow the others.
 symbolic::Program model_numbers(const model::KinematicTree& tree);
 
 // parameters -> `couplings`: a column for each coupled joint: its factors, a row a coordinate, then its offset.

@@ -25,7 +25,7 @@ struct TracedRobot {
   const std::string& link_name(int link) const { return tree().links[at(link)].name; }
   const Pose& pose(int joint) const { return poses[at(joint)]; }
   const MassProperties& mass(int link) const { return masses[at(link)]; }
-  Joint joint(int index) const { return joint_of(tree(), index); }
+  Joint joint(int index) const { return joint_of(trace, index); }
   std::vector<Joint> children(int link) const;
   // The joint that carries a link other than the base.
   Joint parent_joint(int link) const { return joint(tree().links[at(link)].parent_joint); }

@@ -37,11 +37,32 @@ MassProperties take_revolute(Trace& trace, const Pose& pose, MassProperties& chi
   return share;
 }
 
+// A slide moves the mass: the second moment along the axis stays.
+MassProperties take_helical(Trace& trace, const Pose& pose, MassProperties& child) {
+  const Expression zero;
+  MassProperties on_axis;
+  on_axis.pseudo_inertia[2][2] = child.pseudo_inertia[2][2];
+  child.pseudo_inertia[2][2] = zero;
+  return rod({}, to_parent(pose.rotation, {zero, zero, trace.graph.one()}), on_axis);
+}
+
 MassProperties take_prismatic(const Pose& pose, MassProperties& child) {
   MassProperties share;
   share.pseudo_inertia = symmetric_to_parent(pose.rotation, child.pseudo_inertia);
   child.pseudo_inertia = {};
   return share;
+}
+
+MassProperties take(Trace& trace, model::JointType type, const Pose& pose, MassProperties& child) {
+  switch (type) {
+    case model::JointType::revolute:
+      break;
+    case model::JointType::prismatic:
+      return take_prismatic(pose, child);
+    case model::JointType::helical:
+      return take_helical(trace, pose, child);
+  }
+  return take_revolute(trace, pose, child);
 }
 
 }  // namespace
@@ -59,8 +80,7 @@ std::vector<MassProperties> regrouped(
     const std::string& name = tree.links[static_cast<std::size_t>(joint.child)].name;
     trace.section(name, "link " + name + ": mass properties that matter");
     MassProperties& child = masses[static_cast<std::size_t>(joint.child)];
-    const bool revolute = joint.type == model::JointType::revolute;
-    const MassProperties share = revolute ? take_revolute(trace, pose, child) : take_prismatic(pose, child);
+    const MassProperties share = take(trace, joint.type, pose, child);
     if (joint.parent == 0 && !tree.floating_base) continue;
     MassProperties& parent = masses[static_cast<std::size_t>(joint.parent)];
     parent = parent + share;

@@ -235,20 +235,21 @@ class LinkFrameBuilder {
     const int parent_joint = trace_.tree.parent_joint_of(j);
     const AxisPlacement& placement = placements_[at(j)];
     const LinkFrame& frame = frames_[at(j)];
-    const bool revolute = joint.type == model::JointType::revolute;
+    const bool turns = model::turns(joint.type);
+    const Quantity slide = model::slide_of(joint) * Quantity::variable(j);
     std::vector<PrimitiveTransform> list;
     if (parent_joint >= 0) list = model_in_frame(frames_[at(parent_joint)]);
     list.insert(list.end(), placement.to_axis.begin(), placement.to_axis.end());
-    if (revolute) append(list, true, Axis::z, Quantity::variable(j));
+    if (turns) append(list, true, Axis::z, Quantity::variable(j));
     append(list, true, Axis::z, frame.turn);
     append(list, false, Axis::z, placement.along + frame.slide);
-    if (!revolute) append(list, false, Axis::z, Quantity::variable(j));
+    append(list, false, Axis::z, slide);
     Pose result = pose_of(trace_, list, q_);
     double scale = 0.0;
     for (const PrimitiveTransform& p : list)
       if (!p.rotation && p.amount.is_constant()) scale += std::abs(p.amount.number().value());
     drop_rounding(result.offset, scale);
-    if (revolute) join_slide(result, scale);
+    if (slide.is_zero()) join_slide(result, scale);
     if (!representative_.empty()) fold_like(trace_, representative_[at(j)], result);
     if (const auto& rho = turned_by_[at(joint.parent)]) result = turned(*rho, result);
     std::vector<PlaneRotation>& planes = result.rotation.planes;

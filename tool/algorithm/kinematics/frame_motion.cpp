@@ -21,7 +21,7 @@ Path path_from_target(const model::KinematicTree& tree, const model::FramePair& 
 
 // A joint's rate or acceleration, the way that the path passes it.
 Expression along(const JointOnPath& passed, const std::vector<Expression>& values) {
-  const Expression& value = values[at(passed.joint.index)];
+  const Expression& value = values[at(passed.joint)];
   return passed.backward ? -value : value;
 }
 
@@ -68,7 +68,7 @@ Program frame_velocity(const model::KinematicTree& tree, const model::FramePair&
   Motion twist;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
-    if (segment.joint) add_rate(segment.joint->joint, along(*segment.joint, qd), twist);
+    if (segment.joint) add_rate(joint_of(trace, segment.joint->joint), along(*segment.joint, qd), twist);
     twist = to_parent(pose, twist);
   }
   trace.output("V", Role::frame_velocity, twist);
@@ -85,10 +85,11 @@ Program frame_acceleration(const model::KinematicTree& tree, const model::FrameP
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
     if (const auto& passed = segment.joint) {
+      const Joint joint = joint_of(trace, passed->joint);
       const Expression rate = along(*passed, qd);
-      acceleration += rate * cross_subspace(passed->joint, twist);
-      add_rate(passed->joint, along(*passed, qdd), acceleration);
-      add_rate(passed->joint, rate, twist);
+      acceleration += rate * cross_subspace(joint, twist);
+      add_rate(joint, along(*passed, qdd), acceleration);
+      add_rate(joint, rate, twist);
     }
     twist = to_parent(pose, twist);
     acceleration = to_parent(pose, acceleration);
@@ -108,7 +109,7 @@ Program jacobian_derivative_times_velocity(
   Seen target;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
-    if (segment.joint) add_joint(target, segment.joint->joint, along(*segment.joint, qd), trace.graph);
+    if (segment.joint) add_joint(target, joint_of(trace, segment.joint->joint), along(*segment.joint, qd), trace.graph);
     step_back(target, pose);
   }
   trace.output("a", Role::frame_bias_acceleration, Motion{target.wd, target.acceleration});
@@ -127,10 +128,10 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
     velocity += cross(w, here.position - last);
     last = here.position;
     const auto& [joint, backward] = *segment.joint;
-    joints.push_back(joint.index);
-    const Motion S = in_axes(here.rotation, subspace(joint, trace.graph), backward);
+    joints.push_back(joint);
+    const Motion S = in_axes(here.rotation, subspace(joint_of(trace, joint), trace.graph), backward);
     columns.push_back({S, last, w, velocity});
-    const Expression& rate = qd[at(joint.index)];
+    const Expression& rate = qd[at(joint)];
     w += rate * S.angular;
     velocity += rate * S.linear;
   });

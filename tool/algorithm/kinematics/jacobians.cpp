@@ -49,8 +49,9 @@ ChainColumns chain_columns(
   ChainColumns result;
   const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
     const bool negated = segment.joint->backward != back;
-    result.joints.push_back(segment.joint->joint.index);
-    columns.push_back({in_axes(here.rotation, subspace(segment.joint->joint, trace.graph), negated), here.position});
+    result.joints.push_back(segment.joint->joint);
+    const Motion S = subspace(joint_of(trace, segment.joint->joint), trace.graph);
+    columns.push_back({in_axes(here.rotation, S, negated), here.position});
   });
   if (back) {
     std::reverse(columns.begin(), columns.end());
@@ -123,7 +124,7 @@ void output_columns(
 std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model::FramePair& frames) {
   std::vector<int> joints;
   for (const PathSegment& segment : path_between(tree, frames))
-    if (segment.joint) joints.push_back(segment.joint->joint.index);
+    if (segment.joint) joints.push_back(segment.joint->joint);
   return coordinates_of(tree, joints);
 }
 

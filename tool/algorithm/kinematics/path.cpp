@@ -9,13 +9,14 @@ namespace {
 
 using model::PrimitiveTransform;
 
+// A helical joint is where it turns; its slide is a length like others.
 std::optional<JointOnPath> joint_of(const model::KinematicTree& tree, const PrimitiveTransform& primitive) {
-  const model::Quantity& amount = primitive.amount;
-  if (amount.op() == model::Quantity::Op::variable)
-    return JointOnPath{algorithm::joint_of(tree, amount.index()), false};
-  if (amount.op() == model::Quantity::Op::negate && amount.left().op() == model::Quantity::Op::variable)
-    return JointOnPath{algorithm::joint_of(tree, amount.left().index()), true};
-  return std::nullopt;
+  const bool backward = primitive.amount.op() == model::Quantity::Op::negate;
+  const model::Quantity& position = backward ? primitive.amount.left() : primitive.amount;
+  if (position.op() != model::Quantity::Op::variable) return std::nullopt;
+  const int joint = position.index();
+  if (primitive.rotation != model::turns(tree.joints[at(joint)].type)) return std::nullopt;
+  return JointOnPath{joint, backward};
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ Path path_between(const model::KinematicTree& tree, const model::MotionGraph& mo
     path.back().primitives.push_back(primitive);
     path.back().joint = joint_of(tree, primitive);
     if (!path.back().joint) continue;
-    path.back().subject = tree.joints[at(path.back().joint->joint.index)].name;
+    path.back().subject = tree.joints[at(path.back().joint->joint)].name;
     path.back().passed = "joint " + path.back().subject;
     path.emplace_back();
   }

@@ -13,7 +13,7 @@ namespace robcogen::algorithm {
 
 // A joint on the path, passed from parent to child, or backward: then its motion counts the other way.
 struct JointOnPath {
-  Joint joint;
+  int joint = 0;
   bool backward = false;
 };
 

@@ -2,7 +2,7 @@
 //
 // All that the recursions know of joint types is here. The motion subspace S of a joint is constant in the axes of the
 // child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) of a revolute joint, (0 0 0 0 0 1) of a
-// prismatic one (Featherstone 2008, table 4.1).
+// prismatic one, (0 0 1 0 0 p) of a helical one of pitch p (Featherstone 2008, table 4.1).
 #pragma once
 
 #include "algorithm/spatial/link_motion.h"
@@ -14,9 +14,10 @@ struct Joint {
   int index = 0;
   int child = 0;  // link
   model::JointType type = model::JointType::revolute;
+  Expression pitch = {};  // of a helical joint, m a radian
 };
 
-Joint joint_of(const model::KinematicTree& tree, int index);
+Joint joint_of(Trace& trace, int index);
 
 // ---- The motion subspace.
 

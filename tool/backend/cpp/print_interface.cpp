@@ -210,11 +210,13 @@ std::string robot_type(const Api& api) {
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";
   std::vector<std::string> parts = {
-      types, constant("int", "kDof", std::to_string(library.joints.size())) +
-                 constant("int", "kLinkCount", std::to_string(library.links.size())) +
-                 constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
-                 constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
-                 (library.has_drives() ? constant("auto", "kJointDrives", "::" + api.space + "::kJointDrives") : "")};
+      types,
+      constant("int", "kDof", std::to_string(library.joints.size())) +
+          constant("int", "kLinkCount", std::to_string(library.links.size())) +
+          constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
+          constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
+          (library.has_drives() ? constant("auto", "kJointDrives", "::" + api.space + "::kJointDrives") : "") +
+          (library.has_pitches() ? constant("auto", "kJointPitches", "::" + api.space + "::kJointPitches") : "")};
   for (const std::string& group : library.groups) {
     std::string members;
     for (const Overload& o : overloads(api, group, "")) members += member_function(o);

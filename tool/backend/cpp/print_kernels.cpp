@@ -273,7 +273,7 @@ std::string print_joint_trigonometry(const Library& library) {
   std::string rest;
   for (int k = 0; k < library.trigonometry->angle_count; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    if (index < library.joints.size() && !library.joints[index].revolute) {
+    if (index < library.joints.size() && !turns(library.joints[index].type)) {
       const std::string place = "[" + std::to_string(k) + "] = ";
       rest += "  sin_q" + place + "Scalar(0.0);\n  cos_q" + place + "Scalar(1.0);\n";
       continue;

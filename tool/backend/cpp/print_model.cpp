@@ -95,10 +95,11 @@ std::vector<std::string> drives(const std::vector<JointData>& joints) {
   return all;
 }
 
-// Whether a drive has a number without value: it depends on a parameter without default.
+// Whether a drive, or a pitch, has a number without value: it depends on a parameter without default.
 bool is_incomplete(const Library& library) {
   const std::vector<JointData> joints = library.all_joints();
   return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) {
+    if (std::isnan(joint.pitch)) return true;
     if (!joint.drive) return false;
     const auto is_nan = [](double value) { return std::isnan(value); };
     const std::array<double, 8> numbers = numbers_of(*joint.drive);
@@ -127,10 +128,11 @@ std::vector<std::string> tables_of_joints(
     const std::vector<std::string>& enumerators,
     const std::string& size,
     const std::string& prefix) {
-  std::vector<std::string> types, parents, children, all_limits;
+  std::vector<std::string> types, parents, children, all_limits, pitches;
   for (const JointData& joint : joints) {
     all_limits.push_back(limits(joint.limits));
-    types.push_back(joint.revolute ? "robcogen::JointType::revolute" : "robcogen::JointType::prismatic");
+    types.push_back(joint_type(joint.type));
+    pitches.push_back(model_number(joint.pitch));
     parents.push_back("Link::" + api.links[at(joint.parent)]);
     children.push_back("Link::" + api.links[at(joint.child)]);
   }
@@ -142,7 +144,10 @@ std::vector<std::string> tables_of_joints(
       "// Lower and upper position, velocity, effort; unlimited where the model gives no limit.\n" +
           array("robcogen::JointLimits", size, prefix + "Limits", all_limits, enumerators),
       api.library->has_drives() ? array("robcogen::JointDrive", size, prefix + "Drives", drives(joints), enumerators)
-                                : ""};
+                                : "",
+      api.library->has_pitches() ? "// Of helical joints: m a radian; of others zero.\n" +
+                                       array("double", size, prefix + "Pitches", pitches, enumerators)
+                                 : ""};
 }
 
 // How coupled joints follow the others, where that does not depend on parameters.
@@ -206,6 +211,19 @@ std::string frame_tables(const Api& api) {
 
 std::string model_number(double value) {
   return std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN()" : print_double(value);
+}
+
+std::string joint_type(JointType type) {
+  const std::string scope = "robcogen::JointType::";
+  switch (type) {
+    case JointType::revolute:
+      break;
+    case JointType::prismatic:
+      return scope + "prismatic";
+    case JointType::helical:
+      return scope + "helical";
+  }
+  return scope + "revolute";
 }
 
 std::vector<std::string> drive_numbers(const DriveData& d) {

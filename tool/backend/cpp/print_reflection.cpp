@@ -33,9 +33,10 @@ Table joints(const Library& library) {
   std::vector<std::vector<Field>> rows;
   for (const JointData& j : library.all_joints()) {
     rows.push_back(
-        {quoted(j.name), j.revolute ? "true" : "false", j.parent, j.child, numbers(j.translation),
-         numbers(j.rotation)});
-    if (j.drive) rows.back().push_back(drive_numbers(*j.drive));
+        {quoted(j.name), joint_type(j.type), j.parent, j.child, numbers(j.translation), numbers(j.rotation)});
+    const bool has_pitch = j.type == JointType::helical;
+    if (j.drive || has_pitch) rows.back().push_back(drive_numbers(j.drive.value_or(DriveData())));
+    if (has_pitch) rows.back().push_back(model_number(j.pitch));
   }
   return table("Joint", "kJoints", rows);
 }
@@ -276,7 +277,8 @@ std::vector<LastField> last_fields(
       {numbers(1), "numbers of couplings", "nullptr"},
       {couplings.reference, "couplings", kNoTable},
       {derivatives.reference, "derivatives", kNoTable},
-      {contacts.reference, "contacts", kNoTable}};
+      {contacts.reference, "contacts", kNoTable},
+      {boolean(api.is_parametric() && library.has_pitches()), "numbers of pitches", "false"}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }

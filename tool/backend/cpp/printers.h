@@ -89,5 +89,7 @@ std::string print_definitions(const Api& api, const std::string& path);
 std::string model_number(double value);
 // The elements of a robcogen::JointDrive, as far as the last one that is not the default.
 std::vector<std::string> drive_numbers(const DriveData& drive);
+// `robcogen::JointType::revolute`.
+std::string joint_type(JointType type);
 
 }  // namespace robcogen::backend::cpp

@@ -41,7 +41,8 @@ std::string columns(const std::string& field, const Items& items, std::size_t ro
 std::string joint_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
   std::string text = names(prefix + "joints", texts(joints, [](const JointData& j) { return quoted(j.name); }));
   const auto field = [&](const std::string& name, auto value) { text += column(prefix + name, texts(joints, value)); };
-  field("is_revolute", [](const JointData& j) { return std::string(j.revolute ? "true" : "false"); });
+  field(
+      "is_revolute", [](const JointData& j) { return std::string(j.type == JointType::revolute ? "true" : "false"); });
   field("parent_link", [](const JointData& j) { return std::to_string(j.parent + 1); });
   field("child_link", [](const JointData& j) { return std::to_string(j.child + 1); });
   field("lower_limit", [](const JointData& j) { return number(j.limits.lower); });
@@ -74,6 +75,16 @@ std::string drive_fields(const std::vector<JointData>& joints, const std::string
                        }));
 }
 
+// Of robots with helical joints.
+std::string pitch_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
+  return column(
+             prefix + "is_helical",
+             texts(
+                 joints,
+                 [](const JointData& j) { return std::string(j.type == JointType::helical ? "true" : "false"); })) +
+         column(prefix + "pitch", texts(joints, [](const JointData& j) { return number(j.pitch); }));
+}
+
 std::string coupling_fields(const Library& library) {
   const std::vector<CoupledJointData>& coupled = library.coupled;
   if (coupled.empty()) return "";
@@ -82,6 +93,7 @@ std::string coupling_fields(const Library& library) {
     factors.push_back(texts(c.factors, [](double factor) { return number(factor); }));
   return "\n" + joint_fields(library.coupled_joints(), "coupled_") +
          (library.has_drives() ? drive_fields(library.coupled_joints(), "coupled_") : "") +
+         (library.has_pitches() ? pitch_fields(library.coupled_joints(), "coupled_") : "") +
          (coupled.front().factors.empty()
               ? "  model.coupling_factors = zeros(" + std::to_string(coupled.size()) + ", 0);\n"
               : matrix("model.coupling_factors", factors)) +
@@ -123,6 +135,8 @@ std::string print_model(const Library& library) {
         "  joints also have drives: damping, friction and the velocity below which it falls to zero, armature, "
         "stiffness and rest of a spring, and of a rotor its inertia, ratio, axis and rotor_carrier, a link, 0 without "
         "rotor.");
+  if (library.has_pitches())
+    text += comment("  joints also have is_helical, and the pitch of those that are, m a radian; 0 of others.");
   text += comment(
       "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
       "products xy, xz, yz of positive sign.");
@@ -140,6 +154,7 @@ std::string print_model(const Library& library) {
   text += std::string("  model.floating_base = ") + (library.floating_base ? "true" : "false") + ";\n";
   text += "\n" + joint_fields(library.joints);
   if (library.has_drives()) text += drive_fields(library.joints);
+  if (library.has_pitches()) text += pitch_fields(library.joints);
   text += coupling_fields(library) + "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
   return text + "end\n";
 }

@@ -168,6 +168,7 @@ class Describer {
     links_.emplace_back();
     links_.back().name = link_name;
     links_.back().place = body.name.place;
+    links_.back().is_virtual = !is_last;
     parts_.emplace_back();
   }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "import/urdf/mass.h"
+#include "model/compound.h"
 #include "support/index.h"
 
 namespace robcogen::import::from_urdf {
@@ -40,6 +41,21 @@ std::vector<Carried> carry(const Document& document, const Topology& topology) {
   return carried;
 }
 
+// Where it moves about or along z.
+model::Placement placement(const Joint& joint, const Carried& parent) {
+  return placement_of(parent.pose * pose_of(joint.origin) * Pose{{}, joint_axes(joint)});
+}
+
+model::DescribedCompound described_planar(const Joint& joint, const std::string& name, const Carried& parent) {
+  model::DescribedCompound result;
+  result.name = name;
+  result.place = joint.name.place;
+  result.type = model::CompoundType::planar;
+  result.placement = placement(joint, parent);
+  result.coordinates.resize(model::coordinates_of(result.type).size());
+  return result;
+}
+
 model::DescribedJoint described(
     const Joint& joint,
     const std::string& name,
@@ -49,7 +65,7 @@ model::DescribedJoint described(
   result.name = name;
   result.place = joint.name.place;
   result.type = joint.type == JointType::prismatic ? model::JointType::prismatic : model::JointType::revolute;
-  result.placement = placement_of(parent.pose * pose_of(joint.origin) * Pose{{}, joint_axes(joint)});
+  result.placement = placement(joint, parent);
   result.limits = limits;
   result.drive.armature = model::Quantity(joint.armature);
   if (joint.dynamics) {
@@ -111,9 +127,8 @@ model::Description describe(
   description.floating_base = floats;
   for (std::size_t j = 0; j < document.joints.size(); ++j) {
     const Joint& joint = document.joints[j];
-    if (!is_movable(joint)) continue;
+    if (!has_axis(joint)) continue;
     const Carried& parent = carried[at(topology.parent[j])];
-    description.joints.push_back(described(joint, identifiers.joints[j], parent, limits[j]));
     bodies[at(parent.body)].children.push_back(
         {identifiers.links[at(topology.child[j])], identifiers.joints[j], joint.child.place, joint.name.place});
     if (joint.mimic && !free_mimic_joints)
@@ -131,6 +146,17 @@ model::Description describe(
     } else {
       description.links.push_back(std::move(body));
     }
+  }
+  for (std::size_t j = 0; j < document.joints.size(); ++j) {
+    const Joint& joint = document.joints[j];
+    const std::string& name = identifiers.joints[j];
+    if (!has_axis(joint)) continue;
+    const Carried& parent = carried[at(topology.parent[j])];
+    Diagnostics constants_alone;  // without parameters there is nothing to report
+    if (joint.type == JointType::planar)
+      model::add_compound(described_planar(joint, name, parent), description, constants_alone);
+    else
+      description.joints.push_back(described(joint, name, parent, limits[j]));
   }
   return description;
 }

@@ -7,7 +7,7 @@
 
 namespace robcogen::import::from_urdf {
 
-// Reports joints that the model does not have: planar joints, floating joints except one below a massless root (a
+// Reports joints that the model does not have: floating joints except one below a massless root (a
 // note), and joints that mimic what does not move; with `free_mimic_joints` one note on all that mimic others.
 void check_joints(const Document& document, const Topology& topology, bool free_mimic_joints, Diagnostics& diagnostics);
 

@@ -76,8 +76,13 @@ struct Joint {
   std::optional<Mimic> mimic;
 };
 
+// With one coordinate.
 inline bool is_movable(const Joint& joint) {
   return joint.type == JointType::revolute || joint.type == JointType::continuous || joint.type == JointType::prismatic;
+}
+
+inline bool has_axis(const Joint& joint) {
+  return is_movable(joint) || joint.type == JointType::planar;
 }
 
 struct Document {

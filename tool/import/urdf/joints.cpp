@@ -23,11 +23,13 @@ void check_floating(const Document& document, const Topology& topology, std::siz
             root.name.text, joint.name.text));
     return;
   }
-  diagnostics.error(
-      "floating-joint", joint.type_place,
-      fmt::format(
-          "floating joint '{}' is not supported: its parent must be a root without mass and without other children",
-          joint.name.text));
+  diagnostics
+      .error(
+          "floating-joint", joint.type_place,
+          fmt::format(
+              "floating joint '{}' is not supported: its parent must be a root without mass and without other children",
+              joint.name.text))
+      .hint = fmt::format("give link '{}' and those beyond it a URDF of their own", joint.child.text);
 }
 
 constexpr const char* kMimic = "mimic-joint";
@@ -65,10 +67,6 @@ void check_joints(
   Place first_freed;
   for (std::size_t j = 0; j < document.joints.size(); ++j) {
     const Joint& joint = document.joints[j];
-    if (joint.type == JointType::planar) {
-      diagnostics.error(
-          "planar-joint", joint.type_place, fmt::format("planar joint '{}' is not supported", joint.name.text));
-    }
     if (joint.type == JointType::floating) check_floating(document, topology, j, diagnostics);
     if (joint.mimic && !free_mimic_joints) {
       check_mimic(document, joint, diagnostics);

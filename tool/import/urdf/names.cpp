@@ -65,7 +65,7 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
     take(links, result.links.back(), link.name, "link", diagnostics);
   }
   for (const Joint& joint : document.joints) {
-    std::string name = is_movable(joint) ? identifier(joint.name.text) : "";
+    std::string name = has_axis(joint) ? identifier(joint.name.text) : "";
     if (const auto link = links.find(name); link != links.end() && !name.empty()) {
       const std::string longer = name + "_joint";
       if (const auto other = links.find(longer); other != links.end()) {

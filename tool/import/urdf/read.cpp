@@ -380,8 +380,12 @@ class DocumentReader {
     if (const Element* parent = require_part(element, own, "parent")) result.parent = name(*parent, "link");
     if (const Element* child = require_part(element, own, "child")) result.child = name(*child, "link");
     result.origin = origin(own);
-    if (!has_type || !is_movable(result)) return result;  // the rest has no meaning
+    if (!has_type || !has_axis(result)) return result;  // the rest has no meaning
     if (const auto axis = own.find("axis"); axis != own.end()) read_axis(*axis->second, result);
+    if (result.type == JointType::planar) {
+      report_items_of_planar(own, result);
+      return result;
+    }
     if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = this->mimic(*mimic->second);
     if (const auto dynamics = own.find("dynamics"); dynamics != own.end())
       result.dynamics = dynamics_of(*dynamics->second, result);
@@ -395,6 +399,20 @@ class DocumentReader {
               result.name.text));
     }
     return result;
+  }
+
+  // A URDF does not say which of its coordinates they are about.
+  template <class Parts>
+  void report_items_of_planar(const Parts& own, const Joint& joint) {
+    if (const auto mimic = own.find("mimic"); mimic != own.end())
+      diagnostics_.error(
+          "planar-mimic", place(mimic->second->span),
+          fmt::format("planar joint '{}' has three coordinates and cannot mimic one", joint.name.text));
+    for (const char* item : {"dynamics", "limit"})
+      if (const auto found = own.find(item); found != own.end())
+        diagnostics_.warning(
+            "planar-item", place(found->second->span),
+            fmt::format("'{}' of planar joint '{}' is left out: it has three coordinates", item, joint.name.text));
   }
 
   bool read_type(const Element& element, Joint& joint) {

@@ -16,7 +16,11 @@ std::string quoted(WordList words) {
 
 bool BlockParser::at_element() const {
   const bool has_name = cursor_.peek(1).kind == Token::Kind::identifier;
-  return cursor_.at_any(kElements) && has_name && (cursor_.at_name(1) || cursor_.at("{", 2));
+  return at_new_element() || (cursor_.at_any(kElements) && has_name && (cursor_.at_name(1) || cursor_.at("{", 2)));
+}
+
+bool BlockParser::at_new_element() const {
+  return cursor_.at_any(kNewElements) && cursor_.at_name(1) && cursor_.at("{", 2);
 }
 
 void BlockParser::report_missing_brace(const std::string& owner, const Token& open) {

@@ -24,6 +24,8 @@ std::string quoted(WordList words);
 
 // The words that begin the elements of a robot.
 inline const WordList kElements = {"RobotBase", "link", "r_joint", "p_joint"};
+// Words that the first RobCoGen does not know: names, but for where an element begins.
+inline const WordList kNewElements = {"h_joint", "c_joint", "u_joint", "planar_joint"};
 
 // After an error in an item, the parser skips to the next item of the block or to its end. When the braces do not
 // match, it skips to the next element: the keyword of an element cannot stand anywhere else.
@@ -35,6 +37,8 @@ class BlockParser {
 
   // At the keyword of an element: alone it may be used as a name by mistake.
   bool at_element() const;
+  // At a word of kNewElements that begins one.
+  bool at_new_element() const;
 
   // `{`, items, `}`. An item begins at a token that at_item knows; otherwise item() reports it. `outer` are the words
   // that begin an item of the enclosing block. Returns whether there was no error.

@@ -4,7 +4,9 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "language/common/expression.h"
@@ -86,18 +88,33 @@ struct Limits {
   ExpressionPtr effort;                                  // N m, N
 };
 
+// What a joint of several coordinates says of one of them.
+struct Coordinate {
+  Name word;  // `turn`
+  Drive drive;
+  std::optional<Rotor> rotor;
+  Limits limits;
+};
+
 struct Joint {
-  enum class Type { revolute, prismatic };
+  enum class Type { revolute, prismatic, helical, cylindrical, universal, planar };
   Name name;
   Type type = Type::revolute;
   std::optional<int> id;
   Placement placement;
+  ExpressionPtr pitch;  // of a helical joint: m/rad
   Drive drive;
   std::optional<Rotor> rotor;
   Limits limits;
+  std::vector<Coordinate> coordinates;  // those of which something is said, in the order of coordinate_words
   std::vector<std::string> comments;
   Span span;
 };
+
+// The word that begins a joint of this type.
+std::string_view word_of(Joint::Type type);
+// The words that begin what a joint of several coordinates says of them; of other types none.
+std::span<const std::string_view> coordinate_words(Joint::Type type);
 
 // `joint = value`, linear in other joints.
 struct Coupling {

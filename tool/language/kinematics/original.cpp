@@ -71,6 +71,8 @@ class Judge {
   }
 
   void judge(const Joint& joint) {
+    if (joint.type != Joint::Type::revolute && joint.type != Joint::Type::prismatic)
+      refuse(joint.name.span, fmt::format("'{}' ('{}')", word_of(joint.type), joint.name.text));
     judge(joint.placement);
     const auto refuse_clause = [&](const char* word, const ExpressionPtr& e) {
       if (e) refuse(e->span, fmt::format("'{}' of joint '{}'", word, joint.name.text));

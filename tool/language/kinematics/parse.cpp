@@ -15,6 +15,13 @@ const WordList kBaseItems = {"inertia_params", "inertia_properties", "children",
 const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
 const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
 const WordList kJointItems = {"id", "ref_frame", "damping", "friction", "armature", "spring", "rotor", "limits"};
+const WordList kHelicalItems = {"id",       "ref_frame", "pitch", "damping", "friction",
+                                "armature", "spring",    "rotor", "limits"};
+const WordList kJointNeeds = {"ref_frame"}, kHelicalNeeds = {"ref_frame", "pitch"};
+const WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
+const WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
+const WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
+const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits"};
 const WordList kPlacementItems = {"translation", "rotation"};
 constexpr std::string_view kCouplings = "couplings";
 
@@ -74,7 +81,7 @@ class Parser : private BlockParser {
       try {
         if (cursor_.at_any({"RobotBase", "link"})) {
           link();
-        } else if (cursor_.at_any({"r_joint", "p_joint"})) {
+        } else if (cursor_.at_any({"r_joint", "p_joint"}) || at_new_element()) {
           joint();
         } else if (at_couplings()) {
           couplings();
@@ -98,6 +105,7 @@ class Parser : private BlockParser {
       Diagnostic& d = cursor_.error(
           "unknown-element", fmt::format("expected {} or '}}', found {}", quoted(kElements), describe(token)));
       std::vector<std::string> words(kElements.begin(), kElements.end());
+      words.insert(words.end(), kNewElements.begin(), kNewElements.end());
       words.emplace_back(kCouplings);
       if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
     }
@@ -258,31 +266,88 @@ class Parser : private BlockParser {
   void joint() {
     Joint joint;
     const Token keyword = cursor_.take();
-    joint.type = keyword.text == "r_joint" ? Joint::Type::revolute : Joint::Type::prismatic;
+    joint.type = type_of(keyword.text);
+    const WordList& items = items_of(joint.type);
     joint.name = name("the name of a joint");
     const std::string owner = fmt::format("joint '{}'", joint.name.text);
     std::optional<Placement> placement;
     Words found;
-    bool sound_drive = true;
-    bool sound = block(owner, kJointItems, [&] {
-      if (cursor_.at("id")) {
-        joint.id = integer(word(found));
-      } else if (cursor_.at("ref_frame")) {
-        const Token reference = word(found);
-        placement = this->placement(fmt::format("the 'ref_frame' of {}", owner), reference.span);
-      } else if (at_drive_item(cursor_)) {
-        sound_drive = drive_item(*this, owner, word(found), joint) && sound_drive;
-      } else {
+    bool sound_items = true;
+    bool sound = block(owner, items, [&] {
+      if (!cursor_.at_any(items)) {
         if (cursor_.at("translation")) old_dialect("a 'translation' outside 'ref_frame'");
-        unknown_item(owner, kJointItems);
+        unknown_item(owner, items);
+      }
+      const Token key = word(found);
+      if (key.text == "id") {
+        joint.id = integer(key);
+      } else if (key.text == "ref_frame") {
+        placement = this->placement(fmt::format("the 'ref_frame' of {}", owner), key.span);
+      } else if (key.text == "pitch") {
+        equals(key);
+        joint.pitch = scalar();
+      } else if (is_coordinate(joint.type, key.text)) {
+        sound_items = coordinate(owner, key, joint) && sound_items;
+      } else {
+        sound_items = drive_item(*this, owner, key, {joint.drive, joint.rotor, joint.limits}) && sound_items;
       }
     });
-    sound = sound && sound_drive && check_complete(owner, joint.name.span, found, {"ref_frame"});
+    const WordList& needed = joint.type == Joint::Type::helical ? kHelicalNeeds : kJointNeeds;
+    sound = sound && sound_items && check_complete(owner, joint.name.span, found, needed);
     joint.span = {keyword.span.begin, cursor_.previous().span.end};
     joint.comments = cursor_.comments_before(joint.span.end);
     if (!sound || !placement) return;
     joint.placement = *placement;
     document_.joints.push_back(std::move(joint));
+  }
+
+  static Joint::Type type_of(std::string_view word) {
+    using enum Joint::Type;
+    for (const Joint::Type type : {prismatic, helical, cylindrical, universal, planar})
+      if (word == word_of(type)) return type;
+    return revolute;
+  }
+
+  static const WordList& items_of(Joint::Type type) {
+    switch (type) {
+      case Joint::Type::revolute:
+      case Joint::Type::prismatic:
+        break;
+      case Joint::Type::helical:
+        return kHelicalItems;
+      case Joint::Type::cylindrical:
+        return kCylindricalItems;
+      case Joint::Type::universal:
+        return kUniversalItems;
+      case Joint::Type::planar:
+        return kPlanarItems;
+    }
+    return kJointItems;
+  }
+
+  static bool is_coordinate(Joint::Type type, std::string_view word) {
+    const auto words = coordinate_words(type);
+    return std::find(words.begin(), words.end(), word) != words.end();
+  }
+
+  // Drive and limits of one of several coordinates.
+  bool coordinate(const std::string& joint_owner, const Token& key, Joint& joint) {
+    Coordinate read;
+    read.word = {std::string(key.text), key.span};
+    const std::string owner = fmt::format("coordinate '{}' of {}", key.text, joint_owner);
+    Words found;
+    bool sound_drive = true;
+    const bool sound = block(owner, kCoordinateItems, [&] {
+      if (!at_drive_item(cursor_)) unknown_item(owner, kCoordinateItems);
+      sound_drive = drive_item(*this, owner, word(found), {read.drive, read.rotor, read.limits}) && sound_drive;
+    });
+    const auto words = coordinate_words(joint.type);
+    const auto place = [&](const Coordinate& c) { return std::find(words.begin(), words.end(), c.word.text); };
+    const auto before = std::find_if(joint.coordinates.begin(), joint.coordinates.end(), [&](const Coordinate& other) {
+      return place(read) < place(other);
+    });
+    joint.coordinates.insert(before, std::move(read));
+    return sound && sound_drive;
   }
 
   // `{ translation = (…) rotation = (…) }`; nullopt when something in it was reported.

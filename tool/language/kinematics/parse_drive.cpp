@@ -69,10 +69,10 @@ bool at_drive_item(const Cursor& cursor) {
   return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits"});
 }
 
-bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, Joint& joint) {
-  Drive& drive = joint.drive;
-  if (word.text == "limits") return limits(parser, owner, joint.limits);
-  if (word.text == "rotor") return rotor(parser, owner, word, joint.rotor);
+bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, const DriveItems& items) {
+  Drive& drive = items.drive;
+  if (word.text == "limits") return limits(parser, owner, items.limits);
+  if (word.text == "rotor") return rotor(parser, owner, word, items.rotor);
   if (word.text == "spring")
     return pair(parser, "the spring of " + owner, word, kSpringItems, drive.stiffness, drive.rest);
   if (word.text == "friction" && parser.cursor().at("{"))

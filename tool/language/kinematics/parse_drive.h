@@ -8,7 +8,14 @@ namespace robcogen::language::kinematics {
 // At the word of such an item.
 bool at_drive_item(const Cursor& cursor);
 
-// Reads the item of `joint` behind its word. Returns whether there was no error in it.
-bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, Joint& joint);
+// Where they are read to: of a joint, or of one of its coordinates.
+struct DriveItems {
+  Drive& drive;
+  std::optional<Rotor>& rotor;
+  Limits& limits;
+};
+
+// Reads the item behind its word. Returns whether there was no error in it.
+bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, const DriveItems& items);
 
 }  // namespace robcogen::language::kinematics

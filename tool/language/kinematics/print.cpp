@@ -64,10 +64,10 @@ std::string item(const std::string& word, const ExpressionPtr& value) {
   return value ? " " + word + " = " + language::print(*value) : "";
 }
 
-std::string drive(const Drive& d) {
+std::string drive(const Drive& d, const std::string& indent) {
   std::string out;
   const auto line = [&](const std::string& clause) {
-    if (!clause.empty()) out += "       " + clause + "\n";
+    if (!clause.empty()) out += indent + clause.substr(1) + "\n";
   };
   line(item("damping", d.damping));
   if (d.friction_velocity)
@@ -79,29 +79,38 @@ std::string drive(const Drive& d) {
   return out;
 }
 
-std::string rotor(const std::optional<Rotor>& r) {
+std::string rotor(const std::optional<Rotor>& r, const std::string& indent) {
   if (!r) return "";
-  return "        rotor {" + item("inertia", r->inertia) + item("ratio", r->ratio) +
+  return indent + "rotor {" + item("inertia", r->inertia) + item("ratio", r->ratio) +
          (r->axis ? " axis = " + vector(*r->axis) : "") + (r->carrier ? " carrier = " + name(*r->carrier) : "") +
          " }\n";
 }
 
-std::string limits(const Limits& l) {
+std::string limits(const Limits& l, const std::string& indent) {
   std::string items;
   if (l.position) {
     const auto& [lower, upper] = *l.position;
     items += " position = (" + language::print(*lower) + ", " + language::print(*upper) + ")";
   }
   items += item("velocity", l.velocity) + item("effort", l.effort);
-  return items.empty() ? "" : "        limits {" + items + " }\n";
+  return items.empty() ? "" : indent + "limits {" + items + " }\n";
+}
+
+// Of a joint, or of one of its coordinates.
+template <class Owner>
+std::string drive_and_limits(const Owner& owner, const std::string& indent) {
+  return drive(owner.drive, indent) + rotor(owner.rotor, indent) + limits(owner.limits, indent);
 }
 
 std::string joint(const Joint& j) {
   std::string out = "\n" + comments(j.comments, "    ");
-  out += (j.type == Joint::Type::revolute ? "    r_joint " : "    p_joint ") + name(j.name) + " {\n";
+  out += "    " + std::string(word_of(j.type)) + " " + name(j.name) + " {\n";
   if (j.id) out += "        id = " + std::to_string(*j.id) + "\n";
   out += "        ref_frame {\n" + placement(j.placement, "            ") + "        }\n";
-  return out + drive(j.drive) + rotor(j.rotor) + limits(j.limits) + "    }\n";
+  if (j.pitch) out += "       " + item("pitch", j.pitch) + "\n";
+  for (const Coordinate& c : j.coordinates)
+    out += "        " + c.word.text + " {\n" + drive_and_limits(c, "            ") + "        }\n";
+  return out + drive_and_limits(j, "        ") + "    }\n";
 }
 
 std::string couplings(const Document& d) {
@@ -143,6 +152,7 @@ bool same(const Coupling& a, const Coupling& b) {
 
 bool same(const Link& a, const Link& b);
 bool same(const Joint& a, const Joint& b);
+bool same(const Coordinate& a, const Coordinate& b);
 
 template <class T>
 bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
@@ -173,13 +183,59 @@ bool same(const Limits& a, const Limits& b) {
          same(a.velocity, b.velocity) && same(a.effort, b.effort);
 }
 
+template <class Owner>
+bool same_drive_and_limits(const Owner& a, const Owner& b) {
+  return same(a.drive, b.drive) && a.rotor.has_value() == b.rotor.has_value() &&
+         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits);
+}
+
+bool same(const Coordinate& a, const Coordinate& b) {
+  return a.word.text == b.word.text && same_drive_and_limits(a, b);
+}
+
 bool same(const Joint& a, const Joint& b) {
   return a.name.text == b.name.text && a.type == b.type && a.id == b.id && same(a.placement, b.placement) &&
-         same(a.drive, b.drive) && a.rotor.has_value() == b.rotor.has_value() &&
-         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits) && a.comments == b.comments;
+         same(a.pitch, b.pitch) && same_drive_and_limits(a, b) && all_same(a.coordinates, b.coordinates) &&
+         a.comments == b.comments;
 }
 
 }  // namespace
+
+std::string_view word_of(Joint::Type type) {
+  switch (type) {
+    case Joint::Type::revolute:
+      break;
+    case Joint::Type::prismatic:
+      return "p_joint";
+    case Joint::Type::helical:
+      return "h_joint";
+    case Joint::Type::cylindrical:
+      return "c_joint";
+    case Joint::Type::universal:
+      return "u_joint";
+    case Joint::Type::planar:
+      return "planar_joint";
+  }
+  return "r_joint";
+}
+
+std::span<const std::string_view> coordinate_words(Joint::Type type) {
+  static constexpr std::array<std::string_view, 2> kCylindrical = {"slide", "turn"}, kUniversal = {"turn_x", "turn_z"};
+  static constexpr std::array<std::string_view, 3> kPlanar = {"slide_x", "slide_y", "turn"};
+  switch (type) {
+    case Joint::Type::revolute:
+    case Joint::Type::prismatic:
+    case Joint::Type::helical:
+      break;
+    case Joint::Type::cylindrical:
+      return kCylindrical;
+    case Joint::Type::universal:
+      return kUniversal;
+    case Joint::Type::planar:
+      return kPlanar;
+  }
+  return {};
+}
 
 std::string print(const Document& d) {
   std::string out = comments(d.comments, "") + "Robot " + name(d.robot) + " {\n";

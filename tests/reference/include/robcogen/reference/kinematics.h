@@ -93,29 +93,38 @@ inline std::vector<int> supporting_joints(const Robot& robot, int link) {
   return joints;
 }
 
-// The motion of a joint as a matrix of its position: Rz(q) or Tz(q); and its first two derivatives by q.
+// How far a joint slides per unit of its position.
 template <class Scalar>
-Matrix<Scalar> joint_matrix(bool revolute, const Scalar& q) {
-  return revolute ? rotation(2, q) : translation(Scalar(0), Scalar(0), q);
+Scalar slide_per_unit(const reflection::Joint& joint) {
+  if (joint.type == JointType::helical) return Scalar(joint.pitch);
+  return Scalar(joint.type == JointType::prismatic ? 1 : 0);
 }
 
+// The motion of a joint as a matrix of its position: Rz(q), Tz(q), or of a screw Rz(q) Tz(p q); and its first two
+// derivatives by q.
 template <class Scalar>
-Matrix<Scalar> joint_matrix_derivative(bool revolute, const Scalar& q) {
-  Matrix<Scalar> m(4, 4);
-  if (revolute) {
-    m(0, 0) = m(1, 1) = -std::sin(q);
-    m(0, 1) = -std::cos(q);
-    m(1, 0) = std::cos(q);
-  } else {
-    m(2, 3) = Scalar(1);
-  }
+Matrix<Scalar> joint_matrix(const reflection::Joint& joint, const Scalar& q) {
+  Matrix<Scalar> m = turns(joint.type) ? rotation(2, q) : Matrix<Scalar>::identity(4);
+  m(2, 3) = slide_per_unit<Scalar>(joint) * q;
   return m;
 }
 
 template <class Scalar>
-Matrix<Scalar> joint_matrix_second_derivative(bool revolute, const Scalar& q) {
+Matrix<Scalar> joint_matrix_derivative(const reflection::Joint& joint, const Scalar& q) {
   Matrix<Scalar> m(4, 4);
-  if (revolute) {
+  if (turns(joint.type)) {
+    m(0, 0) = m(1, 1) = -std::sin(q);
+    m(0, 1) = -std::cos(q);
+    m(1, 0) = std::cos(q);
+  }
+  m(2, 3) = slide_per_unit<Scalar>(joint);
+  return m;
+}
+
+template <class Scalar>
+Matrix<Scalar> joint_matrix_second_derivative(const reflection::Joint& joint, const Scalar& q) {
+  Matrix<Scalar> m(4, 4);
+  if (turns(joint.type)) {
     m(0, 0) = m(1, 1) = -std::cos(q);
     m(0, 1) = std::sin(q);
     m(1, 0) = -std::sin(q);
@@ -132,7 +141,7 @@ std::vector<Matrix<Scalar>> link_poses(const Robot& robot, const Vector<Scalar>&
     const reflection::Joint& joint = robot.joints[j];
     poses[static_cast<std::size_t>(joint.child)] = poses[static_cast<std::size_t>(joint.parent)] *
                                                    placement<Scalar>(joint.translation, joint.rotation) *
-                                                   joint_matrix(joint.revolute, positions(j));
+                                                   joint_matrix(joint, positions(j));
   }
   return poses;
 }
@@ -193,10 +202,10 @@ std::vector<LinkMotion<Scalar>> link_motions(const Robot& robot, const Motion<Sc
     const Scalar qd = velocities(j);
     const Scalar qdd = accelerations(j);
     const Matrix<Scalar> P = placement<Scalar>(joint.translation, joint.rotation);
-    const Matrix<Scalar> Q = P * joint_matrix(joint.revolute, q);
-    const Matrix<Scalar> Q_rate = P * (qd * joint_matrix_derivative(joint.revolute, q));
-    const Matrix<Scalar> Q_second_rate = P * (qd * qd * joint_matrix_second_derivative(joint.revolute, q) +
-                                              qdd * joint_matrix_derivative(joint.revolute, q));
+    const Matrix<Scalar> Q = P * joint_matrix(joint, q);
+    const Matrix<Scalar> Q_rate = P * (qd * joint_matrix_derivative(joint, q));
+    const Matrix<Scalar> Q_second_rate =
+        P * (qd * qd * joint_matrix_second_derivative(joint, q) + qdd * joint_matrix_derivative(joint, q));
     LinkMotion<Scalar>& child = links[static_cast<std::size_t>(joint.child)];
     child.pose = parent.pose * Q;
     child.rate = parent.rate * Q + parent.pose * Q_rate;
@@ -222,8 +231,13 @@ Matrix<Scalar> body_jacobian(
     // The z axis of the child's frame is the joint's axis, and its origin lies on it.
     const Matrix<Scalar>& child = poses[static_cast<std::size_t>(robot.joints[j].child)];
     const Vector<Scalar> axis = child.block(0, 2, 3, 1);
-    const Vector<Scalar> column =
-        robot.joints[j].revolute ? stacked(axis, cross(axis, p - origin_of(child))) : stacked(Vector<Scalar>(3), axis);
+    const reflection::Joint& joint = robot.joints[j];
+    Vector<Scalar> angular(3), linear = slide_per_unit<Scalar>(joint) * axis;
+    if (turns(joint.type)) {
+      angular = axis;
+      linear = linear + cross(axis, p - origin_of(child));
+    }
+    const Vector<Scalar> column = stacked(angular, linear);
     for (const Mover& mover : movers_of(robot, j))
       for (int i = 0; i < 6; ++i) J(i, 6 + mover.coordinate) += Scalar(mover.factor) * column(i);
   }

@@ -18,7 +18,8 @@ class RobotOf {
         joints_(robot.joints.begin(), robot.joints.end()),
         frames_(robot.frames.begin(), robot.frames.end()),
         robot_(robot) {
-    const std::size_t of_joint = kOfPlacement + (robot.numbers_of_drives ? kOfDrive : 0);
+    const std::size_t of_joint =
+        kOfPlacement + (robot.numbers_of_drives ? kOfDrive : 0) + (robot.numbers_of_pitches ? 1 : 0);
     std::vector<double> links(kOfLink * links_.size()), joints(of_joint * joints_.size());
     std::vector<double> frames(kOfPlacement * frames_.size());
     robot.numbers(values.data(), links.data(), joints.data(), frames.data());
@@ -31,6 +32,7 @@ class RobotOf {
     for (reflection::Joint& joint : joints_) {
       next = fill(fill(next, joint.translation), joint.rotation);
       if (robot.numbers_of_drives) next = fill(next, joint.drive);
+      if (robot.numbers_of_pitches) joint.pitch = *next++;
     }
     next = frames.data();
     for (reflection::Frame& frame : frames_) next = fill(fill(next, frame.translation), frame.rotation);

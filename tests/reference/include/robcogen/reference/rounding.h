@@ -53,7 +53,7 @@ inline void add_drive_terms(
     const double moment = momentum * (std::abs(qdd(j)) + std::abs(qd(j)) * speed);
     for (int k = 0; k < 3; ++k) sums(k) += moment;
     for (const int i : supporting_joints(robot, drive.rotor_carrier))
-      if (robot.joints[i].revolute) by_joint(i) += moment;
+      if (turns(robot.joints[i].type)) by_joint(i) += moment;
   }
 }
 
@@ -74,7 +74,9 @@ inline Vector<double> force_terms(const Robot& robot, const Motion<double>& moti
     for (const int j : supporting_joints(robot, i)) {
       const Vector<double> origin = origin_of(links[static_cast<std::size_t>(robot.joints[j].child)].pose);
       const double lever = largest(com - origin) + kPosition * (largest(com) + largest(origin));
-      by_joint(j) += robot.joints[j].revolute ? terms.moment + lever * terms.force : terms.force;
+      const reflection::Joint& joint = robot.joints[j];
+      if (turns(joint.type)) by_joint(j) += terms.moment + lever * terms.force;
+      by_joint(j) += std::abs(slide_per_unit<double>(joint)) * terms.force;
     }
   }
   add_drive_terms(robot, motion, links, sums, by_joint);

@@ -7,7 +7,7 @@
 
 namespace robcogen::reference {
 
-// Moderate values: revolute joints anywhere, prismatic ones within a metre, a few rad/s, tens of newtons.
+// Moderate values: joints that turn anywhere, prismatic ones within a metre, a few rad/s, tens of newtons.
 struct Sample {
   Motion<double> motion;  // base velocity and acceleration zero for a fixed base
   Vector<double> gravity;
@@ -42,7 +42,7 @@ inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
   const int n = robot.dof();
   Sample s;
   s.motion.q = Vector<double>(n);
-  for (int j = 0; j < n; ++j) s.motion.q(j) = uniform(engine, robot.joints[j].revolute ? kAngle : kStroke);
+  for (int j = 0; j < n; ++j) s.motion.q(j) = uniform(engine, turns(robot.joints[j].type) ? kAngle : kStroke);
   s.motion.qd = uniform_vector(engine, n, kRate);
   s.motion.qdd = uniform_vector(engine, n, kAcceleration);
   if (robot.floating_base) {

@@ -1,0 +1,189 @@
+#include "model/compound.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+
+#include "support/unique_name.h"
+
+namespace robcogen::model {
+namespace {
+
+using Matrix = std::array<std::array<Quantity, 3>, 3>;
+
+const Quantity kQuarterTurn(Number::pi_multiple(1, 2));
+
+// Rotations about x and y that turn z to this axis: then z is where joints move.
+std::array<Quantity, 3> rotation_to(Axis axis) {
+  switch (axis) {
+    case Axis::x:
+      return {Quantity(), kQuarterTurn, Quantity()};
+    case Axis::y:
+      return {-kQuarterTurn, Quantity(), Quantity()};
+    case Axis::z:
+      break;
+  }
+  return {};
+}
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+  return c;
+}
+
+Matrix transposed(const Matrix& m) {
+  Matrix t;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) t[i][j] = m[j][i];
+  return t;
+}
+
+// A multiple of PI where it is exactly one.
+Quantity angle_of(const Quantity& sine, const Quantity& cosine) {
+  const double y = sine.number().value(), x = cosine.number().value();
+  if (sine.is_zero()) return Quantity(Number::pi_multiple(x < 0.0 ? 1 : 0));
+  if (cosine.is_zero()) return Quantity(Number::pi_multiple(y < 0.0 ? -1 : 1, 2));
+  return Quantity(std::atan2(y, x));
+}
+
+// The angles of R = Rx Ry Rz. Where Rx and Rz turn about one axis, Rz is the identity.
+std::array<Quantity, 3> angles_of(const Matrix& R) {
+  const Quantity &r00 = R[0][0], &r01 = R[0][1];
+  if (r00.is_zero() && r01.is_zero()) return {angle_of(R[2][1], R[1][1]), angle_of(R[0][2], Quantity()), Quantity()};
+  const Quantity cosine = r01.is_zero()   ? Quantity(std::abs(r00.number().value()))
+                          : r00.is_zero() ? Quantity(std::abs(r01.number().value()))
+                                          : Quantity(std::hypot(r00.number().value(), r01.number().value()));
+  return {angle_of(-R[1][2], R[2][2]), angle_of(R[0][2], cosine), angle_of(-r01, r00)};
+}
+
+bool is_constant(const std::array<Quantity, 3>& q) {
+  return std::all_of(q.begin(), q.end(), [](const Quantity& e) { return e.is_constant(); });
+}
+
+// The rotation, then one that turns z to this axis; nullopt where parameters are in the way.
+std::optional<std::array<Quantity, 3>> turned(const std::array<Quantity, 3>& rotation, Axis axis) {
+  if (axis == Axis::z) return rotation;
+  if (axis == Axis::x && rotation[2].is_zero()) return std::array{rotation[0], rotation[1] + kQuarterTurn, Quantity()};
+  if (!is_constant(rotation)) return std::nullopt;
+  return angles_of(product(rotation_matrix({{}, rotation}), rotation_matrix({{}, rotation_to(axis)})));
+}
+
+// From a link whose z is along one axis of the joint frame, to a frame whose z is along another.
+std::array<Quantity, 3> rotation_between(Axis from, Axis to) {
+  return angles_of(
+      product(transposed(rotation_matrix({{}, rotation_to(from)})), rotation_matrix({{}, rotation_to(to)})));
+}
+
+// Of the base, or of a link.
+std::vector<DescribedLink*> all_links(Description& description) {
+  std::vector<DescribedLink*> links = {&description.base};
+  for (DescribedLink& link : description.links) links.push_back(&link);
+  return links;
+}
+
+std::unordered_set<std::string> names_in(Description& description) {
+  std::unordered_set<std::string> names;
+  for (const DescribedLink* link : all_links(description)) names.insert(link->name);
+  for (const DescribedJoint& joint : description.joints) names.insert(joint.name);
+  return names;
+}
+
+// Puts links between the one that has the joint and its child. Returns whether there is such a link.
+bool add_links(const DescribedCompound& joint, Description& description) {
+  const std::span<const CompoundCoordinate> coordinates = coordinates_of(joint.type);
+  std::unordered_set<std::string> taken = names_in(description);
+  std::vector<DescribedLink> between;
+  std::string last;  // the child
+  for (DescribedLink* link : all_links(description)) {
+    for (DescribedChild& child : link->children) {
+      if (child.joint != joint.name) continue;
+      child.joint = coordinate_name(joint.name, coordinates.front());
+      if (!between.empty()) continue;  // a second use, which `build` reports
+      last = child.link;
+      DescribedChild* next = &child;
+      for (std::size_t k = 1; k < coordinates.size(); ++k) {
+        DescribedLink made;
+        made.name = unique_name(coordinate_name(joint.name, coordinates[k - 1]) + "_link", taken);
+        made.place = joint.place;
+        made.is_virtual = true;
+        next->link = made.name;
+        made.children = {{last, coordinate_name(joint.name, coordinates[k]), child.link_place, child.joint_place}};
+        between.push_back(std::move(made));
+        next = &between.back().children.front();
+      }
+    }
+  }
+  if (between.empty()) return false;
+  const auto before = std::find_if(
+      description.links.begin(), description.links.end(), [&](const DescribedLink& link) { return link.name == last; });
+  description.links.insert(before, std::make_move_iterator(between.begin()), std::make_move_iterator(between.end()));
+  return true;
+}
+
+}  // namespace
+
+std::span<const CompoundCoordinate> coordinates_of(CompoundType type) {
+  static constexpr std::array kCylindrical = {
+      CompoundCoordinate{"slide", JointType::prismatic, Axis::z},
+      CompoundCoordinate{"turn", JointType::revolute, Axis::z}};
+  static constexpr std::array kUniversal = {
+      CompoundCoordinate{"turn_x", JointType::revolute, Axis::x},
+      CompoundCoordinate{"turn_z", JointType::revolute, Axis::z}};
+  static constexpr std::array kPlanar = {
+      CompoundCoordinate{"slide_x", JointType::prismatic, Axis::x},
+      CompoundCoordinate{"slide_y", JointType::prismatic, Axis::y},
+      CompoundCoordinate{"turn", JointType::revolute, Axis::z}};
+  switch (type) {
+    case CompoundType::cylindrical:
+      break;
+    case CompoundType::universal:
+      return kUniversal;
+    case CompoundType::planar:
+      return kPlanar;
+  }
+  return kCylindrical;
+}
+
+std::string coordinate_name(const std::string& joint, const CompoundCoordinate& coordinate) {
+  return joint + "_" + coordinate.name;
+}
+
+void add_compound(const DescribedCompound& joint, Description& description, Diagnostics& diagnostics) {
+  const std::span<const CompoundCoordinate> coordinates = coordinates_of(joint.type);
+  const auto rotation = turned(joint.placement.rotation, coordinates.front().axis);
+  if (!rotation)
+    diagnostics
+        .error(
+            "rotation-with-parameter", joint.placement_place,
+            fmt::format("the rotation of joint '{}' depends on a parameter", joint.name))
+        .hint = fmt::format(
+        "the first coordinate is about x: without a third angle, (a, b, 0.0), the angles may be parameters",
+        joint.name);
+  if (!add_links(joint, description)) {
+    // `build` reports it, under its own name.
+    DescribedJoint unused;
+    unused.name = joint.name;
+    unused.place = joint.place;
+    description.joints.push_back(std::move(unused));
+    return;
+  }
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    DescribedJoint made = joint.coordinates[k];
+    made.name = coordinate_name(joint.name, coordinates[k]);
+    made.place = joint.place;
+    made.type = coordinates[k].type;
+    if (k == 0)
+      made.placement = {joint.placement.translation, rotation.value_or(joint.placement.rotation)};
+    else
+      made.placement = {{}, rotation_between(coordinates[k - 1].axis, coordinates[k].axis)};
+    description.joints.push_back(std::move(made));
+  }
+}
+
+}  // namespace robcogen::model
