@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <unordered_set>
 #include <utility>
 
-#include "support/unique_name.h"
+#include "support/unique_names.h"
 
 namespace robcogen::model {
 namespace {
@@ -87,17 +86,17 @@ std::vector<DescribedLink*> all_links(Description& description) {
   return links;
 }
 
-std::unordered_set<std::string> names_in(Description& description) {
-  std::unordered_set<std::string> names;
-  for (const DescribedLink* link : all_links(description)) names.insert(link->name);
-  for (const DescribedJoint& joint : description.joints) names.insert(joint.name);
+UniqueNames names_in(Description& description) {
+  UniqueNames names;
+  for (const DescribedLink* link : all_links(description)) names.reserve(link->name);
+  for (const DescribedJoint& joint : description.joints) names.reserve(joint.name);
   return names;
 }
 
 // Puts links between the one that has the joint and its child. Returns whether there is such a link.
 bool add_links(const DescribedCompound& joint, Description& description) {
   const std::span<const CompoundCoordinate> coordinates = coordinates_of(joint.type);
-  std::unordered_set<std::string> taken = names_in(description);
+  UniqueNames taken = names_in(description);
   std::vector<DescribedLink> between;
   std::string last;  // the child
   for (DescribedLink* link : all_links(description)) {
@@ -109,7 +108,7 @@ bool add_links(const DescribedCompound& joint, Description& description) {
       DescribedChild* next = &child;
       for (std::size_t k = 1; k < coordinates.size(); ++k) {
         DescribedLink made;
-        made.name = unique_name(coordinate_name(joint.name, coordinates[k - 1]) + "_link", taken);
+        made.name = taken.add(coordinate_name(joint.name, coordinates[k - 1]) + "_link");
         made.place = joint.place;
         made.is_virtual = true;
         next->link = made.name;
