@@ -5,7 +5,9 @@
 
 #include "algorithm/catalogue/catalogue.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "coupled_robot.h"
 #include "dice.h"
+#include "random_drives.h"
 #include "random_robot.h"
 #include "symbolic/derivative.h"
 #include "symbolic/interpret.h"
@@ -55,9 +57,16 @@ std::vector<double> stacked(const Arrays<double>& results, const std::string& in
   return result;
 }
 
+// Some with rotors and other drives, some with coupled joints, some with both.
+model::KinematicTree robot_with_drives_or_couplings(std::uint64_t seed) {
+  model::KinematicTree robot = random_robot(seed, {.max_joints = 12});
+  if (seed % 3 == 0) robot = with_random_drives(std::move(robot), seed);
+  return seed % 4 == 0 ? coupled(robot, seed).robot : robot;
+}
+
 TEST(Derivatives, OfInverseDynamicsByBothWays) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
-    const model::KinematicTree robot = random_robot(seed, {.max_joints = 12});
+    const model::KinematicTree robot = robot_with_drives_or_couplings(seed);
     const Loads loads = seed % 2 == 0 ? Loads::gravity : Loads::gravity_and_external;
     const Program recursion = algorithm::inverse_dynamics_derivatives(robot, "f", loads);
     const Program plain = algorithm::newton_euler(robot, "f", loads);
@@ -77,7 +86,7 @@ TEST(Derivatives, OfInverseDynamicsByBothWays) {
 // The gradient is the transpose of these derivatives times the weights.
 TEST(Derivatives, GradientOfInverseDynamics) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
-    const model::KinematicTree robot = random_robot(seed, {.max_joints = 12});
+    const model::KinematicTree robot = robot_with_drives_or_couplings(seed);
     const Program recursion = algorithm::inverse_dynamics_derivatives(robot, "f", Loads::gravity_and_external);
     const Program gradient = algorithm::inverse_dynamics_gradient(robot, "f", Loads::gravity_and_external);
     Arrays<double> state = random_inputs(gradient, seed);

@@ -316,12 +316,10 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
-    // Robots with rotors have none of these, large ones not all.
-    if (robot.programs().contains("gravity_forces_derivative")) {
-      check_inverse_dynamics_derivatives(robot, c, checks);
-      check_free_inverse_dynamics_derivatives(robot, c, checks);
-      check_gravity_forces_derivative(robot, c, checks);
-    }
+    check_inverse_dynamics_derivatives(robot, c, checks);
+    check_free_inverse_dynamics_derivatives(robot, c, checks);
+    check_gravity_forces_derivative(robot, c, checks);
+    // Large robots do not have these.
     if (robot.programs().contains("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
     check_center_of_mass(robot, c, checks);
     check_centroidal_momentum(robot, c, checks);

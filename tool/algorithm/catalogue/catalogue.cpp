@@ -17,12 +17,9 @@ enum Needs : unsigned {
   kInertia = 1 << 0,
   kMass = 1 << 1,            // they divide by the total mass
   kRegularInertia = 1 << 2,  // they divide by the joint-space inertia matrix
-  kNoRotors = 1 << 3,
-  kNoCouplings = 1 << 4,
-  kFewOperations = 1 << 5,  // code without loops has many right-hand sides
+  kFewOperations = 1 << 3,  // code without loops has many right-hand sides
 };
 
-constexpr unsigned kFreeJoints = kInertia | kNoRotors | kNoCouplings;
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
 
 struct Group {
@@ -53,10 +50,10 @@ constexpr std::array kGroups = {
     Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
     Group{"coriolis_matrix", false, kInertia, coriolis_matrix_functions, nullptr},
-    Group{"inverse_dynamics_derivatives", false, kFreeJoints, inverse_dynamics_derivatives_functions, nullptr},
+    Group{"inverse_dynamics_derivatives", false, kInertia, inverse_dynamics_derivatives_functions, nullptr},
     Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
-        "forward_dynamics_derivatives", false, kFreeJoints | kInertiaInverse | kFewOperations,
+        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations,
         forward_dynamics_derivatives_functions, nullptr},
     Group{"centroidal", true, kMass, centroidal_functions, nullptr},
     Group{"energy", true, kInertia, energy_functions, nullptr},
@@ -101,12 +98,6 @@ constexpr std::array kRequirements = {
     Requirement{kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; }, ""},
     Requirement{kMass, [](const KinematicTree& tree) { return !tree.inertia_defects.no_mass; }, ""},
     Requirement{kRegularInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.is_singular(); }, ""},
-    Requirement{
-        kNoRotors, [](const KinematicTree& tree) { return !tree.has_rotors(); },
-        "derivatives of robots with rotors are not generated"},
-    Requirement{
-        kNoCouplings, [](const KinematicTree& tree) { return tree.couplings.empty(); },
-        "derivatives of robots with coupled joints are not generated"},
     Requirement{
         kFewOperations, [](const KinematicTree& tree) { return !has_many_operations(tree); },
         "with so many joints its code without loops would outgrow the caches of processors"}};

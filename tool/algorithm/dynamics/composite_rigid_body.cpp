@@ -122,7 +122,7 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
   const int base = tree.floating_base ? 6 : 0;
   const int joints = static_cast<int>(tree.joints.size());
   SquareMatrix H(base + joints);
-  const std::vector<std::string> names = names_of_rows(tree, joints_of(tree));
+  const std::vector<std::string> names = joint_names(tree);
   const auto set = [&](int row, int column, const Expression& value) {
     H(row, column) = H(column, row) = value;
     describe(value, "H_" + names[at(row)] + "_" + names[at(column)]);
@@ -155,6 +155,10 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
       for (int c = 0; c < 6; ++c) H(r, c) = body(r, c);
   }
   return reduced(robot, H);
+}
+
+std::vector<std::string> joint_names(const model::KinematicTree& tree) {
+  return names_of_rows(tree, joints_of(tree));
 }
 
 std::vector<std::string> coordinate_names(const model::KinematicTree& tree) {

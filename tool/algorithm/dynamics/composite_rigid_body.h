@@ -27,6 +27,9 @@ void add_composite_forces(
 // that branches induce are the constant zero. Of coupled joints G' H G.
 SquareMatrix joint_space_inertia(const TracedRobot& robot);
 
+// Of a floating base's rows, then of those of all joints.
+std::vector<std::string> joint_names(const model::KinematicTree& tree);
+
 // Of the rows of the joint-space inertia matrix: those of a floating base, then coordinates.
 std::vector<std::string> coordinate_names(const model::KinematicTree& tree);
 

@@ -4,12 +4,17 @@
 // A joint's position moves all beyond it like a rigid body. In axes that follow, nothing there changes but what the
 // links have from below: that turned the other way. So the change of all forces beyond is that of a motion field (of
 // the composite body, FieldChange), and the turn of the forces themselves.
+//
+// A rotor (drives.h) adds the moment qdd m + w x qd m to the wrench of its carrier, and m . w' to the force of its joint.
+// In the axes that follow, w of a carrier beyond the joint that moves changes by u, half of FieldChange::turning, and its
+// w' by FieldChange::rate - w x u.
 #include "algorithm/dynamics/force_derivatives.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/spread.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 #include "symbolic/derivative.h"
 
@@ -38,13 +43,30 @@ FieldChange by_base_turning(const Vector3& axis, const Motion& base_velocity) {
   return {axis + axis, {cross(base_velocity.angular, axis), cross(axis, base_velocity.linear)}};
 }
 
+// By link, in its axes: the momentum qd m of the rotors that it and all beyond it carry.
+std::vector<Vector3> spins(const TracedRobot& robot, const std::vector<Expression>& qd) {
+  std::vector<Vector3> result;
+  if (!robot.tree().has_rotors()) return result;
+  result.resize(robot.tree().links.size());
+  const std::vector<int> order = robot.tree().topological();
+  for (int link = 0; link < static_cast<int>(result.size()); ++link)
+    for (const TracedRotor& rotor : rotors_on(robot, link)) result[at(link)] += qd[at(rotor.joint)] * rotor.momentum;
+  for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
+    const model::Joint& j = robot.tree().joints[at(*joint)];
+    if (!robot.parent_matters(j.child)) continue;
+    result[at(j.parent)] += to_parent(robot.pose(*joint).rotation, result[at(j.child)]);
+  }
+  return result;
+}
+
 class JointWalks {
  public:
   JointWalks(const TracedRobot& robot, const StateInputs& in, const Forces& forces)
       : robot_(robot),
         forces_(forces),
         bodies_(robot, in.qd, in.base_velocity.angular),
-        names_(coordinate_names(robot.tree())),
+        spin_(spins(robot, in.qd)),
+        names_(joint_names(robot.tree())),
         base_(robot.floating() ? 6 : 0) {
     const std::size_t rows = names_.size(), joints = rows - at(base_);
     for (Columns* columns : {&result.q, &result.qd, &result.qdd}) columns->assign(joints, Row(rows));
@@ -70,6 +92,7 @@ class JointWalks {
     Walk walk{
         index, wrench_of(body, spread, by_velocity(S, forces_.motions[link])),
         wrench_of(body, spread, by_position(S, forces_.motions[link]))};
+    if (!spin_.empty()) add_rotors_beyond(joint, S, walk, row);
     set_columns(walk, row, joint);
     walk.by_position += cross(S, forces_.wrenches[link]);
     while (robot_.parent_matters(joint.child)) {
@@ -78,6 +101,7 @@ class JointWalks {
       walk.by_velocity = to_parent(X_PC, walk.by_velocity);
       walk.by_position = to_parent(X_PC, walk.by_position);
       row = to_parent(X_PC, bodies_.rates[at(joint.index)], row);
+      if (!spin_.empty()) add_own_rotor(robot_.tree().joints[at(joint.index)].parent, walk, row);
       const int parent = robot_.tree().parent_joint_of(joint.index);
       if (parent < 0) break;
       joint = robot_.joint(parent);
@@ -91,22 +115,39 @@ class JointWalks {
   void fill_base(const Vector3& v) {
     robot_.trace.section(robot_.link_name(0), "base: derivatives");
     const MassProperties& body = bodies_.composite[0];
-    for (std::size_t k = 0; k < 3; ++k)
-      set(result.base_velocity[k], wrench_of(body, bodies_.spread[0], by_base_turning(unit(k), {bodies_.w[0], v})));
+    for (std::size_t k = 0; k < 3; ++k) {
+      Force wrench = wrench_of(body, bodies_.spread[0], by_base_turning(unit(k), {bodies_.w[0], v}));
+      if (!spin_.empty()) wrench.moment += cross(unit(k), spin_[0]);
+      set(result.base_velocity[k], wrench);
+    }
     const SquareMatrix inertia = matrix(rigid_body_inertia(body));
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c) result.base_acceleration[at(c)][at(r)] = inertia(r, c);
   }
 
-  // The joints' drives, which nothing but the joint itself moves.
+  // The joints' drives, which nothing but the joint itself moves; then from joints to coordinates.
   void add_drives(const StateInputs& in) {
+    const bool is_coupled = !robot_.tree().couplings.empty();
     const std::vector<Expression> passive = passive_forces(robot_.trace, in.q, in.qd);
-    for (int j = 0; j < robot_.tree().dof(); ++j) {
-      const std::size_t row = at(base_ + j), column = at(j);
-      result.q[column][row] += symbolic::derivative(passive[column], in.q[column]);
-      result.qd[column][row] += symbolic::derivative(passive[column], in.qd[column]);
-      result.qdd[column][row] += drive_inertia(robot_.trace, j);
+    for (std::size_t j = 0; j < passive.size(); ++j) {
+      if (!is_coupled) add_passive(in, passive, j, j);
+      result.qdd[j][at(base_) + j] += drive_inertia(robot_.trace, static_cast<int>(j));
     }
+    if (!is_coupled) return;
+    robot_.trace.section("coupled", "derivatives of coupled joints");
+    for (Columns* columns : {&result.q, &result.qd, &result.qdd})
+      *columns = by_coordinate(robot_.trace, *columns, base_);
+    for (Columns* columns : {&result.base_rotation, &result.base_velocity, &result.base_acceleration})
+      *columns = rows_by_coordinate(robot_.trace, *columns, base_);
+    const std::vector<int> coordinates = robot_.tree().coordinates();
+    StateInputs independent = in;
+    for (std::size_t k = 0; k < coordinates.size(); ++k) {
+      independent.q[k] = in.q[at(coordinates[k])];
+      independent.qd[k] = in.qd[at(coordinates[k])];
+    }
+    const std::vector<Expression> reduced = by_coordinate(robot_.trace, passive);
+    for (std::size_t row = 0; row < reduced.size(); ++row)
+      for (std::size_t column = 0; column < reduced.size(); ++column) add_passive(independent, reduced, row, column);
   }
 
   // What a turn of the base and its linear velocity change, they change like a linear acceleration of the base.
@@ -134,10 +175,36 @@ class JointWalks {
   const TracedRobot& robot_;
   const Forces& forces_;
   SpreadBodies bodies_;
-  std::vector<std::string> names_;  // of coordinates
+  std::vector<Vector3> spin_;       // by link: momentum of the rotors on it and beyond; empty without rotors
+  Expression half_ = robot_.trace.graph.constant(0.5);
+  std::vector<std::string> names_;  // of rows, a joint each
   int base_;                        // rows of the base
 
   Vector3 unit(std::size_t k) const { return unit_vector(robot_.trace.graph, k); }
+
+  // By the positions and velocities of `in`.
+  void add_passive(const StateInputs& in, const std::vector<Expression>& passive, std::size_t row, std::size_t column) {
+    const std::size_t place = at(base_) + row;
+    result.q[column][place] += symbolic::derivative(passive[row], in.q[column]);
+    result.qd[column][place] += symbolic::derivative(passive[row], in.qd[column]);
+  }
+
+  // Carriers beyond the joint.
+  void add_rotors_beyond(const Joint& joint, const Motion& S, Walk& walk, ChangeOfMotion& row) const {
+    const Vector3 &spin = spin_[at(joint.child)], &s = S.angular;
+    walk.by_velocity.moment += half_ * cross(s, spin);
+    walk.by_position.moment += cross(cross(forces_.motions[at(joint.child)].angular.w, s), spin);
+    row.e += half_ * cross(spin, s);
+  }
+
+  // The rotor of the joint that walks, where this link carries it.
+  void add_own_rotor(int link, Walk& walk, ChangeOfMotion& row) const {
+    const Vector3 momentum = rotor_momentum(robot_, walk.joint, link);
+    const Vector3 half = half_ * cross(bodies_.w[at(link)], momentum);
+    walk.by_velocity.moment += half;
+    row.Q.moment += momentum;
+    row.e += half;
+  }
 
   static void set(Row& column, const Force& wrench) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -198,7 +265,7 @@ ForceDerivatives force_derivatives(
     const Vector3& gravity,
     const Forces& forces) {
   JointWalks walks(robot, in, forces);
-  for (int j = 0; j < robot.tree().dof(); ++j) walks.fill_joint(j, in.base_velocity.linear);
+  for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) walks.fill_joint(j, in.base_velocity.linear);
   if (robot.floating()) {
     walks.fill_base(in.base_velocity.linear);
     walks.fill_free_columns(gravity);
@@ -236,7 +303,7 @@ Program inverse_dynamics_derivatives(
   add_passive_forces(trace, in, forces.tau);
   const ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
   const int n = tree.dof(), rows = n + (tree.floating_base ? 6 : 0);
-  trace.output("tau", Role::joint_force, forces.tau);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
   if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
   trace.output("d_q", Role::matrix, rows, d.q);
   trace.output("d_qd", Role::matrix, rows, d.qd);

@@ -9,13 +9,13 @@ namespace robcogen::algorithm {
 
 // Of (base wrench, tau), or of tau on a fixed base. The base's columns only where it floats.
 struct ForceDerivatives {
-  Columns q, qd, qdd;         // by joint; qdd: of the joint-space inertia matrix
+  Columns q, qd, qdd;         // by coordinate; qdd: of the joint-space inertia matrix
   Columns base_rotation;      // 3: by a turn of the base about its own axes, under gravity that stays
   Columns base_velocity;      // 6
   Columns base_acceleration;  // 6: of the joint-space inertia matrix
 };
 
-// About the motion that the forces belong to. External wrenches are constant in the coordinates of their links.
+// Rows and columns by coordinate, about the motion that the forces belong to. External wrenches are constant in the coordinates of their links.
 ForceDerivatives force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,

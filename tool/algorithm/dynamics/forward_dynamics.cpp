@@ -90,7 +90,8 @@ symbolic::Program forward_dynamics_derivatives(
   const auto [motion, H] = by_inertia_matrix(robot, in, load);
   in.base_acceleration = motion.base_acceleration;
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  const Forces forces = newton_euler_forces(robot, base, in.qd, motion.qdd, &load);
+  const std::vector<Expression> qdd = trace.by_joint("qdd", Role::joint_acceleration, motion.qdd);
+  const Forces forces = newton_euler_forces(robot, base, in.qd, qdd, &load);
   ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
   trace.section("solution", "derivatives of the solution");
   const int n = tree.dof(), rows = H.a.size(), first = rows - n;

@@ -91,9 +91,10 @@ Program gravity_forces_derivative(
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
   const HeldRobot held = hold(robot, load.gravity);
-  const int base = tree.floating_base ? 6 : 0, rows = base + tree.dof();
-  Columns d_q(at(tree.dof()), std::vector<Expression>(at(rows))), d_base(3, std::vector<Expression>(at(rows)));
-  for (int j = 0; j < tree.dof(); ++j) {
+  const int base = tree.floating_base ? 6 : 0, joints = static_cast<int>(tree.joints.size());
+  const std::vector<Expression> zeros(at(base + joints));
+  Columns d_q(at(joints), zeros), d_base(3, zeros);
+  for (int j = 0; j < joints; ++j) {
     const std::size_t column = at(j);
     Joint joint = robot.joint(j);
     trace.section(robot.link_name(joint.child), "derivatives of joint " + tree.joints[column].name);
@@ -112,7 +113,8 @@ Program gravity_forces_derivative(
     const Vector3 moment = cross(f, held.lift[0]);
     for (std::size_t k = 0; k < 3; ++k) d_q[column][k] = d_base[k][at(base) + column] = moment[k];
   }
-  trace.output("d_q", Role::matrix, rows, d_q);
+  const int rows = base + tree.dof();
+  trace.output("d_q", Role::matrix, rows, by_coordinate(trace, d_q, base));
   if (!tree.floating_base) return trace.program(name);
   for (std::size_t k = 0; k < 3; ++k) {
     const Force change = wrench_of(held.body[0], cross(held.lift[0], unit_vector(trace.graph, k)));
@@ -121,7 +123,7 @@ Program gravity_forces_derivative(
       d_base[k][3 + i] = change.linear[i];
     }
   }
-  trace.output("d_base_rotation", Role::matrix, rows, d_base);
+  trace.output("d_base_rotation", Role::matrix, rows, rows_by_coordinate(trace, d_base, base));
   return trace.program(name);
 }
 

@@ -94,7 +94,7 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
   }
   // Rows 3 to 5 alone, whatever the robot: all its parts fall with the same acceleration.
   fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
-  trace.output("tau", Role::joint_force, forces.tau);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
   trace.output("base_acceleration", Role::base_acceleration, free.acceleration);
   const int n = tree.dof(), rows = 6 + n;
   trace.output("d_q", Role::matrix, rows, d.q);

@@ -63,6 +63,30 @@ SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base,
   return result;
 }
 
+Columns rows_by_coordinate(Trace& trace, const Columns& columns, int base) {
+  if (trace.tree.couplings.empty()) return columns;
+  const std::vector<std::vector<Share>> moved = shares(trace);
+  Columns result;
+  for (const std::vector<Expression>& column : columns) {
+    std::vector<Expression>& reduced = result.emplace_back(column.begin(), column.begin() + base);
+    for (const std::vector<Share>& rows : moved)
+      reduced.push_back(sum_of(rows, [&](int joint) { return column[at(base + joint)]; }));
+  }
+  return result;
+}
+
+Columns by_coordinate(Trace& trace, const Columns& by_joint, int base) {
+  if (trace.tree.couplings.empty()) return by_joint;
+  const Columns columns = rows_by_coordinate(trace, by_joint, base);
+  Columns result;
+  for (const std::vector<Share>& moved : shares(trace)) {
+    std::vector<Expression>& sum = result.emplace_back();
+    for (std::size_t row = 0; row < columns.front().size(); ++row)
+      sum.push_back(sum_of(moved, [&](int joint) { return columns[at(joint)][row]; }));
+  }
+  return result;
+}
+
 std::vector<Motion> columns_by_coordinate(
     Trace& trace,
     const std::vector<int>& joints,

@@ -34,6 +34,11 @@ std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression
 enum class Symmetry { none, symmetric };
 SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base, Symmetry symmetry);
 
+// m G, the first `base` rows of which are those of the base and stay, with G' m of the other rows: of columns by joint.
+Columns by_coordinate(Trace& trace, const Columns& by_joint, int base);
+// G' alone, of columns that are not those of joints.
+Columns rows_by_coordinate(Trace& trace, const Columns& columns, int base);
+
 // The columns of a Jacobian over these joints, of a chain, as columns over chain_coordinates of the same joints.
 std::vector<Motion> columns_by_coordinate(
     Trace& trace,

@@ -56,7 +56,13 @@ std::vector<Expression> Trace::coordinate_input(const std::string& name, Role ro
 }
 
 std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
-  std::vector<Expression> coordinates = coordinate_input(name, role);
+  return by_joint(name, role, coordinate_input(name, role));
+}
+
+std::vector<Expression> Trace::by_joint(
+    const std::string& name,
+    Role role,
+    const std::vector<Expression>& coordinates) {
   if (tree.couplings.empty()) return coordinates;
   std::vector<Expression> joints(tree.joints.size());
   const std::vector<int> independent = tree.coordinates();

@@ -65,6 +65,11 @@ class Trace : public ProgramTrace {
   std::vector<Expression> coordinate_input(const std::string& name, symbolic::Role role);
   // Positions, velocities or accelerations of all joints, from an input of those of the coordinates.
   std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
+  // The same of all joints, from values of the coordinates.
+  std::vector<Expression> by_joint(
+      const std::string& name,
+      symbolic::Role role,
+      const std::vector<Expression>& coordinates);
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);
   // One wrench a link, base first, in link coordinates about the link's origin.
