@@ -66,6 +66,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
 set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passive_forces forward_dynamics
                                              joint_space_inertia joint_space_inertia_factor coriolis_matrix
                                              inverse_dynamics_derivatives inverse_dynamics_gradient
+                                             inverse_dynamics_second_derivatives
                                              forward_dynamics_derivatives centroidal energy centroidal_bias contacts
                                              operational_space transforms jacobians jacobian_references
                                              jacobians_with_base jacobian_derivatives velocities accelerations)

@@ -13,6 +13,7 @@
 #include "symbolic/accuracy.h"
 #include "symbolic/angle_parts.h"
 #include "symbolic/count.h"
+#include "symbolic/derivative.h"
 #include "symbolic/program.h"
 
 namespace robcogen::backend {
@@ -124,11 +125,9 @@ struct Function {
   std::vector<int> columns;               // jacobians: joint index of each column
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
-  std::string method = {};                            // how it is computed, where there was a choice
-  std::optional<symbolic::RoundingError> error = {};  // where it was measured
-  // The inputs by which its last outputs are derivatives of the first: for each input in turn, of each of these a
-  // matrix with a row an element of the output and a column an element of the input.
-  std::vector<std::string> differentiated_by = {};
+  std::string method = {};                                  // how it is computed, where there was a choice
+  std::optional<symbolic::RoundingError> error = {};        // where it was measured
+  std::vector<symbolic::DerivativeBlock> derivatives = {};  // among its outputs, to be checked by differences
   // For languages whose functions take precomputed sines and cosines, if the program reads any.
   std::optional<symbolic::AngleParts> parts = {};
   // For languages with vectors: the same program with congruent limbs in lanes, if there is one; and the limbs, a text

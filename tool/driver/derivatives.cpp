@@ -96,6 +96,11 @@ std::string summary_of(const Derivative& derivative) {
 
 template <class Function>
 Function differentiated(Function function, const Derivative& derivative) {
+  std::vector<symbolic::DerivativeBlock> blocks;
+  const auto values = static_cast<int>(function.program.outputs.size());
+  for (const std::string& input : derivative.inputs)
+    for (int k = 0; k < values; ++k) blocks.push_back({k, input, values + static_cast<int>(blocks.size())});
+  function.derivatives = std::move(blocks);
   function.program = differentiated(function.program, derivative);
   function.name += suffix_of(derivative);
   function.summary.push_back(summary_of(derivative));
@@ -175,7 +180,6 @@ std::vector<RobotFunction> derivative_functions(
          algorithm::functions(robot.tree, {{first.frames}, {first.frames}}, first.group, formulations)) {
       if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
       f.group = kDerivativesGroup;
-      f.differentiated_by = derivative.inputs;
       list.push_back(differentiated(std::move(f), derivative));
     }
   }
@@ -195,7 +199,6 @@ std::vector<TransformFunction> derivative_functions(const Transforms& transforms
     const TransformFunction& f = functions[static_cast<std::size_t>(place - names.begin())];
     require_inputs(derivative, {&f.program});
     list.push_back(differentiated(f, derivative));
-    list.back().differentiated_by = derivative.inputs;
   }
   return list;
 }

@@ -68,11 +68,11 @@ backend::Function library_function(
   function.program = std::move(traced.program);
   function.method = std::move(traced.method);
   function.error = traced.error;
-  function.differentiated_by = std::move(traced.differentiated_by);
+  function.derivatives = std::move(traced.derivatives);
   function.parts = std::move(f.parts);
   function.in_lanes = std::move(f.in_lanes);
   function.limbs_in_lanes = std::move(f.limbs_in_lanes);
-  const bool is_homogeneous = function.scope == "transforms::homogeneous" && function.differentiated_by.empty();
+  const bool is_homogeneous = function.scope == "transforms::homogeneous" && function.derivatives.empty();
   if (const Robot* robot = model.robot()) {
     function.left_frame = index_of(library.frames, traced.frames.left.name);
     function.right_frame = index_of(library.frames, traced.frames.right.name);

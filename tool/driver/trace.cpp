@@ -57,7 +57,7 @@ Functions trace_transforms(const Transforms& transforms, const std::filesystem::
   const auto add = [&](algorithm::TransformFunction& f, const char* group) {
     RobotFunction traced;
     traced.group = group;
-    traced.differentiated_by = std::move(f.differentiated_by);
+    traced.derivatives = std::move(f.derivatives);
     traced.scope = std::move(f.scope);
     traced.name = std::move(f.name);
     traced.summary = std::move(f.summary);

@@ -176,22 +176,25 @@ namespace {
 // Derivatives of all results by one input array: of each output array a matrix, column by column.
 using Blocks = std::vector<std::vector<Expression>>;
 
-Blocks forward_blocks(Differentiated& d, std::size_t outputs, const std::vector<Expression>& variables) {
-  Blocks blocks(outputs);
+// Of these outputs.
+using Indices = std::vector<std::size_t>;
+
+Blocks forward_blocks(Differentiated& d, const Indices& outputs, const std::vector<Expression>& variables) {
+  Blocks blocks(outputs.size());
   for (const Expression& variable : variables) {
     const std::vector<Expression> tangents = d.tangents(variable);
-    for (std::size_t k = 0; k < outputs; ++k) {
-      const std::vector<Expression> column = signed_values(tangents, d.output(k));
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+      const std::vector<Expression> column = signed_values(tangents, d.output(outputs[k]));
       blocks[k].insert(blocks[k].end(), column.begin(), column.end());
     }
   }
   return blocks;
 }
 
-Blocks reverse_blocks(Differentiated& d, std::size_t outputs, const std::vector<Expression>& variables) {
-  Blocks blocks(outputs);
-  for (std::size_t k = 0; k < outputs; ++k) {
-    const std::vector<Expression>& results = d.output(k);
+Blocks reverse_blocks(Differentiated& d, const Indices& outputs, const std::vector<Expression>& variables) {
+  Blocks blocks(outputs.size());
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const std::vector<Expression>& results = d.output(outputs[k]);
     blocks[k].resize(results.size() * variables.size());
     for (std::size_t r = 0; r < results.size(); ++r) {
       const std::vector<Expression> row = signed_values(d.adjoints({results[r]}, {d.graph().one()}), variables);
@@ -216,11 +219,13 @@ std::optional<Program> differentiated(
     std::size_t most) {
   Differentiated d(program);
   d.limit = most;
+  Indices all;
+  for (std::size_t k = 0; k < program.outputs.size(); ++k) all.push_back(k);
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);
     d.graph().begin_section("derivatives by " + input, "d_" + input);
     const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
-    const Blocks columns = blocks(d, program.outputs.size(), variables);
+    const Blocks columns = blocks(d, all, variables);
     if (d.is_full()) return std::nullopt;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
@@ -246,6 +251,45 @@ std::optional<Program> with_cheapest_derivatives(
   std::optional<Program> reverse = differentiated(program, inputs, Mode::reverse, most);
   if (!forward || !reverse) return forward ? std::move(forward) : std::move(reverse);
   return work(*reverse) < work(*forward) ? std::move(reverse) : std::move(forward);
+}
+
+namespace {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+std::size_t output_of(const Program& program, const std::string& name) {
+  std::size_t k = 0;
+  while (k < program.outputs.size() && program.outputs[k].name != name) ++k;
+  if (k == program.outputs.size()) throw std::logic_error("the program has no output '" + name + "'");
+  return k;
+}
+
+// The elements on one side of the diagonal; those on the other side are computed by nobody.
+void make_symmetric(std::vector<Expression>& block, std::size_t size) {
+  for (std::size_t r = 0; r < size; ++r)
+    for (std::size_t c = r + 1; c < size; ++c) block[r + c * size] = block[c + r * size];
+}
+
+Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mode) {
+  Differentiated d(gradient);
+  for (const auto& [of, by] : pairs) {
+    const std::vector<Expression> variables = d.input(by);
+    d.graph().begin_section("derivatives of the gradient by " + of + " and " + by, "d_" + of + "_" + by);
+    const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
+    std::vector<Expression> block = blocks(d, {output_of(gradient, "d_" + of)}, variables).front();
+    if (of == by) make_symmetric(block, variables.size());
+    const std::size_t rows = variables.empty() ? 0 : block.size() / variables.size();
+    d.add_output("d_" + of + "_" + by, Role::matrix, static_cast<int>(rows), static_cast<int>(variables.size()), block);
+  }
+  return d.finish();
+}
+
+}  // namespace
+
+Program with_second_derivatives(const Program& gradient, const Pairs& pairs) {
+  Program forward = second_derivatives(gradient, pairs, Mode::forward);
+  Program reverse = second_derivatives(gradient, pairs, Mode::reverse);
+  return work(reverse) < work(forward) ? std::move(reverse) : std::move(forward);
 }
 
 Program with_gradient(

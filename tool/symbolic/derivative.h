@@ -4,12 +4,21 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "symbolic/expression.h"
 #include "symbolic/program.h"
 
 namespace robcogen::symbolic {
+
+// An output of a program that is the derivative of another one by an input: a row for each element of the latter,
+// column by column, a column for each of the input.
+struct DerivativeBlock {
+  int of = 0;  // outputs
+  std::string by;
+  int place = 0;
+};
 
 // Of an expression of few operations, by an input.
 Expression derivative(const Expression& of, const Expression& by);
@@ -34,5 +43,9 @@ Program with_gradient(
     const std::vector<std::string>& outputs,
     const std::vector<std::string>& inputs,
     std::size_t place);
+
+// Derivatives of the `d_x` of such a gradient by y, for each pair (x, y): `d_x_y`, symmetric where x is y. By forward
+// or reverse mode, whichever takes less work.
+Program with_second_derivatives(const Program& gradient, const std::vector<std::pair<std::string, std::string>>& pairs);
 
 }  // namespace robcogen::symbolic

@@ -41,7 +41,7 @@ TEST_F(WithMaxima, DerivativesGiveWhatTheInterpreterGives) {
       std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl", "euler", std::nullopt,
       {{"transforms.motion.S_X_zyx", {"variables"}}});
   for (backend::Library library : {leg, euler}) {
-    std::erase_if(library.functions, [](const backend::Function& f) { return f.differentiated_by.empty(); });
+    std::erase_if(library.functions, [](const backend::Function& f) { return f.derivatives.empty(); });
     ASSERT_GT(library.functions.size(), 0U);
     EXPECT_EQ(differences(library, maxima_text(library)), "");
   }

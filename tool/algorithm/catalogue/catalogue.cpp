@@ -17,7 +17,8 @@ enum Needs : unsigned {
   kInertia = 1 << 0,
   kMass = 1 << 1,            // they divide by the total mass
   kRegularInertia = 1 << 2,  // they divide by the joint-space inertia matrix
-  kFewOperations = 1 << 3,  // code without loops has many right-hand sides
+  kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
+  kFewOperations = 1 << 3,   // code without loops has many right-hand sides
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -53,8 +54,11 @@ constexpr std::array kGroups = {
     Group{"inverse_dynamics_derivatives", false, kInertia, inverse_dynamics_derivatives_functions, nullptr},
     Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
-        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations,
-        forward_dynamics_derivatives_functions, nullptr},
+        "inverse_dynamics_second_derivatives", false, kInertia | kFewPairs,
+        inverse_dynamics_second_derivatives_functions, nullptr},
+    Group{
+        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations, forward_dynamics_derivatives_functions,
+        nullptr},
     Group{"centroidal", true, kMass, centroidal_functions, nullptr},
     Group{"energy", true, kInertia, energy_functions, nullptr},
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
@@ -74,10 +78,8 @@ const Group* group_of(const std::string& name) {
   return found == kGroups.end() ? nullptr : &*found;
 }
 
-// A product and a sum, there and back, for each pair of a coordinate and one that carries it, and each right-hand side.
-// More would outgrow the caches for instructions.
-bool has_many_operations(const KinematicTree& tree) {
-  constexpr long kMany = 32'000;
+// Of a coordinate and one that carries it.
+long pairs_of_coordinates(const KinematicTree& tree) {
   std::vector<long> carrying(tree.joints.size());
   long pairs = tree.floating_base ? 15 : 0;
   for (const int j : tree.topological()) {
@@ -85,7 +87,20 @@ bool has_many_operations(const KinematicTree& tree) {
     carrying[at(j)] = parent < 0 ? (tree.floating_base ? 6 : 0) : carrying[at(parent)] + 1;
     pairs += carrying[at(j)];
   }
-  return 4 * pairs * (3 * tree.dof() + (tree.floating_base ? 3 : 0)) > kMany;
+  return pairs;
+}
+
+// A product and a sum, there and back, for each such pair, and each right-hand side. More would outgrow the caches for
+// instructions.
+bool has_many_operations(const KinematicTree& tree) {
+  constexpr long kMany = 32'000;
+  return 4 * pairs_of_coordinates(tree) * (3 * tree.dof() + (tree.floating_base ? 3 : 0)) > kMany;
+}
+
+// Second derivatives take some hundred operations for each such pair.
+bool has_many_pairs(const KinematicTree& tree) {
+  constexpr long kMany = 150;
+  return pairs_of_coordinates(tree) > kMany;
 }
 
 struct Requirement {
@@ -98,6 +113,9 @@ constexpr std::array kRequirements = {
     Requirement{kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; }, ""},
     Requirement{kMass, [](const KinematicTree& tree) { return !tree.inertia_defects.no_mass; }, ""},
     Requirement{kRegularInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.is_singular(); }, ""},
+    Requirement{
+        kFewPairs, [](const KinematicTree& tree) { return !has_many_pairs(tree); },
+        "with so many joints its code without loops would outgrow the caches of processors"},
     Requirement{
         kFewOperations, [](const KinematicTree& tree) { return !has_many_operations(tree); },
         "with so many joints its code without loops would outgrow the caches of processors"}};

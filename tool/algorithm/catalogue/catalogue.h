@@ -8,6 +8,7 @@
 #include "algorithm/search/choices.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/accuracy.h"
+#include "symbolic/derivative.h"
 #include "symbolic/program.h"
 
 namespace robcogen::algorithm {
@@ -22,9 +23,8 @@ struct RobotFunction {
   model::FramePair frames;           // of functions between two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
   std::string method = {};           // how it is computed, where there was a choice
-  std::optional<symbolic::RoundingError> error = {};  // once it was measured
-  // The inputs by which its last outputs are derivatives of the first: of each input in turn, of each of these.
-  std::vector<std::string> differentiated_by = {};
+  std::optional<symbolic::RoundingError> error = {};        // once it was measured
+  std::vector<symbolic::DerivativeBlock> derivatives = {};  // among its outputs, to be checked by differences
 };
 
 // In canonical order.

@@ -100,6 +100,47 @@ std::vector<RobotFunction> inverse_dynamics_gradient_functions(const KinematicTr
   return list;
 }
 
+namespace {
+
+// Each `d_x_y` is the derivative of `d_x` by y.
+std::vector<symbolic::DerivativeBlock> second_blocks(const symbolic::Program& program) {
+  std::vector<symbolic::DerivativeBlock> blocks;
+  const auto index = [&](std::size_t k) { return static_cast<int>(k); };
+  for (std::size_t place = 0; place < program.outputs.size(); ++place)
+    for (std::size_t of = 0; of < place; ++of)
+      for (const symbolic::InputArray& input : program.inputs)
+        if (program.outputs[place].name == program.outputs[of].name + "_" + input.name)
+          blocks.push_back({index(of), input.name, index(place)});
+  return blocks;
+}
+
+}  // namespace
+
+std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
+    const KinematicTree& tree,
+    FormulationChoices& choices) {
+  const Formulation& formulation = choices.newton_euler();
+  const std::string name = "inverse_dynamics_second_derivatives";
+  std::vector<std::string> summary = {
+      "The gradient of `weights` times the joint forces tau (N m, N), and its derivatives: what second-order methods "
+      "of "
+      "optimal control take of inverse dynamics.",
+      "Rows by the first input of their names, columns by the second; d_q_q and d_qd_qd are symmetric. Accelerations "
+      "enter linearly: all other blocks are zero."};
+  if (tree.floating_base)
+    summary.emplace_back(
+        "`weights` are those of the base wrench, then of the joints. All that concerns the base is in base "
+        "coordinates, angular first.");
+  std::vector<RobotFunction> list;
+  add_overloads(list, tree, name, name, summary, [&](const std::string& kernel, Loads loads) {
+    return inverse_dynamics_second_derivatives(tree, kernel, loads, formulation);
+  });
+  for (RobotFunction& f : list) f.derivatives = second_blocks(f.program);
+  add_wrenches_remark(list);
+  add_method(list, name, description(tree, formulation.frames));
+  return list;
+}
+
 std::vector<RobotFunction> forward_dynamics_derivatives_functions(
     const KinematicTree& tree,
     FormulationChoices& choices) {

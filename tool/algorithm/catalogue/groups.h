@@ -25,6 +25,9 @@ std::vector<RobotFunction> inverse_dynamics_derivatives_functions(
 std::vector<RobotFunction> inverse_dynamics_gradient_functions(
     const model::KinematicTree& tree,
     FormulationChoices& choices);
+std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
 std::vector<RobotFunction> forward_dynamics_derivatives_functions(
     const model::KinematicTree& tree,
     FormulationChoices& choices);

@@ -7,6 +7,7 @@
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/primitive_product.h"
 #include "model/coordinate_transforms.h"
+#include "symbolic/derivative.h"
 #include "symbolic/program.h"
 
 namespace robcogen::algorithm {
@@ -39,12 +40,12 @@ std::string name_of(const model::CoordinateTransform& transform);
 
 // One function of the API.
 struct TransformFunction {
-  std::size_t transform = 0;                        // into CoordinateTransforms::transforms
-  std::string scope;                                // transforms::homogeneous, transforms::motion, transforms::force
-  std::string name;                                 // see name_of
-  std::vector<std::string> summary;                 // what, frames
-  symbolic::Program program;                        // program.name is unique among the document's functions
-  std::vector<std::string> differentiated_by = {};  // see RobotFunction
+  std::size_t transform = 0;         // into CoordinateTransforms::transforms
+  std::string scope;                 // transforms::homogeneous, transforms::motion, transforms::force
+  std::string name;                  // see name_of
+  std::vector<std::string> summary;  // what, frames
+  symbolic::Program program;         // program.name is unique among the document's functions
+  std::vector<symbolic::DerivativeBlock> derivatives = {};  // see RobotFunction
 };
 
 std::vector<TransformFunction> transform_functions(const model::CoordinateTransforms& document);

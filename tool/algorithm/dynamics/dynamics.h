@@ -150,6 +150,15 @@ symbolic::Program inverse_dynamics_gradient(
     Loads loads,
     const Formulation& formulation = {});
 
+// The same, and the second derivatives of that product: -> … d_q_q, d_qd_q, d_qdd_q, d_qd_qd, rows by the first,
+// columns by the second input; floating base: base_velocity and base_acceleration take part as qd and qdd do. All
+// others are zero: forces are linear in accelerations.
+symbolic::Program inverse_dynamics_second_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
 // The derivatives of the gravity forces: q -> d_q, n x n and symmetric. Floating base: d_q, d_base_rotation, rows of
 // the base wrench first.
 symbolic::Program gravity_forces_derivative(

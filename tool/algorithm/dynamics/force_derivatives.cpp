@@ -5,9 +5,9 @@
 // links have from below: that turned the other way. So the change of all forces beyond is that of a motion field (of
 // the composite body, FieldChange), and the turn of the forces themselves.
 //
-// A rotor (drives.h) adds the moment qdd m + w x qd m to the wrench of its carrier, and m . w' to the force of its joint.
-// In the axes that follow, w of a carrier beyond the joint that moves changes by u, half of FieldChange::turning, and its
-// w' by FieldChange::rate - w x u.
+// A rotor (drives.h) adds the moment qdd m + w x qd m to the wrench of its carrier, and m . w' to the force of its
+// joint. In the axes that follow, w of a carrier beyond the joint that moves changes by u, half of
+// FieldChange::turning, and its w' by FieldChange::rate - w x u.
 #include "algorithm/dynamics/force_derivatives.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
@@ -175,7 +175,7 @@ class JointWalks {
   const TracedRobot& robot_;
   const Forces& forces_;
   SpreadBodies bodies_;
-  std::vector<Vector3> spin_;       // by link: momentum of the rotors on it and beyond; empty without rotors
+  std::vector<Vector3> spin_;  // by link: momentum of the rotors on it and beyond; empty without rotors
   Expression half_ = robot_.trace.graph.constant(0.5);
   std::vector<std::string> names_;  // of rows, a joint each
   int base_;                        // rows of the base

@@ -15,7 +15,8 @@ struct ForceDerivatives {
   Columns base_acceleration;  // 6: of the joint-space inertia matrix
 };
 
-// Rows and columns by coordinate, about the motion that the forces belong to. External wrenches are constant in the coordinates of their links.
+// Rows and columns by coordinate, about the motion that the forces belong to. External wrenches are constant in the
+// coordinates of their links.
 ForceDerivatives force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,

@@ -114,7 +114,11 @@ Program gravity_forces_derivative(
     for (std::size_t k = 0; k < 3; ++k) d_q[column][k] = d_base[k][at(base) + column] = moment[k];
   }
   const int rows = base + tree.dof();
-  trace.output("d_q", Role::matrix, rows, by_coordinate(trace, d_q, base));
+  d_q = by_coordinate(trace, d_q, base);
+  // Sums of couplings in another order would round otherwise.
+  for (int r = 0; r < tree.dof(); ++r)
+    for (int c = r + 1; c < tree.dof(); ++c) d_q[at(c)][at(base + r)] = d_q[at(r)][at(base + c)];
+  trace.output("d_q", Role::matrix, rows, d_q);
   if (!tree.floating_base) return trace.program(name);
   for (std::size_t k = 0; k < 3; ++k) {
     const Force change = wrench_of(held.body[0], cross(held.lift[0], unit_vector(trace.graph, k)));

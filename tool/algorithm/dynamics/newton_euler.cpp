@@ -175,4 +175,19 @@ Program inverse_dynamics_gradient(
   return symbolic::with_gradient(forces, outputs, inputs, place);
 }
 
+Program inverse_dynamics_second_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  std::vector<std::pair<std::string, std::string>> pairs = {{"q", "q"}, {"qd", "q"}, {"qdd", "q"}, {"qd", "qd"}};
+  if (tree.floating_base)
+    pairs.insert(
+        pairs.end(), {{"base_velocity", "q"},
+                      {"base_acceleration", "q"},
+                      {"base_velocity", "qd"},
+                      {"base_velocity", "base_velocity"}});
+  return symbolic::with_second_derivatives(inverse_dynamics_gradient(tree, name, loads, formulation), pairs);
+}
+
 }  // namespace robcogen::algorithm

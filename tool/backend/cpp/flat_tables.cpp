@@ -15,28 +15,26 @@ int size_of(const symbolic::OutputArray& output) {
   return output.rows * output.columns;
 }
 
-// The rows of one function's derivatives by one input; `place` is where they stand among its results.
-void add_blocks(
-    std::vector<std::vector<Field>>& rows,
+std::vector<Field> row_of(
     const Callable& c,
     std::size_t function,
-    bool has_cache,
-    const std::string& by,
-    std::size_t& place) {
+    const symbolic::DerivativeBlock& block,
+    bool has_cache) {
   const symbolic::Program& program = c.function->program;
   std::size_t input = 0;
-  while (program.inputs[input].name != by) ++input;
-  const bool is_parameters = has_cache && program.inputs[input].role == symbolic::Role::parameters;
-  const std::size_t values = program.outputs.size() / (1 + c.function->differentiated_by.size());
+  while (program.inputs[input].name != block.by) ++input;
+  const bool is_cached = has_cache && program.inputs[input].role == symbolic::Role::parameters;
   const std::vector<std::size_t> offsets = offsets_of_outputs(program);
-  const int columns = program.outputs[place].columns;
-  for (std::size_t k = 0; k < values; ++k, ++place) {
-    const std::string name = c.kernel + ": " + program.outputs[k].name + " by " + by;
-    rows.push_back(
-        {quoted(name), static_cast<int>(function), is_parameters ? "true" : "false",
-         static_cast<int>(offset_of(program, input)), columns, static_cast<int>(offsets[k]),
-         size_of(program.outputs[k]), static_cast<int>(offsets[place])});
-  }
+  const auto of = static_cast<std::size_t>(block.of), place = static_cast<std::size_t>(block.place);
+  return {
+      quoted(c.kernel + ": " + program.outputs[of].name + " by " + block.by),
+      static_cast<int>(function),
+      is_cached ? "true" : "false",
+      static_cast<int>(offset_of(program, input)),
+      program.outputs[place].columns,
+      static_cast<int>(offsets[of]),
+      size_of(program.outputs[of]),
+      static_cast<int>(offsets[place])};
 }
 
 }  // namespace
@@ -98,9 +96,8 @@ Table derivatives(const std::vector<const Callable*>& functions, bool has_cache)
   std::vector<std::vector<Field>> rows;
   for (std::size_t f = 0; f < functions.size(); ++f) {
     const Callable& c = *functions[f];
-    if (c.function->differentiated_by.empty()) continue;
-    std::size_t place = c.function->program.outputs.size() / (1 + c.function->differentiated_by.size());
-    for (const std::string& by : c.function->differentiated_by) add_blocks(rows, c, f, has_cache, by, place);
+    for (const symbolic::DerivativeBlock& block : c.function->derivatives)
+      rows.push_back(row_of(c, f, block, has_cache));
   }
   return table("Derivative", "kDerivatives", rows);
 }

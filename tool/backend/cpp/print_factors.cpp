@@ -64,7 +64,7 @@ class Tables {
  public:
   explicit Tables(const Api& api) : api_(api) {
     for (const Callable& c : api.callables) {
-      if (!c.function->differentiated_by.empty()) {
+      if (!c.function->derivatives.empty()) {
         differentiated_.push_back(&c);
         continue;
       }

@@ -71,7 +71,7 @@ Table contacts(const Library& library) {
 }
 
 bool is_form(const Callable& c, Role role) {
-  return c.function->left_frame >= 0 && c.function->differentiated_by.empty() && !c.function->program.outputs.empty() &&
+  return c.function->left_frame >= 0 && c.function->derivatives.empty() && !c.function->program.outputs.empty() &&
          c.function->program.outputs.front().role == role;
 }
 
