@@ -4,6 +4,7 @@
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
 #       MODEL hyl.kindsl            # the robot, .kindsl, .urdf, .xml (a URDF or MJCF) or .urdf.xacro, relative to the calling
 #                                   # CMakeLists.txt
+#       [IMPORT_DIRS folder…]       # to search for documents that MODEL imports, after its own folder
 #       [XACRO_ARGS name:=value…]   # for a .urdf.xacro, which the build expands with the program `xacro`, or with the one
 #                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
@@ -77,7 +78,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -297,6 +298,10 @@ function(_robcogen_generate_arguments result)
   if(library_levels)
     list(APPEND arguments --processors ${library_levels})
   endif()
+  foreach(dir IN LISTS library_IMPORT_DIRS)
+    cmake_path(ABSOLUTE_PATH dir BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    list(APPEND arguments -I ${dir})
+  endforeach()
   if(library_FLOATING_BASE)
     list(APPEND arguments --floating-base)
   endif()

@@ -15,7 +15,7 @@ using language::Token;
 constexpr int kMaxRepetitions = 3;  // in derivations, of a part that may repeat without limit
 
 bool is_token(const std::string& name) {
-  return name == "ID" || name == "NAME" || name == "NUMBER" || name == "INTEGER";
+  return name == "ID" || name == "NAME" || name == "NUMBER" || name == "INTEGER" || name == "STRING";
 }
 
 bool is_word(const std::string& text) {
@@ -184,6 +184,7 @@ class Deriver {
     static const std::array kNumbers = {"1", "0.5", ".25", "2.", "1e-3", "4.0E+2", "0"};
     if (name == "ID") return kNames[below(kNames.size())];
     if (name == "NAME") return kNames[below(4)];
+    if (name == "STRING") return "\"leg 1.kindsl\"";
     if (name == "INTEGER") return std::to_string(below(100));
     return kNumbers[below(kNumbers.size())];
   }
@@ -269,13 +270,15 @@ class Matcher {
   }
 
   static bool is_literal(const Token& token, const std::string& text) {
-    return token.kind != Token::Kind::end && token.kind != Token::Kind::number && !token.escaped && token.text == text;
+    const bool is_text = token.kind == Token::Kind::identifier || token.kind == Token::Kind::symbol;
+    return is_text && !token.escaped && token.text == text;
   }
 
   bool fits(const Token& token, const std::string& name) const {
     if (name == "ID" && token.escaped) return true;
     if (name == "ID" || name == "NAME")
       return token.kind == Token::Kind::identifier && !token.escaped && !keywords_.contains(std::string(token.text));
+    if (name == "STRING") return token.kind == Token::Kind::string;
     return token.kind == Token::Kind::number &&
            (name == "NUMBER" || token.text.find_first_not_of("0123456789") == std::string::npos);
   }

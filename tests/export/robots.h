@@ -15,6 +15,7 @@
 
 #include "export/urdf.h"
 #include "import/kinematics.h"
+#include "import/parts.h"
 
 namespace robcogen::test {
 
@@ -35,15 +36,14 @@ inline std::vector<std::filesystem::path> files_below(const std::filesystem::pat
 
 inline std::shared_ptr<const Source> source_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return std::make_shared<Source>(path.filename().string(), std::string(std::istreambuf_iterator<char>(file), {}));
+  return std::make_shared<Source>(path.string(), std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 inline std::optional<model::KinematicTree> read_document(
-    std::shared_ptr<const Source> source,
+    const std::shared_ptr<const Source>& source,
     Diagnostics& diagnostics) {
-  const auto document = language::kinematics::parse(std::move(source), diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  return import::kinematic_tree(document, diagnostics);
+  const auto read = import::robot_document(source, {}, diagnostics);
+  return read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
 }
 
 // Documents that are malformed on purpose or of another dialect.

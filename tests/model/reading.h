@@ -9,6 +9,7 @@
 #include <string>
 
 #include "import/kinematics.h"
+#include "import/parts.h"
 
 namespace robcogen::test {
 
@@ -22,10 +23,11 @@ inline std::shared_ptr<const Source> source(const std::filesystem::path& path) {
   return std::make_shared<Source>(path.filename().string(), contents(path));
 }
 
-inline std::optional<model::KinematicTree> tree_of(std::shared_ptr<const Source> text, Diagnostics& diagnostics) {
-  const auto document = language::kinematics::parse(std::move(text), diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  return import::kinematic_tree(document, diagnostics);
+inline std::optional<model::KinematicTree> tree_of(
+    const std::shared_ptr<const Source>& text,
+    Diagnostics& diagnostics) {
+  const auto read = import::robot_document(text, {}, diagnostics);
+  return read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
 }
 
 inline std::optional<model::KinematicTree> tree_of(const std::string& text, Diagnostics& diagnostics) {

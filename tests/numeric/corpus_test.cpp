@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "import/kinematics.h"
+#include "import/parts.h"
 #include "interpreted_robot.h"
 
 namespace robcogen::numeric {
@@ -27,13 +28,14 @@ std::vector<path> documents(const std::string& extension) {
 
 std::shared_ptr<const Source> source(const path& document) {
   std::ifstream file(document, std::ios::binary);
-  return std::make_shared<Source>(document.filename().string(), std::string(std::istreambuf_iterator<char>(file), {}));
+  return std::make_shared<Source>(document.string(), std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 // nullopt for those that are malformed on purpose: the tests of the languages say which and why.
 std::optional<model::KinematicTree> robot_of(const path& document) {
   Diagnostics diagnostics;
-  const auto tree = import::kinematic_tree(language::kinematics::parse(source(document), diagnostics), diagnostics);
+  const auto read = import::robot_document(source(document), {}, diagnostics);
+  const auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
   return diagnostics.has_errors() ? std::nullopt : tree;
 }
 

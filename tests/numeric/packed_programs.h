@@ -12,6 +12,7 @@
 
 #include "algorithm/formulation/congruent_limbs.h"
 #include "import/kinematics.h"
+#include "import/parts.h"
 #include "pass/lanes/correspondence.h"
 #include "symbolic/interpret.h"
 
@@ -24,7 +25,8 @@ inline model::KinematicTree document_of(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   const auto source = std::make_shared<Source>(file, std::string(std::istreambuf_iterator<char>(stream), {}));
   Diagnostics diagnostics;
-  const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  const auto read = import::robot_document(source, {}, diagnostics);
+  const auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
   EXPECT_TRUE(tree.has_value()) << file;
   return *tree;
 }

@@ -7,6 +7,7 @@
 
 #include "algorithm/catalogue/catalogue.h"
 #include "import/kinematics.h"
+#include "import/parts.h"
 #include "pass/passes.h"
 #include "pass/split_parameters.h"
 #include "symbolic/count.h"
@@ -29,7 +30,8 @@ KinematicTree robot_of(const std::string& name) {
   std::ifstream file(path, std::ios::binary);
   const auto source = std::make_shared<Source>(path.string(), std::string(std::istreambuf_iterator<char>(file), {}));
   Diagnostics diagnostics;
-  const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  const auto read = import::robot_document(source, {}, diagnostics);
+  const auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
   EXPECT_TRUE(tree.has_value()) << diagnostics.render();
   return tree.value_or(KinematicTree());
 }

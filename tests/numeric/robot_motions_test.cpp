@@ -13,6 +13,7 @@
 #include "export/frames.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
+#include "import/parts.h"
 #include "reference_tables.h"
 #include "robcogen/reference/kinematics.h"
 #include "symbolic/interpret.h"
@@ -42,9 +43,10 @@ std::vector<path> documents(const path& folder) {
 std::optional<model::KinematicTree> robot_of(const path& document) {
   std::ifstream file(document, std::ios::binary);
   const auto source =
-      std::make_shared<Source>(document.filename().string(), std::string(std::istreambuf_iterator<char>(file), {}));
+      std::make_shared<Source>(document.string(), std::string(std::istreambuf_iterator<char>(file), {}));
   Diagnostics diagnostics;
-  const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  const auto read = import::robot_document(source, {}, diagnostics);
+  const auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
   return diagnostics.has_errors() ? std::nullopt : tree;
 }
 

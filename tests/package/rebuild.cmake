@@ -22,6 +22,13 @@ endfunction()
 function(set_up)
   file(REMOVE_RECURSE "${work_dir}")
   file(COPY ${SOURCE_DIR}/robots/hyl/hyl.kindsl ${SOURCE_DIR}/robots/hyl/hyl.dtdsl DESTINATION "${robot_dir}")
+  # A robot that imports its leg, in text that nothing compiles.
+  file(WRITE "${robot_dir}/walker.kindsl"
+       "import \"leg.kindsl\"\nRobot Walker { RobotBase trunk { children { Leg left() Leg right() mirrored y } } }\n")
+  file(WRITE "${robot_dir}/parts/leg.kindsl"
+       "Part Leg { root thigh via hip link thigh { inertia_params { mass = 2.0 CoM = (0.0, 0.1, 0.2) Ix = 1.0 Iy = 1.0 "
+       "Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} } r_joint hip { ref_frame { translation = (0.0, 0.0, 0.0) "
+       "rotation = (PI/2.0, 0.0, 0.0) } } }\n")
   write_script("${tool}" "echo \"$1\" >> '${log}'; exec '${TOOL}' \"$@\"")
   # A compiler's last argument is the source.
   write_script("${work_dir}/compile"
@@ -75,7 +82,7 @@ function(snapshot result)
 endfunction()
 
 set_up()
-expect_build("first build" generate inverse_dynamics.cpp jacobians.cpp parameters.cpp trigonometry.cpp)
+expect_build("first build" generate generate inverse_dynamics.cpp jacobians.cpp parameters.cpp trigonometry.cpp)
 expect_build("nothing changed")
 expect_build("nothing changed, third build")
 
@@ -92,8 +99,18 @@ edit(hyl.kindsl "    id = 1" "  id =\n 1")
 expect_build("edited comment and layout" generate)
 let_clock_tick()
 file(TOUCH "${tool}")
-expect_build("rebuilt tool with the same output" generate)
+expect_build("rebuilt tool with the same output" generate generate)
 expect_build("nothing changed after a rebuilt tool")
+
+# The robot that reads an import is generated again, and no other.
+file(READ "${generated_dir}/walker.stamp" stamp)
+edit(parts/leg.kindsl "mass = 2.0" "mass = 3.0")
+expect_build("edited import" generate)
+file(READ "${generated_dir}/walker.stamp" new_stamp)
+if(stamp STREQUAL new_stamp)
+  message(FATAL_ERROR "an edited import did not change the robot that reads it")
+endif()
+expect_build("nothing changed after an edited import")
 
 edit(hyl.kindsl "upperleg via HFE" "upperleg via HFF")
 file(WRITE "${log}" "")

@@ -21,7 +21,9 @@ void check_list(
   if (!driver::is_robot(driver::language_of(model))) {
     if (const auto motions = driver::load_motions_of(model, again))
       import::desired_frame_pairs(document, *motions, diagnostics);
-  } else if (const auto loaded = driver::load(model, {.urdf = options.urdf}, again)) {
+  } else if (
+      const auto loaded =
+          driver::load(model, {.urdf = options.urdf, .import_folders = options.import_folders}, again)) {
     import::desired_transforms(document, loaded->robot()->tree, diagnostics);
   }
 }
@@ -35,7 +37,14 @@ Status check(const CheckOptions& options) {
     (driver::language_of_suffix(file) == driver::Language::desired ? lists : models).push_back(file);
   Diagnostics diagnostics;
   for (const std::string& model : models)
-    driver::load(model, {.strict = options.strict, .urdf = options.urdf, .lists_parameters = true}, diagnostics);
+    driver::load(
+        model,
+        {.strict = options.strict,
+         .urdf = options.urdf,
+         .lists_parameters = true,
+         .import_folders = options.import_folders,
+         .may_be_library = true},
+        diagnostics);
   for (const std::string& list : lists) {
     if (models.size() == 1)
       check_list(options, list, models.front(), diagnostics);

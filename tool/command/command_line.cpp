@@ -100,6 +100,12 @@ void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
       ->check(one_of({"gnu", "msvc"}));
 }
 
+void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::path>& folders) {
+  subcommand
+      .add_option("-I,--import-folder", folders, "Folder to search for imported documents, after that of the document")
+      ->allow_extra_args(false);
+}
+
 void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
   subcommand.add_flag("--floating-base", options.floating_base, "URDF: the root link floats");
   subcommand.add_flag(
@@ -164,6 +170,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       "--derivatives", model.derivatives,
       "Functions to differentiate, and their inputs: function:input or function:input,input, such as "
       "inverse_dynamics:q,qd");
+  declare_import_folders(subcommand, model.import_folders);
   declare_urdf_options(subcommand, model.urdf);
   declare_error_format(subcommand, model.error_format);
   return file;
@@ -221,6 +228,7 @@ Action declare_check(CLI::App& application) {
   auto options = std::make_shared<CheckOptions>();
   subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, .motdsl, .ctdsl, .dtdsl)")->required();
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
+  declare_import_folders(*subcommand, options->import_folders);
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return check(*options); };
@@ -232,6 +240,7 @@ Action declare_print(CLI::App& application) {
   auto options = std::make_shared<PrintOptions>();
   declare_model(*subcommand, options->model);
   subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
+  subcommand->add_flag("--expand", options->expand, "Put the parts in, and print the plain document (robots)");
   subcommand->add_flag(
       "--original", options->original, "Refuse what the first RobCoGen does not read, and name it (robots)");
   return [options] { return print(*options); };
@@ -282,6 +291,7 @@ Action declare_convert(CLI::App& application) {
   subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
       ->check(one_of({"left", "right"}));
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
+  declare_import_folders(*subcommand, options->import_folders);
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return convert(*options); };

@@ -185,6 +185,7 @@ driver::LoadOptions load_options(const ConvertOptions& options) {
   if (!options.desired.empty()) result.desired = options.desired;
   result.strict = options.strict;
   result.urdf = options.urdf;
+  result.import_folders = options.import_folders;
   return result;
 }
 

@@ -74,6 +74,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   if (!desired.empty()) options.desired = desired;
   options.strict = strict;
   options.urdf = urdf;
+  options.import_folders = import_folders;
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));

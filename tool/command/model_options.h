@@ -35,6 +35,7 @@ struct ModelOptions {
   std::vector<std::string> contacts;  // of robots
   bool strict = false;
   import::UrdfOptions urdf;
+  std::vector<std::filesystem::path> import_folders;
   ErrorFormat error_format = ErrorFormat::gnu;
   driver::Steps steps;
   std::vector<std::string> derivatives;  // `function:input,…`

@@ -12,24 +12,30 @@
 namespace robcogen::command {
 namespace {
 
-std::string canonical_robot(const std::shared_ptr<const Source>& source, bool original, Diagnostics& diagnostics) {
-  const language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
-  if (original && !diagnostics.has_errors()) language::kinematics::is_original(document, diagnostics);
+language::kinematics::Document robot_document(const PrintOptions& options, Diagnostics& diagnostics) {
+  if (!options.expand) return language::kinematics::parse(driver::read_source(options.model.file), diagnostics);
+  std::optional<import::RobotDocument> read =
+      driver::load_robot_document(options.model.file, {.import_folders = options.model.import_folders}, diagnostics);
+  return read ? std::move(read->document) : language::kinematics::Document();
+}
+
+std::string canonical_robot(const PrintOptions& options, Diagnostics& diagnostics) {
+  const language::kinematics::Document document = robot_document(options, diagnostics);
+  if (options.original && !diagnostics.has_errors()) language::kinematics::is_original(document, diagnostics);
   return language::kinematics::print(document);
 }
 
 std::string canonical_text(const PrintOptions& options, Diagnostics& diagnostics) {
   const std::filesystem::path file = options.model.file;
-  const std::shared_ptr<const Source> source = driver::read_source(file);
   switch (driver::language_of(file)) {
     case driver::Language::desired:
-      return language::desired::print(language::desired::parse(source, diagnostics));
+      return language::desired::print(language::desired::parse(driver::read_source(file), diagnostics));
     case driver::Language::motions:
-      return language::motion::print(language::motion::parse(source, diagnostics));
+      return language::motion::print(language::motion::parse(driver::read_source(file), diagnostics));
     case driver::Language::transforms:
-      return language::transforms::print(language::transforms::parse(source, diagnostics));
+      return language::transforms::print(language::transforms::parse(driver::read_source(file), diagnostics));
     default:
-      return canonical_robot(source, options.original, diagnostics);
+      return canonical_robot(options, diagnostics);
   }
 }
 
@@ -42,8 +48,10 @@ Status print_document(const PrintOptions& options) {
                          "robcogen: error: '{}' is not a document in a language of robcogen\nhint: 'robcogen convert' "
                          "makes it one",
                          file.string())};
-  if (options.original && language != driver::Language::robot)
-    throw Failure{wrong_usage, "robcogen: error: --original is for robots: a .kindsl file"};
+  if ((options.original || options.expand) && language != driver::Language::robot)
+    throw Failure{
+        wrong_usage,
+        fmt::format("robcogen: error: --{} is for robots: a .kindsl file", options.original ? "original" : "expand")};
   Diagnostics diagnostics;
   const std::string text = canonical_text(options, diagnostics);
   report(diagnostics.render(options.model.error_format));

@@ -26,6 +26,7 @@ Status generate(const GenerateOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> files;
+  std::vector<std::filesystem::path> import_folders;
   import::UrdfOptions urdf;
   bool strict = false;
   ErrorFormat error_format = ErrorFormat::gnu;
@@ -35,6 +36,7 @@ Status check(const CheckOptions& options);
 struct PrintOptions {
   ModelOptions model;
   std::string program;
+  bool expand = false;    // put the parts in
   bool original = false;  // refuse what the first RobCoGen does not read
 };
 Status print(const PrintOptions& options);
@@ -57,6 +59,7 @@ struct ConvertOptions {
   std::string desired;
   std::string position = "right";
   bool strict = false;
+  std::vector<std::filesystem::path> import_folders;
   import::UrdfOptions urdf;
   ErrorFormat error_format = ErrorFormat::gnu;
 };

@@ -43,30 +43,52 @@ Model foreign_model(model::KinematicTree tree) {
   return {Robot{std::move(tree), {}}, text};
 }
 
+std::optional<import::RobotDocument> expanded(
+    const std::shared_ptr<const Source>& source,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  return import::robot_document(source, {options.import_folders, &exporting::kinematics_document}, diagnostics);
+}
+
+bool require_robot(
+    const language::kinematics::Document& document,
+    const std::filesystem::path& file,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  if (document.has_robot()) return true;
+  if (!options.may_be_library)
+    diagnostics
+        .error("no-robot", {document.source, {}}, fmt::format("'{}' has parts only, and no robot", file.string()))
+        .hint = "a robot in another document imports them";
+  return false;
+}
+
 std::optional<Model> load_tree(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
-    const import::UrdfOptions& options,
+    const LoadOptions& options,
     Diagnostics& diagnostics) {
   const Language language = language_of(file);
   if (language == Language::mjcf) {
-    std::optional<import::Mjcf> read = import::mjcf(source, file, {options.free_mimic_joints}, diagnostics);
+    std::optional<import::Mjcf> read = import::mjcf(source, file, {options.urdf.free_mimic_joints}, diagnostics);
     if (!read) return std::nullopt;
     Model model = foreign_model(std::move(read->tree));
     model.read = std::move(read->included);
     return model;
   }
   if (language == Language::urdf) {
-    std::optional<model::KinematicTree> tree = import::urdf(source, options, diagnostics);
+    std::optional<model::KinematicTree> tree = import::urdf(source, options.urdf, diagnostics);
     return tree ? std::optional(foreign_model(std::move(*tree))) : std::nullopt;
   }
-  language::kinematics::Document document = language::kinematics::parse(source, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  std::optional<model::KinematicTree> tree = import::kinematic_tree(document, diagnostics);
+  std::optional<import::RobotDocument> read = expanded(source, options, diagnostics);
+  if (!read || !require_robot(read->document, file, options, diagnostics)) return std::nullopt;
+  std::optional<model::KinematicTree> tree = import::kinematic_tree(read->document, diagnostics);
   if (!tree) return std::nullopt;
-  return Model{
+  Model model = {
       Robot{std::move(*tree), {}},
-      language::kinematics::print(language::kinematics::without_comments(std::move(document)))};
+      language::kinematics::print(language::kinematics::without_comments(std::move(read->document)))};
+  model.read = std::move(read->imported);
+  return model;
 }
 
 void report_absence(const model::KinematicTree& tree, const std::string& group, Diagnostics& diagnostics) {
@@ -128,7 +150,7 @@ std::optional<Model> load_robot(
     const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  std::optional<Model> model = load_tree(source, file, options.urdf, diagnostics);
+  std::optional<Model> model = load_tree(source, file, options, diagnostics);
   if (!model) return std::nullopt;
   if (options.strict) promote_strict_warnings(diagnostics);
   auto& robot = std::get<Robot>(model->content);
@@ -255,6 +277,13 @@ std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& 
   model->read.insert(model->read.begin(), file);
   if (options.desired) model->read.push_back(*options.desired);
   return model;
+}
+
+std::optional<import::RobotDocument> load_robot_document(
+    const std::filesystem::path& file,
+    const LoadOptions& options,
+    Diagnostics& diagnostics) {
+  return expanded(read_source(file), options, diagnostics);
 }
 
 std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "import/parts.h"
 #include "import/urdf.h"
 #include "model/coordinate_transforms.h"
 #include "model/kinematic_tree.h"
@@ -48,12 +49,14 @@ struct Model {
 };
 
 struct LoadOptions {
-  std::optional<std::filesystem::path> desired = {};  // the default list, when there is none
-  bool strict = false;                                // see promote_strict_warnings
-  import::UrdfOptions urdf = {};                      // for robots in URDF; free_mimic_joints for MJCF too
-  bool lists_parameters = false;                      // a note with the model's parameters
-  std::vector<std::string> groups = {};               // asked for by name: one that the robot cannot have is an error
-  std::vector<Derivative> derivatives = {};           // checked when they are traced
+  std::optional<std::filesystem::path> desired = {};       // the default list, when there is none
+  bool strict = false;                                     // see promote_strict_warnings
+  import::UrdfOptions urdf = {};                           // for robots in URDF; free_mimic_joints for MJCF too
+  bool lists_parameters = false;                           // a note with the model's parameters
+  std::vector<std::filesystem::path> import_folders = {};  // searched for parts of robots after that of the document
+  bool may_be_library = false;                             // imports and parts without a robot are no error
+  std::vector<std::string> groups = {};      // asked for by name: one that the robot cannot have is an error
+  std::vector<Derivative> derivatives = {};  // checked when they are traced
   // Instead of the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
   std::vector<std::string> contacts = {};
 };
@@ -61,6 +64,13 @@ struct LoadOptions {
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt
 // when an error was reported.
 std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& options, Diagnostics& diagnostics);
+
+// The robot document of the file without parts: they are put in. With it, the files that were read for them. nullopt
+// when an error was reported.
+std::optional<import::RobotDocument> load_robot_document(
+    const std::filesystem::path& file,
+    const LoadOptions& options,
+    Diagnostics& diagnostics);
 
 // The frames of a document of motions or of transforms, and the paths between them. nullopt when an error was reported.
 std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics);

@@ -28,7 +28,8 @@ std::string item(const Parameter& p) {
   std::string text = p.name;
   if (p.default_value) text += fmt::format("[{}]", print_double(*p.default_value));
   if (!p.place.source) return text;
-  const LineColumn at = p.place.source->locate(p.place.span.begin);
+  const Place place = written_at(p.place);
+  const LineColumn at = place.source->locate(place.span.begin);
   return text + fmt::format(" {}:{}", at.line, at.column);
 }
 

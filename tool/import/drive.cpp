@@ -89,21 +89,6 @@ class DriveDescriber {
 
 }  // namespace
 
-std::vector<ExpressionPtr> expressions_of_drive(
-    const kinematics::Drive& d,
-    const std::optional<kinematics::Rotor>& rotor,
-    const kinematics::Limits& limits) {
-  std::vector<ExpressionPtr> all = {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest};
-  if (rotor) {
-    all.insert(all.end(), {rotor->inertia, rotor->ratio});
-    if (rotor->axis) all.insert(all.end(), rotor->axis->begin(), rotor->axis->end());
-  }
-  if (limits.position) all.insert(all.end(), limits.position->begin(), limits.position->end());
-  all.insert(all.end(), {limits.velocity, limits.effort});
-  std::erase(all, nullptr);
-  return all;
-}
-
 void describe_drive(
     const kinematics::Drive& drive,
     const std::optional<kinematics::Rotor>& rotor,

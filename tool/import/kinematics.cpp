@@ -8,6 +8,7 @@
 #include "import/couplings.h"
 #include "import/drive.h"
 #include "import/parameters.h"
+#include "language/kinematics/expressions.h"
 
 namespace robcogen::import {
 
@@ -18,39 +19,11 @@ using model::Quantity;
 
 namespace {
 
-// Every expression of the document.
-std::vector<const Expression*> expressions_of(const kinematics::Document& document) {
-  std::vector<const Expression*> all;
-  const auto add = [&](const language::ExpressionPtr& e) { all.push_back(e.get()); };
-  const auto add_placement = [&](const kinematics::Placement& p) {
-    for (const auto& e : p.translation) add(e);
-    for (const auto& e : p.rotation) add(e);
-  };
-  for (const kinematics::Link& link : document.links) {
-    if (link.inertia) {
-      const kinematics::Inertia& i = *link.inertia;
-      add(i.mass);
-      for (const auto& e : i.com) add(e);
-      for (const auto& e : {i.ix, i.iy, i.iz, i.ixy, i.ixz, i.iyz}) add(e);
-    }
-    for (const kinematics::Frame& frame : link.frames) add_placement(frame.placement);
-  }
-  for (const kinematics::Joint& joint : document.joints) {
-    add_placement(joint.placement);
-    if (joint.pitch) add(joint.pitch);
-    for (const language::ExpressionPtr& e : expressions_of_drive(joint.drive, joint.rotor, joint.limits)) add(e);
-    for (const kinematics::Coordinate& c : joint.coordinates)
-      for (const language::ExpressionPtr& e : expressions_of_drive(c.drive, c.rotor, c.limits)) add(e);
-  }
-  for (const kinematics::Coupling& coupling : document.couplings) add(coupling.value);
-  return all;
-}
-
 class Describer {
  public:
   Describer(const kinematics::Document& document, Diagnostics& diagnostics)
       : document_(document), diagnostics_(diagnostics), reader_(document.source, diagnostics) {
-    for (const Expression* expression : expressions_of(document)) reader_.declare_names_in(*expression);
+    kinematics::visit_body(document, [&](const language::ExpressionPtr& e) { reader_.declare_names_in(*e); });
   }
 
   model::Description describe() {

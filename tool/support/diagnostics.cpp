@@ -100,11 +100,27 @@ bool is_error(const Diagnostic& d) {
   return d.severity == Severity::error;
 }
 
+// Who uses the text that holds the place, and who uses that, outwards.
+void add_uses(Place place, std::vector<Note>& notes) {
+  while (place.source) {
+    const Source::Use* use = place.source->use_at(place.span.begin);
+    if (use == nullptr || use->note.empty()) return;
+    place.span = use->user;
+    notes.push_back({place, use->note});
+  }
+}
+
 std::string render_one(const Diagnostic& d, ErrorFormat format) {
-  std::string out = head(d.place, label(d.severity), d.code, d.message, format);
+  const Place place = written_at(d.place);
+  std::string out = head(place, label(d.severity), d.code, d.message, format);
   for (const std::string& line : d.details) out += fmt::format("    {}\n", line);
-  if (d.details.empty()) out += excerpt(d.place);
-  for (const Note& note : d.notes) out += head(note.place, "note", "", note.message, format) + excerpt(note.place);
+  if (d.details.empty()) out += excerpt(place);
+  std::vector<Note> notes = d.notes;
+  add_uses(d.place, notes);
+  for (const Note& note : notes) {
+    const Place written = written_at(note.place);
+    out += head(written, "note", "", note.message, format) + excerpt(written);
+  }
   if (!d.hint.empty()) out += fmt::format("hint: {}\n", d.hint);
   return out;
 }
@@ -135,6 +151,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+Place written_at(const Place& place) {
+  const Source::Use* use = place.source ? place.source->use_at(place.span.begin) : nullptr;
+  if (use == nullptr) return place;
+  return {use->source, {place.span.begin - use->begin, place.span.end - use->begin}};
+}
 
 Diagnostic& Diagnostics::error(std::string code, Place place, std::string message) {
   return add({Severity::error, std::move(code), std::move(message), std::move(place), {}, {}, {}});
@@ -172,12 +194,13 @@ std::string Diagnostics::render(ErrorFormat format, std::size_t max_errors) cons
   std::vector<const Source*> sources;  // in the order of their first diagnostic
   for (const Diagnostic& d : list_) {
     sorted.push_back(&d);
-    if (std::find(sources.begin(), sources.end(), d.place.source.get()) == sources.end())
-      sources.push_back(d.place.source.get());
+    const Place place = written_at(d.place);
+    if (std::find(sources.begin(), sources.end(), place.source.get()) == sources.end())
+      sources.push_back(place.source.get());
   }
   const auto rank = [&](const Diagnostic* d) {
-    return std::pair(
-        std::find(sources.begin(), sources.end(), d->place.source.get()) - sources.begin(), d->place.span.begin);
+    const Place place = written_at(d->place);
+    return std::pair(std::find(sources.begin(), sources.end(), place.source.get()) - sources.begin(), place.span.begin);
   };
   std::stable_sort(
       sorted.begin(), sorted.end(), [&](const Diagnostic* a, const Diagnostic* b) { return rank(a) < rank(b); });

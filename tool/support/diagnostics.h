@@ -26,6 +26,9 @@ struct Place {
   Span span;
 };
 
+// In the text that the place was written in, where its source stands for several.
+Place written_at(const Place& place);
+
 struct Note {
   Place place;
   std::string message;

@@ -13,6 +13,23 @@ Source::Source(std::string name, std::string text) : name_(std::move(name)), tex
   }
 }
 
+Source::Source(std::shared_ptr<const Source> first) : Source(first->name(), "") {
+  uses_.push_back({std::move(first)});
+}
+
+std::size_t Source::use(std::shared_ptr<const Source> source, Span user, std::string note) {
+  const Use& last = uses_.back();
+  const std::size_t begin = last.begin + last.source->text().size() + 1;
+  uses_.push_back({std::move(source), begin, user, std::move(note)});
+  return begin;
+}
+
+const Source::Use* Source::use_at(std::size_t offset) const {
+  const auto next = std::upper_bound(
+      uses_.begin(), uses_.end(), offset, [](std::size_t at, const Use& use) { return at < use.begin; });
+  return next == uses_.begin() ? nullptr : &*std::prev(next);
+}
+
 LineColumn Source::locate(std::size_t offset) const {
   offset = std::clamp(offset, line_starts_.front(), text_.size());
   const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);

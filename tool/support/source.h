@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,24 @@ struct LineColumn {
 };
 
 // A named text; its lines end with LF, CR LF or CR. The name is what messages show: a path, or `<standard input>`.
+//
+// A source may also stand for several texts, some of them many times over, as that of a document does that parts were
+// put into: each use of a text has offsets of its own, and says where it was used.
 class Source {
  public:
+  // The offsets from `begin` on are those of the text of `source`, which the text at `user` made use of.
+  struct Use {
+    std::shared_ptr<const Source> source;
+    std::size_t begin = 0;
+    Span user = {};         // in offsets of the whole, before `begin`
+    std::string note = {};  // what a message says at `user`; empty for the first text, which nothing uses
+  };
+
   Source(std::string name, std::string text);
+  // Of several texts; offsets of the first one are its own.
+  explicit Source(std::shared_ptr<const Source> first);
+  // A further text, used by the text at `user`. Returns the offset of its beginning.
+  std::size_t use(std::shared_ptr<const Source> source, Span user, std::string note);
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return text_; }
@@ -33,10 +49,14 @@ class Source {
   // The line (without its end) that holds this offset.
   std::string_view line_at(std::size_t offset) const;
 
+  // The use that an offset belongs to; nullptr in a text of its own.
+  const Use* use_at(std::size_t offset) const;
+
  private:
   std::string name_;
   std::string text_;
   std::vector<std::size_t> line_starts_;
+  std::vector<Use> uses_;  // by `begin`
 };
 
 }  // namespace robcogen

@@ -32,9 +32,9 @@ TEST(Usage, GuessesWhatWasMeant) {
 }
 
 TEST(Usage, NoOptionIsAcceptedAndIgnored) {
-  const Outcome run = run_tool("generate " + quoted(robot("hyl")) + " --name h -o /nowhere/o -I .");
+  const Outcome run = run_tool("generate " + quoted(robot("hyl")) + " --name h -o /nowhere/o -J .");
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.errors.find("'-I' is not an option of robcogen generate"), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find("'-J' is not an option of robcogen generate"), std::string::npos) << run.errors;
 }
 
 TEST(Usage, EverySingleStepAndNone) {

@@ -38,6 +38,7 @@ std::string describe(const Token& token) {
       return "number " + quote(token.text);
     case Token::Kind::identifier:
     case Token::Kind::symbol:
+    case Token::Kind::string:
       break;
   }
   return quote(token.text);

@@ -76,6 +76,8 @@ class Lexer {
       number();
     } else if (is_symbol(c) || at_member()) {
       symbol();
+    } else if (at_file_name()) {
+      file_name();
     } else if (c == '$' && peek(1) == '{') {
       placeholder();
     } else {
@@ -205,6 +207,21 @@ class Lexer {
     const bool is_arrow = (peek() == '-' && peek(1) == '>') || (peek() == '<' && peek(1) == '-');
     at_ += is_arrow ? 2 : 1;
     push(Token::Kind::symbol, begin, text_from(begin));
+  }
+
+  // `"…"` in one line, after the word `import`.
+  bool at_file_name() const {
+    if (peek() != '"' || list_.tokens.empty()) return false;
+    const Token& word = list_.tokens.back();
+    if (word.kind != Token::Kind::identifier || word.escaped || word.text != "import") return false;
+    const std::size_t end = text_.find_first_of("\"\r\n", at_ + 1);
+    return end != std::string_view::npos && text_[end] == '"';
+  }
+
+  void file_name() {
+    const std::size_t begin = at_;
+    at_ = text_.find('"', at_ + 1) + 1;
+    push(Token::Kind::string, begin, text_.substr(begin + 1, at_ - begin - 2));
   }
 
   void placeholder() {

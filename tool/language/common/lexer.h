@@ -12,10 +12,11 @@
 namespace robcogen::language {
 
 struct Token {
-  enum class Kind { identifier, number, symbol, end };
+  enum class Kind { identifier, number, symbol, string, end };
   Kind kind = Kind::end;
   bool escaped = false;   // identifier written with '^': never a keyword
-  std::string_view text;  // in the source: identifier without its escape, number as written, symbol (`->` is one)
+  std::string_view text;  // in the source: identifier without its escape, number as written, symbol (`->` is one),
+                          // string without its quotes
   Span span;
 };
 
@@ -33,8 +34,9 @@ struct TokenList {
 };
 
 // Reports bytes that belong to no token (a character once per line), malformed numbers (`0x1F`, `1_000`, `1e`, `1d0`,
-// `1.0f`, `O.5`), quotes around a token, and names that are too long; continues after each. Text that makes the rest
-// meaningless (a comment without an end, a `${…}` of a template, UTF-16) is reported and ends the list.
+// `1.0f`, `O.5`), quotes around a token but after the word `import`, and names that are too long; continues after each.
+// Text that makes the rest meaningless (a comment without an end, a `${…}` of a template, UTF-16) is reported and ends
+// the list.
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 // The value of a number; zero for a number that was reported.

@@ -1,11 +1,15 @@
 #include "language/kinematics/block_parser.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "language/common/parse_expression.h"
 
 namespace robcogen::language::kinematics {
+namespace {
+
+const WordList kPlacementItems = {"translation", "rotation"};
+
+}  // namespace
 
 std::string quoted(WordList words) {
   std::string text;
@@ -132,6 +136,21 @@ std::vector<ExpressionPtr> BlockParser::components(const Token& key, std::size_t
 Vector BlockParser::vector(const Token& key) {
   const std::vector<ExpressionPtr> found = components(key, 3);
   return {found[0], found[1], found[2]};
+}
+
+std::optional<Placement> BlockParser::placement(const std::string& owner, Span owner_span) {
+  Placement placement;
+  placement.span.begin = cursor_.peek().span.begin;
+  Words found;
+  const bool sound = block(owner, kPlacementItems, [&] {
+    if (!cursor_.at_any(kPlacementItems)) unknown_item(owner, kPlacementItems);
+    const Token key = word(found);
+    equals(key);
+    (key.text == "translation" ? placement.translation : placement.rotation) = vector(key);
+  });
+  placement.span.end = cursor_.previous().span.end;
+  if (!sound || !check_complete(owner, owner_span, found, kPlacementItems)) return std::nullopt;
+  return placement;
 }
 
 }  // namespace robcogen::language::kinematics

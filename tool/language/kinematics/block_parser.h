@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -112,6 +113,8 @@ class BlockParser {
   // The `(a, b)` of an item, of so many components.
   std::vector<ExpressionPtr> components(const Token& key, std::size_t count);
   Vector vector(const Token& key);
+  // `{ translation = (…) rotation = (…) }`; nullopt when something in it was reported.
+  std::optional<Placement> placement(const std::string& owner, Span owner_span);
 
  protected:
   Cursor cursor_;

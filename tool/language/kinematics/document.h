@@ -48,6 +48,30 @@ struct Child {
   Name joint;
 };
 
+struct Argument {
+  Name name;
+  ExpressionPtr value;
+};
+
+// The mirror image in a plane through the origin, normal to an axis.
+struct Mirror {
+  int axis = 0;  // 0 x, 1 y, 2 z
+  // Joints turn in the same sense about their reflected axes: all of them, or those listed.
+  bool same_sense = false;
+  std::vector<Name> joints;
+  Span span;
+};
+
+// A part, attached to a link.
+struct Instance {
+  Name part;
+  Name name;  // the prefix of all names in it
+  std::vector<Argument> arguments;
+  std::optional<Placement> placement;  // in the frame of the link; the identity where none is given
+  std::optional<Mirror> mirror;
+  std::optional<Span> keep;  // `keep base`: the base of a robot remains a link of its own
+};
+
 // The base has no `id`; a link has no `floating`.
 struct Link {
   Name name;
@@ -57,6 +81,7 @@ struct Link {
   Span id_span;
   std::optional<Inertia> inertia;
   std::vector<Child> children;
+  std::vector<Instance> instances;  // attached to it, after `children`
   std::vector<Frame> frames;
   std::vector<std::string> comments;  // before this element and in it, in order, with their delimiters
   Span span;
@@ -122,15 +147,44 @@ struct Coupling {
   ExpressionPtr value;
 };
 
-struct Document {
-  std::shared_ptr<const Source> source;
-  Name robot;
-  std::vector<std::string> comments;           // before `Robot`
-  std::vector<std::string> trailing_comments;  // before the closing brace and after it
+// The elements of a robot or of a part.
+struct Body {
   std::vector<Link> links;                     // the base first, then in declaration order
   std::vector<Joint> joints;                   // in declaration order
   std::vector<Coupling> couplings;             // of all blocks, in order
   std::vector<std::string> coupling_comments;  // before these blocks and in them
+  std::vector<std::string> trailing_comments;  // before the closing brace, and after that of a robot
+};
+
+struct PartParameter {
+  Name name;
+  ExpressionPtr default_value;  // or none
+};
+
+// A limb that is described once: no base, and links without ids.
+struct Part : Body {
+  Name name;
+  std::vector<PartParameter> parameters;
+  std::vector<Child> roots;           // joints that carry it, and their links
+  std::vector<std::string> comments;  // before `Part`
+};
+
+// `import "file" as name`: the parts of another document, and its robot as a part.
+struct Import {
+  std::string file;
+  std::optional<Name> name;  // for the robot, in place of its own
+  std::vector<std::string> comments;
+  Span span;  // of the file, with its quotes
+};
+
+struct Document : Body {
+  std::shared_ptr<const Source> source;
+  std::vector<Import> imports;
+  std::vector<Part> parts;
+  Name robot;                         // without text in a document of parts only
+  std::vector<std::string> comments;  // before `Robot`
+
+  bool has_robot() const { return !robot.text.empty(); }
 };
 
 // Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be

@@ -27,6 +27,8 @@ class Judge {
   Judge(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
 
   bool run() {
+    for (const Import& i : document_.imports) refuse(i.span, "'import'");
+    for (const Part& part : document_.parts) refuse(part.name.span, "'Part'");
     if (document_.joints.empty()) refuse(document_.robot.span, "a robot without joints");
     for (const Link& link : document_.links) judge(link);
     for (const Joint& joint : document_.joints) judge(joint);
@@ -68,6 +70,7 @@ class Judge {
       for (const ExpressionPtr& e : {i.ix, i.iy, i.iz, i.ixy, i.ixz, i.iyz}) judge(e);
     }
     for (const Frame& frame : link.frames) judge(frame.placement);
+    for (const Instance& i : link.instances) refuse(i.part.span, "a part that is attached to a link");
   }
 
   void judge(const Joint& joint) {

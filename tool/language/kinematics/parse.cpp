@@ -6,11 +6,14 @@
 #include "language/kinematics/block_parser.h"
 #include "language/kinematics/keywords.h"
 #include "language/kinematics/parse_drive.h"
+#include "language/kinematics/parse_part.h"
 
 namespace robcogen::language::kinematics {
 namespace {
 
 const WordList kLinkItems = {"id", "inertia_params", "inertia_properties", "children", "frames"};
+const WordList kLinkNeeds = {"id", "children"};
+const WordList kLinkNeedsInPart = {"children"};
 const WordList kBaseItems = {"inertia_params", "inertia_properties", "children", "frames"};
 const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
 const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
@@ -22,7 +25,6 @@ const WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
 const WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
 const WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
 const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits"};
-const WordList kPlacementItems = {"translation", "rotation"};
 constexpr std::string_view kCouplings = "couplings";
 
 // Elements stand in the block of the robot, items in the block of an element, both in any order.
@@ -38,10 +40,13 @@ class Parser : private BlockParser {
 
   Document run() {
     try {
-      header();
-      elements();
-      end();
-      check_bases();
+      imports_and_parts();
+      if (!is_library()) {
+        header();
+        elements();
+        end();
+        check_bases();
+      }
     } catch (const SyntaxError&) {
     } catch (const OtherLanguage&) {
       // reported; the rest of the file is not read
@@ -56,11 +61,60 @@ class Parser : private BlockParser {
   std::size_t errors_before_;
   const Diagnostics& diagnostics_;
   Document document_;
-  std::vector<Name> bases_;  // including those with errors
+  Body* body_ = &document_;     // of the robot, or of the present part
+  const Part* part_ = nullptr;  // the present one
+  std::vector<Name> bases_;     // including those with errors
   bool may_have_skipped_base_ = false;
 
   // -------------------------------------------------------------------------------------------------------------------
   // The robot: its header, its elements, its end.
+
+  void imports_and_parts() {
+    while (cursor_.at("import") || at_part(cursor_)) {
+      cursor_.begin_statement();
+      try {
+        if (cursor_.at("import"))
+          document_.imports.push_back(import_of(*this));
+        else
+          part();
+      } catch (const SyntaxError&) {
+        cursor_.skip_until([&] { return at_robot() || at_part(cursor_) || at_element(); });
+        if (!at_robot() && !at_part(cursor_)) throw;
+      }
+    }
+  }
+
+  bool at_robot() const { return cursor_.at("Robot") && cursor_.at("{", 2); }
+
+  // Imports and parts alone, for other documents.
+  bool is_library() {
+    if (!cursor_.at_end() || (document_.imports.empty() && document_.parts.empty())) return false;
+    document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
+    return true;
+  }
+
+  void part() {
+    Part part = part_head(*this);
+    const std::string owner = fmt::format("part '{}'", part.name.text);
+    const Token open = cursor_.expect("{", "after " + owner);
+    body_ = &part;
+    part_ = &part;
+    elements(&part.roots);
+    body_ = &document_;
+    part_ = nullptr;
+    if (at_robot()) {
+      cursor_.error("missing-brace", fmt::format("expected '}}' at the end of {}, found 'Robot'", owner))
+          .notes.push_back({cursor_.place(open.span), "opened here"});
+      cursor_.assume_closing_brace();
+    } else {
+      cursor_.expect("}", "at the end of " + owner);
+    }
+    part.trailing_comments = cursor_.comments_before(cursor_.previous().span.end);
+    if (part.roots.empty())
+      cursor_.error_at(part.name.span, "no-root", fmt::format("{} has no root", owner)).hint =
+          "write 'root LINK via JOINT' for its first link and the joint that carries it";
+    document_.parts.push_back(std::move(part));
+  }
 
   void header() {
     document_.comments = cursor_.comments_before(cursor_.peek().span.begin);
@@ -75,11 +129,13 @@ class Parser : private BlockParser {
     }
   }
 
-  void elements() {
-    while (!cursor_.at("}") && !cursor_.at_end()) {
+  void elements(std::vector<Child>* roots = nullptr) {
+    while (!cursor_.at("}") && !cursor_.at_end() && !(roots && at_robot())) {
       cursor_.begin_statement();
       try {
-        if (cursor_.at_any({"RobotBase", "link"})) {
+        if (roots && at_root(cursor_)) {
+          roots->push_back(root(*this));
+        } else if (cursor_.at_any({"RobotBase", "link"})) {
           link();
         } else if (cursor_.at_any({"r_joint", "p_joint"}) || at_new_element()) {
           joint();
@@ -108,6 +164,7 @@ class Parser : private BlockParser {
       words.insert(words.end(), kNewElements.begin(), kNewElements.end());
       words.emplace_back(kCouplings);
       if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
+      if (at_instance(cursor_)) d.hint = "a part stands in 'children' of the link that carries it";
     }
     cursor_.skip_until([&] { return cursor_.at("{") || cursor_.at("}") || at_element(); });
     if (!cursor_.accept("{")) return;
@@ -123,14 +180,20 @@ class Parser : private BlockParser {
     const Token brace = cursor_.expect("}", "at the end of the robot");
     document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
     if (cursor_.at_end()) return;
+    const bool is_part = at_part(cursor_) || cursor_.at("import");
     const bool may_follow = at_element() && diagnostics_.error_count() > errors_before_;
-    if (!may_follow && !cursor_.is_faulty_here())
-      cursor_.error("text-after-end", fmt::format("{} stands after the end of the robot", describe(cursor_.peek())))
-          .notes.push_back({cursor_.place(brace.span), "the robot ends here"});
+    if (!may_follow && !cursor_.is_faulty_here()) report_text_after(brace, is_part);
     while (at_element()) {
       elements();
       cursor_.take();
     }
+  }
+
+  void report_text_after(const Token& brace, bool is_part) {
+    Diagnostic& d =
+        cursor_.error("text-after-end", fmt::format("{} stands after the end of the robot", describe(cursor_.peek())));
+    d.notes.push_back({cursor_.place(brace.span), "the robot ends here"});
+    if (is_part) d.hint = "imports and parts stand before the robot";
   }
 
   void check_bases() {
@@ -149,7 +212,11 @@ class Parser : private BlockParser {
     Link link;
     const Token keyword = cursor_.take();
     link.is_base = keyword.text == "RobotBase";
-    if (link.is_base) bases_.push_back({std::string(cursor_.peek().text), cursor_.peek().span});
+    if (link.is_base && part_ == nullptr) bases_.push_back({std::string(cursor_.peek().text), cursor_.peek().span});
+    if (link.is_base && part_ != nullptr)
+      cursor_.error_at(keyword.span, "base-in-part", fmt::format("part '{}' cannot have a base", part_->name.text))
+          .hint =
+          "a part is attached to a link: write 'root LINK via JOINT' for its first link and the joint that carries it";
     link.name = name(link.is_base ? "the name of the base" : "the name of a link");
     const std::string owner = fmt::format("{} '{}'", link.is_base ? "base" : "link", link.name.text);
     link.floating = link.is_base && cursor_.accept("floating");
@@ -175,10 +242,11 @@ class Parser : private BlockParser {
       }
     });
     if (sound && link.is_base) check_complete(owner, link.name.span, found, {"children"});
-    if (sound && !link.is_base) check_complete(owner, link.name.span, found, {"id", "children"});
+    if (sound && !link.is_base)
+      check_complete(owner, link.name.span, found, part_ != nullptr ? kLinkNeedsInPart : kLinkNeeds);
     link.span = {keyword.span.begin, cursor_.previous().span.end};
     link.comments = cursor_.comments_before(link.span.end);
-    document_.links.push_back(std::move(link));
+    body_->links.push_back(std::move(link));
   }
 
   int integer(const Token& key) {
@@ -202,8 +270,12 @@ class Parser : private BlockParser {
 
   void children(Link& link) {
     block(
-        "'children'", [&] { return cursor_.at_name() && cursor_.at("via", 1); },
+        "'children'", [&] { return (cursor_.at_name() && cursor_.at("via", 1)) || at_instance(cursor_); },
         [&] {
+          if (at_instance(cursor_)) {
+            link.instances.push_back(instance(*this));
+            return;
+          }
           Child child;
           child.link = name("the name of a child link");
           cursor_.expect("via", fmt::format("after '{}'", child.link.text));
@@ -276,6 +348,7 @@ class Parser : private BlockParser {
     bool sound = block(owner, items, [&] {
       if (!cursor_.at_any(items)) {
         if (cursor_.at("translation")) old_dialect("a 'translation' outside 'ref_frame'");
+        if (at_instance(cursor_)) attached_to_joint(owner);
         unknown_item(owner, items);
       }
       const Token key = word(found);
@@ -298,7 +371,7 @@ class Parser : private BlockParser {
     joint.comments = cursor_.comments_before(joint.span.end);
     if (!sound || !placement) return;
     joint.placement = *placement;
-    document_.joints.push_back(std::move(joint));
+    body_->joints.push_back(std::move(joint));
   }
 
   static Joint::Type type_of(std::string_view word) {
@@ -350,20 +423,10 @@ class Parser : private BlockParser {
     return sound && sound_drive;
   }
 
-  // `{ translation = (…) rotation = (…) }`; nullopt when something in it was reported.
-  std::optional<Placement> placement(const std::string& owner, Span owner_span) {
-    Placement placement;
-    placement.span.begin = cursor_.peek().span.begin;
-    Words found;
-    const bool sound = block(owner, kPlacementItems, [&] {
-      if (!cursor_.at_any(kPlacementItems)) unknown_item(owner, kPlacementItems);
-      const Token key = word(found);
-      equals(key);
-      (key.text == "translation" ? placement.translation : placement.rotation) = vector(key);
-    });
-    placement.span.end = cursor_.previous().span.end;
-    if (!sound || !check_complete(owner, owner_span, found, kPlacementItems)) return std::nullopt;
-    return placement;
+  [[noreturn]] void attached_to_joint(const std::string& owner) {
+    cursor_.error("attached-to-joint", fmt::format("part '{}' cannot be attached to {}", cursor_.peek().text, owner))
+        .hint = "a part stands in 'children' of a link";
+    throw SyntaxError{};
   }
 
   void couplings() {
@@ -375,10 +438,10 @@ class Parser : private BlockParser {
           coupling.joint = name("the name of a joint");
           cursor_.expect("=", fmt::format("after '{}'", coupling.joint.text));
           coupling.value = scalar();
-          document_.couplings.push_back(std::move(coupling));
+          body_->couplings.push_back(std::move(coupling));
         });
     for (std::string& comment : cursor_.comments_before(cursor_.previous().span.end))
-      document_.coupling_comments.push_back(std::move(comment));
+      body_->coupling_comments.push_back(std::move(comment));
   }
 };
 

@@ -24,6 +24,28 @@ std::string placement(const Placement& p, const std::string& indent) {
   return indent + "translation = " + vector(p.translation) + "\n" + indent + "rotation = " + vector(p.rotation) + "\n";
 }
 
+std::string arguments(const std::vector<Argument>& list) {
+  std::string out;
+  for (const Argument& a : list) out += (out.empty() ? "" : ", ") + name(a.name) + " = " + language::print(*a.value);
+  return "(" + out + ")";
+}
+
+std::string mirror(const Mirror& m) {
+  std::string out = std::string(" mirrored ") + "xyz"[m.axis] + (m.same_sense ? " same sense" : "");
+  if (m.joints.empty()) return out;
+  out += " {";
+  for (const Name& joint : m.joints) out += " " + name(joint);
+  return out + " }";
+}
+
+std::string instance(const Instance& i) {
+  const std::string in = "            ";
+  std::string out = in + name(i.part) + " " + name(i.name);
+  if (!i.arguments.empty() || !i.placement) out += arguments(i.arguments);
+  if (i.placement) out += " at {\n" + placement(*i.placement, in + "    ") + in + "}";
+  return out + (i.mirror ? mirror(*i.mirror) : "") + (i.keep ? " keep base" : "") + "\n";
+}
+
 std::string inertia(const Inertia& i) {
   const std::string in = "            ";
   std::string out = "        inertia_params {\n";
@@ -42,11 +64,12 @@ std::string link(const Link& l) {
   out += (l.is_base ? "    RobotBase " : "    link ") + name(l.name) + (l.floating ? " floating" : "") + " {\n";
   if (l.id) out += "        id = " + std::to_string(*l.id) + "\n";
   if (l.inertia) out += inertia(*l.inertia);
-  if (l.children.empty()) {
+  if (l.children.empty() && l.instances.empty()) {
     out += "        children {}\n";
   } else {
     out += "        children {\n";
     for (const Child& child : l.children) out += "            " + name(child.link) + " via " + name(child.joint) + "\n";
+    for (const Instance& i : l.instances) out += instance(i);
     out += "        }\n";
   }
   if (!l.frames.empty()) {
@@ -113,7 +136,7 @@ std::string joint(const Joint& j) {
   return out + drive_and_limits(j, "        ") + "    }\n";
 }
 
-std::string couplings(const Document& d) {
+std::string couplings(const Body& d) {
   if (d.couplings.empty()) return comments(d.coupling_comments, "    ");
   std::string out = "\n" + comments(d.coupling_comments, "    ") + "    couplings {\n";
   for (const Coupling& c : d.couplings) out += "        " + name(c.joint) + " = " + language::print(*c.value) + "\n";
@@ -142,6 +165,21 @@ bool same(const Child& a, const Child& b) {
   return a.link.text == b.link.text && a.joint.text == b.joint.text;
 }
 
+bool same(const Name& a, const Name& b) {
+  return a.text == b.text;
+}
+
+bool same(const Argument& a, const Argument& b) {
+  return same(a.name, b.name) && same(a.value, b.value);
+}
+
+bool same(const std::optional<Mirror>& a, const std::optional<Mirror>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const auto same_name = [](const Name& x, const Name& y) { return same(x, y); };
+  return a->axis == b->axis && a->same_sense == b->same_sense &&
+         std::equal(a->joints.begin(), a->joints.end(), b->joints.begin(), b->joints.end(), same_name);
+}
+
 bool same(const Frame& a, const Frame& b) {
   return a.name.text == b.name.text && same(a.placement, b.placement);
 }
@@ -150,19 +188,30 @@ bool same(const Coupling& a, const Coupling& b) {
   return a.joint.text == b.joint.text && same(a.value, b.value);
 }
 
+bool same(const Instance& a, const Instance& b);
 bool same(const Link& a, const Link& b);
 bool same(const Joint& a, const Joint& b);
 bool same(const Coordinate& a, const Coordinate& b);
+bool same(const PartParameter& a, const PartParameter& b);
+bool same(const Part& a, const Part& b);
+bool same(const Import& a, const Import& b);
 
 template <class T>
 bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
 }
 
+bool same(const Instance& a, const Instance& b) {
+  return same(a.part, b.part) && same(a.name, b.name) && all_same(a.arguments, b.arguments) &&
+         a.placement.has_value() == b.placement.has_value() && (!a.placement || same(*a.placement, *b.placement)) &&
+         same(a.mirror, b.mirror) && a.keep.has_value() == b.keep.has_value();
+}
+
 bool same(const Link& a, const Link& b) {
   return a.name.text == b.name.text && a.is_base == b.is_base && a.floating == b.floating && a.id == b.id &&
          a.inertia.has_value() == b.inertia.has_value() && (!a.inertia || same(*a.inertia, *b.inertia)) &&
-         all_same(a.children, b.children) && all_same(a.frames, b.frames) && a.comments == b.comments;
+         all_same(a.children, b.children) && all_same(a.instances, b.instances) && all_same(a.frames, b.frames) &&
+         a.comments == b.comments;
 }
 
 bool same(const Drive& a, const Drive& b) {
@@ -197,6 +246,57 @@ bool same(const Joint& a, const Joint& b) {
   return a.name.text == b.name.text && a.type == b.type && a.id == b.id && same(a.placement, b.placement) &&
          same(a.pitch, b.pitch) && same_drive_and_limits(a, b) && all_same(a.coordinates, b.coordinates) &&
          a.comments == b.comments;
+}
+
+bool same(const Body& a, const Body& b) {
+  return all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
+         a.coupling_comments == b.coupling_comments && a.trailing_comments == b.trailing_comments;
+}
+
+bool same(const PartParameter& a, const PartParameter& b) {
+  return same(a.name, b.name) && same(a.default_value, b.default_value);
+}
+
+bool same(const Part& a, const Part& b) {
+  return same(static_cast<const Body&>(a), static_cast<const Body&>(b)) && same(a.name, b.name) &&
+         all_same(a.parameters, b.parameters) && all_same(a.roots, b.roots) && a.comments == b.comments;
+}
+
+bool same(const Import& a, const Import& b) {
+  return a.file == b.file && a.name.has_value() == b.name.has_value() && (!a.name || same(*a.name, *b.name)) &&
+         a.comments == b.comments;
+}
+
+std::string body(const Body& b) {
+  std::string out;
+  for (const Link& l : b.links) out += link(l);
+  for (const Joint& j : b.joints) out += joint(j);
+  out += couplings(b);
+  if (!b.trailing_comments.empty()) out += "\n" + comments(b.trailing_comments, "    ");
+  return out;
+}
+
+std::string import_line(const Import& i) {
+  return comments(i.comments, "") + "import \"" + i.file + "\"" + (i.name ? " as " + name(*i.name) : "") + "\n";
+}
+
+std::string part(const Part& p) {
+  std::string out = comments(p.comments, "") + "Part " + name(p.name);
+  std::string parameters;
+  for (const PartParameter& parameter : p.parameters)
+    parameters += (parameters.empty() ? "" : ", ") + name(parameter.name) +
+                  (parameter.default_value ? "[" + language::print(*parameter.default_value) + "]" : "");
+  if (!parameters.empty()) out += "(" + parameters + ")";
+  out += " {\n";
+  for (const Child& root : p.roots) out += "    root " + name(root.link) + " via " + name(root.joint) + "\n";
+  return out + body(p) + "}\n\n";
+}
+
+void remove_comments(Body& body) {
+  body.trailing_comments.clear();
+  for (Link& link : body.links) link.comments.clear();
+  for (Joint& joint : body.joints) joint.comments.clear();
+  body.coupling_comments.clear();
 }
 
 }  // namespace
@@ -238,26 +338,27 @@ std::span<const std::string_view> coordinate_words(Joint::Type type) {
 }
 
 std::string print(const Document& d) {
-  std::string out = comments(d.comments, "") + "Robot " + name(d.robot) + " {\n";
-  for (const Link& l : d.links) out += link(l);
-  for (const Joint& j : d.joints) out += joint(j);
-  out += couplings(d);
-  if (!d.trailing_comments.empty()) out += "\n" + comments(d.trailing_comments, "    ");
-  return out + "}\n";
+  std::string out;
+  for (const Import& i : d.imports) out += import_line(i);
+  if (!d.imports.empty() && (d.has_robot() || !d.parts.empty())) out += "\n";
+  for (const Part& p : d.parts) out += part(p);
+  if (!d.has_robot() && !(d.imports.empty() && d.parts.empty())) return out + comments(d.trailing_comments, "");
+  return out + comments(d.comments, "") + "Robot " + name(d.robot) + " {\n" + body(d) + "}\n";
 }
 
 bool equal(const Document& a, const Document& b) {
-  return a.robot.text == b.robot.text && a.comments == b.comments && a.trailing_comments == b.trailing_comments &&
-         all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
-         a.coupling_comments == b.coupling_comments;
+  return a.robot.text == b.robot.text && a.comments == b.comments && all_same(a.imports, b.imports) &&
+         all_same(a.parts, b.parts) && same(static_cast<const Body&>(a), static_cast<const Body&>(b));
 }
 
 Document without_comments(Document document) {
   document.comments.clear();
-  document.trailing_comments.clear();
-  for (Link& link : document.links) link.comments.clear();
-  for (Joint& joint : document.joints) joint.comments.clear();
-  document.coupling_comments.clear();
+  for (Import& i : document.imports) i.comments.clear();
+  for (Part& p : document.parts) {
+    p.comments.clear();
+    remove_comments(p);
+  }
+  remove_comments(document);
   return document;
 }
 

@@ -1,0 +1,227 @@
+// A part that is mirrored moves as the mirror image of one that is not: the same joint-space inertia matrix, the same
+// forces under reflected gravity, reflected Jacobians and positions of its links, all in positions that make mirrored
+// postures: equal ones, or opposite ones where a joint keeps its sense.
+#include "physics.h"
+
+namespace robcogen {
+namespace {
+
+using namespace test;
+using numeric::Dice;
+
+constexpr int kParts = 500;
+
+struct Case {
+  kinematics::Document part;  // a robot; its base is left out
+  bool floating = false;
+  int axis = 0;
+  bool same_sense = false;
+  std::vector<std::string> kept;  // joints; empty: all
+  std::array<double, 3> position{}, angles{};
+};
+
+Case random_case(std::uint64_t seed) {
+  Dice dice(seed);
+  Case c;
+  c.part = random_document(seed);
+  c.floating = dice.chance(0.4);
+  c.axis = dice.below(3);
+  const int sense = dice.below(3);
+  c.same_sense = sense > 0;
+  for (const kinematics::Joint& joint : c.part.joints)
+    if (sense == 2 && joint.type != kinematics::Joint::Type::prismatic && dice.chance(0.5))
+      c.kept.push_back(joint.name.text);
+  if (sense == 2 && c.kept.empty()) c.same_sense = false;
+  if (c.floating) return c;  // the base is symmetric to the plane through its origin
+  for (double& x : c.position) x = dice.between(-1.0, 1.0);
+  for (double& a : c.angles) a = dice.chance(0.3) ? 0.0 : dice.between(-2.0, 2.0);
+  return c;
+}
+
+std::string text(const std::array<double, 3>& v) {
+  return "(" + print_double(v[0]) + ", " + print_double(v[1]) + ", " + print_double(v[2]) + ")";
+}
+
+// A base that carries the part, or its mirror image.
+model::KinematicTree robot(const Case& c, bool mirrored) {
+  const auto on_plane = [&](int axis, double value) { return axis == c.axis ? 0.0 : value; };
+  const auto product = [&](int i, int k) { return print_double(on_plane(i, on_plane(k, 0.05))); };
+  std::string document =
+      std::string("Robot R { RobotBase base ") + (c.floating ? "floating" : "") +
+      " { inertia_params { mass = 5.0 CoM = " + text({on_plane(0, 0.1), on_plane(1, 0.2), on_plane(2, -0.1)}) +
+      " Ix = 1.0 Iy = 1.2 Iz = 1.3 Ixy = " + product(0, 1) + " Ixz = " + product(0, 2) + " Iyz = " + product(1, 2) +
+      " } children { P limb at { translation = " + text(c.position) + " rotation = " + text(c.angles) + " }";
+  if (mirrored) {
+    document += std::string(" mirrored ") + "xyz"[c.axis] + (c.same_sense ? " same sense" : "");
+    if (!c.kept.empty()) document += " {";
+    for (const std::string& joint : c.kept) document += " " + joint;
+    if (!c.kept.empty()) document += " }";
+  }
+  kinematics::Document result = parsed(document + " } } }");
+  kinematics::Part part;
+  static_cast<kinematics::Body&>(part) = c.part;
+  part.name.text = "P";
+  part.roots = part.links.front().children;
+  const std::string base = part.links.front().name.text;
+  part.links.erase(part.links.begin());
+  for (kinematics::Joint& joint : part.joints)  // rotors on the base of the part would be on nothing
+    if (joint.rotor && joint.rotor->carrier && joint.rotor->carrier->text == base) joint.rotor->carrier.reset();
+  result.parts.push_back(std::move(part));
+  return tree_of(expanded(std::move(result)));
+}
+
+// The reflection in base axes.
+Matrix reflection(const Case& c) {
+  Matrix R = Matrix::identity(3);
+  for (int axis = 0; axis < 3; ++axis) {
+    Matrix turn = Matrix::identity(3);
+    const int y = (axis + 1) % 3, z = (axis + 2) % 3;
+    const double angle = c.angles[static_cast<std::size_t>(axis)];
+    turn(y, y) = turn(z, z) = std::cos(angle);
+    turn(z, y) = std::sin(angle);
+    turn(y, z) = -std::sin(angle);
+    R = R * turn;
+  }
+  Matrix M = Matrix::identity(3);
+  M(c.axis, c.axis) = -1;
+  return R * M * transpose(R);
+}
+
+// Of velocities, angular first: an angular velocity is an axial vector.
+Matrix of_velocities(const Matrix& S) {
+  Matrix D(6, 6);
+  Matrix negative = S;
+  negative *= -1.0;
+  D.set_block(0, 0, negative);
+  D.set_block(3, 3, S);
+  return D;
+}
+
+// The factors of coordinates.
+Vector senses(const Case& c, const model::KinematicTree& tree) {
+  Vector s(tree.dof());
+  int i = 0;
+  for (const int j : tree.coordinates()) {
+    const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+    const bool is_kept = c.kept.empty() || std::count(c.kept.begin(), c.kept.end(), joint.name.substr(5)) > 0;
+    s(i++) = joint.type != model::JointType::prismatic && c.same_sense && is_kept ? -1.0 : 1.0;
+  }
+  return s;
+}
+
+Vector scaled(const Vector& s, const Vector& v) {
+  Vector result = v;
+  for (int i = 0; i < v.rows(); ++i) result(i) *= s(i);
+  return result;
+}
+
+class MirrorImage {
+ public:
+  MirrorImage(const Case& c, std::uint64_t seed)
+      : case_(c), tree_(robot(c, false)), image_(robot(c, true)), S_(reflection(c)), s_(senses(c, tree_)) {
+    Dice dice(seed);
+    state_ = {
+        random_vector(dice, tree_.dof()), random_vector(dice, tree_.dof()), random_vector(dice, 6),
+        random_vector(dice, 3)};
+    image_state_ = {
+        scaled(s_, state_.q), scaled(s_, state_.qd), of_velocities(S_) * state_.base_velocity, S_ * state_.gravity};
+  }
+
+  void check() const {
+    const Matrix D = of_base_and_joints();
+    expect_equal(inertia_matrix(image_, image_state_), D * inertia_matrix(tree_, state_) * D, "H");
+    expect_equal(bias_forces(image_, image_state_), D * bias_forces(tree_, state_), "bias forces");
+    check_frames();
+  }
+
+ private:
+  const Case& case_;
+  model::KinematicTree tree_, image_;
+  Matrix S_;
+  Vector s_;
+  State state_, image_state_;
+
+  Matrix of_base_and_joints() const {
+    const int base = case_.floating ? 6 : 0;
+    Matrix D = Matrix::identity(base + s_.rows());
+    if (case_.floating) D.set_block(0, 0, of_velocities(S_));
+    for (int i = 0; i < s_.rows(); ++i) D(base + i, base + i) = s_(i);
+    return D;
+  }
+
+  // Each link against the base: its Jacobian, and the position of its origin.
+  void check_frames() const {
+    const auto functions = [](const model::KinematicTree& tree, const std::string& group) {
+      model::DesiredTransforms desired;
+      const std::vector<model::Frame> frames = tree.frames();
+      for (std::size_t i = 1; i < tree.links.size(); ++i) {
+        desired.jacobians.push_back({frames[0], frames[i]});
+        desired.transforms.push_back({frames[0], frames[i]});
+      }
+      return algorithm::functions(tree, desired, group);
+    };
+    const auto own = functions(tree_, "jacobians"), of_image = functions(image_, "jacobians");
+    ASSERT_EQ(own.size(), of_image.size());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      ASSERT_EQ(own[k].columns, of_image[k].columns) << own[k].name;
+      if (own[k].columns.empty()) continue;
+      Matrix reflected = of_velocities(S_) * matrix(result(own[k].program, state_), 6);
+      for (int col = 0; col < reflected.cols(); ++col)
+        for (int row = 0; row < 6; ++row) reflected(row, col) *= s_(own[k].columns[static_cast<std::size_t>(col)]);
+      expect_equal(matrix(result(of_image[k].program, image_state_), 6), reflected, own[k].name);
+    }
+    const auto poses = functions(tree_, "transforms"), image_poses = functions(image_, "transforms");
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      if (poses[k].scope != "transforms::homogeneous") continue;
+      const Vector position = matrix(result(poses[k].program, state_), 4).block(0, 3, 3, 1);
+      const Vector image = matrix(result(image_poses[k].program, image_state_), 4).block(0, 3, 3, 1);
+      const Vector at = {case_.position[0], case_.position[1], case_.position[2]};
+      expect_equal(image, at + S_ * (position - at), poses[k].name);
+    }
+  }
+};
+
+TEST(MirroredParts, MoveAsMirrorImages) {
+  int kept = 0, coupled = 0;
+  for (std::uint64_t seed = 0; seed < kParts; ++seed) {
+    const Case c = random_case(seed);
+    kept += c.same_sense ? 1 : 0;
+    coupled += c.part.couplings.empty() ? 0 : 1;
+    MirrorImage(c, seed).check();
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << "\n" << kinematics::print(c.part);
+  }
+  EXPECT_GT(kept, kParts / 4);
+  EXPECT_GT(coupled, kParts / 10);
+}
+
+// The mirror image of the mirror image is the part.
+TEST(MirroredParts, AreThemselvesWhenTheyAreMirroredAgain) {
+  const std::string part =
+      "Part Leg { root hip via HAA link hip { children { shin via KFE } } link shin { children {} frames { foot { "
+      "translation = (0.1, 0.2, 0.3) rotation = (0.4, 0.5, 0.6) } } } r_joint HAA { ref_frame { translation = (0.1, "
+      "0.2, 0.3) rotation = (0.7, PI/2.0, 0.1) } limits { position = (-0.5, 1.0) } } p_joint KFE { ref_frame { "
+      "translation = (0.3, 0.2, 0.1) rotation = (0.3, -0.2, 0.1) } } }";
+  const std::string pair =
+      "Part Pair { root hub via turn link hub { children { Leg a() mirrored y same sense } } r_joint turn { ref_frame "
+      "{ "
+      "translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }";
+  const std::string plain =
+      "Part Pair { root hub via turn link hub { children { Leg a() } } r_joint turn { ref_frame { translation = (0.0, "
+      "0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }";
+  const std::string robot = " Robot R { RobotBase base { children { Pair p() ";
+  // The image of the hub has its y axis reversed, too: the leg is as it was.
+  const kinematics::Document twice = expanded(parsed(part + pair + robot + "mirrored y same sense } } }"));
+  const kinematics::Document never = expanded(parsed(part + plain + robot + "} } }"));
+  ASSERT_EQ(twice.joints.size(), 3u);
+  for (std::size_t j = 1; j < 3; ++j) {
+    const model::Placement a = tree_of(twice).joints[j].placement, b = tree_of(never).joints[j].placement;
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(a.translation[i].number().value(), b.translation[i].number().value(), 1e-15);
+      EXPECT_NEAR(a.rotation[i].number().value(), b.rotation[i].number().value(), 1e-15);
+    }
+  }
+  EXPECT_EQ(kinematics::print(twice).substr(0, 40), kinematics::print(never).substr(0, 40));
+}
+
+}  // namespace
+}  // namespace robcogen

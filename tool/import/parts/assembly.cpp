@@ -1,0 +1,150 @@
+#include "import/parts/assembly.h"
+
+#include <array>
+#include <set>
+#include <utility>
+
+#include "import/parts/placements.h"
+
+namespace robcogen::import::parts {
+namespace {
+
+using kinematics::Inertia;
+using kinematics::Link;
+using kinematics::Name;
+
+constexpr std::string_view kFrame = "fr_";
+
+ExpressionPtr renamed(const ExpressionPtr& e, const std::set<std::string>& joints, const std::string& instance) {
+  if (e->kind == Expression::Kind::name && joints.contains(e->name)) {
+    Expression result = *e;
+    result.name = element_name(instance, e->name);
+    result.escaped = false;
+    return std::make_shared<const Expression>(std::move(result));
+  }
+  if (!e->left) return e;
+  Expression result = *e;
+  result.left = renamed(e->left, joints, instance);
+  if (e->right) result.right = renamed(e->right, joints, instance);
+  return std::make_shared<const Expression>(std::move(result));
+}
+
+void name_after(Link& link, const std::string& instance) {
+  link.name.text = element_name(instance, link.name.text);
+  for (kinematics::Frame& frame : link.frames) frame.name.text = frame_name(instance, frame.name.text);
+  if (link.inertia && link.inertia->reference)
+    link.inertia->reference->text = frame_name(instance, link.inertia->reference->text);
+  for (kinematics::Child& child : link.children) {
+    child.link.text = element_name(instance, child.link.text);
+    child.joint.text = element_name(instance, child.joint.text);
+  }
+}
+
+// Of one body about the origin of a frame, in its axes: the tensor, with negative products off the diagonal.
+struct MassProperties {
+  ExpressionPtr mass;
+  Vector com;
+  Matrix moments;
+};
+
+Matrix tensor(const Inertia& i) {
+  const ExpressionPtr xy = negated(i.ixy), xz = negated(i.ixz), yz = negated(i.iyz);
+  return {Vector{i.ix, xy, xz}, Vector{xy, i.iy, yz}, Vector{xz, yz, i.iz}};
+}
+
+// m (|c|^2 1 - c c')
+Matrix steiner(const ExpressionPtr& mass, const Vector& c) {
+  const ExpressionPtr square = sum(sum(product(c[0], c[0]), product(c[1], c[1])), product(c[2], c[2]));
+  Matrix m;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      m[i][k] = product(mass, i == k ? difference(square, product(c[i], c[i])) : negated(product(c[i], c[k])));
+  return m;
+}
+
+template <class Operation>
+Matrix entrywise(const Matrix& a, const Matrix& b, Operation operation) {
+  Matrix m;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) m[i][k] = operation(a[i][k], b[i][k]);
+  return m;
+}
+
+// The same in the frame that the placement is given in.
+MassProperties moved(const MassProperties& own, const Placement& placement) {
+  if (is_identity(placement)) return own;
+  const Matrix rotation = rotation_matrix(placement.rotation);
+  const Matrix about_com = entrywise(own.moments, steiner(own.mass, own.com), difference);
+  MassProperties result = {own.mass, sum(placement.translation, product(rotation, own.com)), {}};
+  result.moments = entrywise(
+      product(product(rotation, about_com), transposed(rotation)), steiner(own.mass, result.com),
+      [](const ExpressionPtr& a, const ExpressionPtr& b) { return sum(a, b); });
+  return result;
+}
+
+MassProperties in_link_frame(const Link& link) {
+  const Inertia& i = *link.inertia;
+  const MassProperties own = {i.mass, i.com, tensor(i)};
+  if (!i.reference) return own;
+  for (const kinematics::Frame& frame : link.frames)
+    if (frame.name.text == i.reference->text) return moved(own, frame.placement);
+  return own;  // the frame is unknown, which is reported when the document is read
+}
+
+Inertia inertia_of(const MassProperties& p, Span span) {
+  Inertia result;
+  result.mass = p.mass;
+  result.com = p.com;
+  result.ix = p.moments[0][0], result.iy = p.moments[1][1], result.iz = p.moments[2][2];
+  result.ixy = negated(p.moments[0][1]), result.ixz = negated(p.moments[0][2]);
+  result.iyz = negated(p.moments[1][2]);
+  result.span = span;
+  return result;
+}
+
+}  // namespace
+
+std::string element_name(const std::string& instance, const std::string& name) {
+  return instance + "_" + name;
+}
+
+std::string frame_name(const std::string& instance, const std::string& name) {
+  if (!name.starts_with(kFrame)) return element_name(instance, name);
+  return std::string(kFrame) + element_name(instance, name.substr(kFrame.size()));
+}
+
+void name_after(Assembly& assembly, const std::string& instance) {
+  std::set<std::string> joints;
+  for (const kinematics::Joint& joint : assembly.body.joints) joints.insert(joint.name.text);
+  for (Link& link : assembly.body.links) name_after(link, instance);
+  if (assembly.base) name_after(*assembly.base, instance);
+  for (kinematics::Joint& joint : assembly.body.joints) {
+    joint.name.text = element_name(instance, joint.name.text);
+    if (joint.rotor && joint.rotor->carrier)
+      joint.rotor->carrier->text = element_name(instance, joint.rotor->carrier->text);
+  }
+  for (kinematics::Coupling& coupling : assembly.body.couplings) {
+    coupling.joint.text = element_name(instance, coupling.joint.text);
+    coupling.value = renamed(coupling.value, joints, instance);
+  }
+  for (kinematics::Child& root : assembly.roots) {
+    root.link.text = element_name(instance, root.link.text);
+    root.joint.text = element_name(instance, root.joint.text);
+  }
+}
+
+std::optional<Inertia> lumped(const Link& link, const Link& base, const Placement& placement) {
+  if (!base.inertia) return link.inertia;
+  const MassProperties added = moved(in_link_frame(base), placement);
+  const Span span = link.inertia ? link.inertia->span : base.inertia->span;
+  if (!link.inertia) return inertia_of(added, span);
+  const MassProperties own = in_link_frame(link);
+  MassProperties both = {sum(own.mass, added.mass), {}, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    both.com[i] = quotient(sum(product(own.mass, own.com[i]), product(added.mass, added.com[i])), both.mass);
+  both.moments =
+      entrywise(own.moments, added.moments, [](const ExpressionPtr& a, const ExpressionPtr& b) { return sum(a, b); });
+  return inertia_of(both, span);
+}
+
+}  // namespace robcogen::import::parts

@@ -1,0 +1,164 @@
+#include "import/parts/rewrite.h"
+
+#include <fmt/format.h>
+
+#include "import/parts/terms.h"
+#include "language/kinematics/expressions.h"
+
+namespace robcogen::import::parts {
+namespace {
+
+using Kind = Expression::Kind;
+using kinematics::Body;
+using kinematics::Name;
+
+bool is_declared(const Expression& e) {
+  return !e.group.empty() || e.is_parameter || e.default_value.has_value();
+}
+
+class Rewriter {
+ public:
+  Rewriter(
+      std::size_t shift,
+      const Meanings& meanings,
+      const std::shared_ptr<const Source>& source,
+      Diagnostics& diagnostics)
+      : shift_(shift), meanings_(meanings), source_(source), diagnostics_(diagnostics) {}
+
+  void rewrite(Body& body) {
+    for (kinematics::Link& link : body.links) rewrite(link);
+    for (kinematics::Joint& joint : body.joints) {
+      shift(joint.name);
+      shift(joint.span);
+      shift(joint.placement.span);
+      if (joint.rotor) {
+        shift(joint.rotor->span);
+        if (joint.rotor->carrier) shift(*joint.rotor->carrier);
+      }
+      visit_joint(joint, [&](ExpressionPtr& e) { e = rewritten(e); });
+    }
+    is_coupling_ = true;
+    for (kinematics::Coupling& coupling : body.couplings) {
+      shift(coupling.joint);
+      coupling.value = rewritten(coupling.value);
+    }
+  }
+
+ private:
+  std::size_t shift_;
+  const Meanings& meanings_;
+  const std::shared_ptr<const Source>& source_;
+  Diagnostics& diagnostics_;
+  bool is_coupling_ = false;
+
+  Span shifted(const Span& span) const { return {span.begin + shift_, span.end + shift_}; }
+  void shift(Span& span) const { span = shifted(span); }
+  void shift(Name& name) const { shift(name.span); }
+
+  void rewrite(kinematics::Link& link) {
+    shift(link.name);
+    shift(link.id_span);
+    shift(link.span);
+    if (link.inertia) {
+      shift(link.inertia->span);
+      if (link.inertia->reference) shift(*link.inertia->reference);
+    }
+    for (kinematics::Child& child : link.children) {
+      shift(child.link);
+      shift(child.joint);
+    }
+    for (kinematics::Frame& frame : link.frames) {
+      shift(frame.name);
+      shift(frame.placement.span);
+    }
+    for (kinematics::Instance& instance : link.instances) rewrite(instance);
+    visit_link(link, [&](ExpressionPtr& e) { e = rewritten(e); });
+  }
+
+  void rewrite(kinematics::Instance& instance) const {
+    shift(instance.part);
+    shift(instance.name);
+    for (kinematics::Argument& argument : instance.arguments) shift(argument.name);
+    if (instance.placement) shift(instance.placement->span);
+    if (instance.mirror) {
+      shift(instance.mirror->span);
+      for (Name& joint : instance.mirror->joints) shift(joint);
+    }
+    if (instance.keep) shift(*instance.keep);
+  }
+
+  // What did not change but for its place is not folded either.
+  ExpressionPtr rewritten(const ExpressionPtr& e) const {
+    const bool has_name = e->kind == Kind::name || e->kind == Kind::pi;
+    if (has_name && e->group.empty()) {
+      const auto value = meanings_.values.find(e->name);
+      if (value != meanings_.values.end()) return at(value->second, shifted(e->span));
+      if (e->kind == Kind::name) require_meaning(*e);
+    }
+    Expression result = *e;
+    shift(result.span);
+    if (e->left) result.left = rewritten(e->left);
+    if (e->right) result.right = rewritten(e->right);
+    if (!has_argument(*e)) return std::make_shared<const Expression>(std::move(result));
+    return at(with_operands(result, result.left, result.right), result.span);
+  }
+
+  bool has_argument(const Expression& e) const {
+    for (const ExpressionPtr& operand : {e.left, e.right}) {
+      if (!operand) continue;
+      if (operand->group.empty() && (operand->kind == Kind::name || operand->kind == Kind::pi) &&
+          meanings_.values.contains(operand->name))
+        return true;
+      if (has_argument(*operand)) return true;
+    }
+    return false;
+  }
+
+  static ExpressionPtr at(const ExpressionPtr& e, const Span& span) {
+    Expression result = *e;
+    result.span = span;
+    return std::make_shared<const Expression>(std::move(result));
+  }
+
+  void require_meaning(const Expression& e) const {
+    if (meanings_.part.empty() || is_declared(e)) return;
+    const bool is_unit = e.name == "rad" || e.name == "m";
+    if (is_coupling_ && (is_unit || meanings_.joints.contains(e.name))) return;
+    std::vector<std::string> known;
+    for (const auto& [name, value] : meanings_.values) known.push_back(name);
+    if (is_coupling_) known.insert(known.end(), meanings_.joints.begin(), meanings_.joints.end());
+    diagnostics_
+        .error(
+            "unknown-parameter", {source_, shifted(e.span)},
+            fmt::format(
+                "part '{}' has no parameter{} '{}'", meanings_.part, is_coupling_ ? " and no joint" : "", e.name))
+        .hint = did_you_mean(e.name, known);
+  }
+};
+
+void add_names(const Expression& e, std::set<std::string>& names) {
+  if (e.kind == Kind::name) names.insert(e.name);
+  if (e.left) add_names(*e.left, names);
+  if (e.right) add_names(*e.right, names);
+}
+
+}  // namespace
+
+Body rewritten(
+    Body body,
+    std::size_t shift,
+    const Meanings& meanings,
+    const std::shared_ptr<const Source>& source,
+    Diagnostics& diagnostics) {
+  Rewriter(shift, meanings, source, diagnostics).rewrite(body);
+  return body;
+}
+
+std::set<std::string> parameters_of(const Body& body) {
+  std::set<std::string> names;
+  visit_body(body, [&](const ExpressionPtr& e) { add_names(*e, names); });
+  for (const kinematics::Joint& joint : body.joints) names.erase(joint.name.text);
+  return names;
+}
+
+}  // namespace robcogen::import::parts

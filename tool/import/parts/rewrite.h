@@ -1,0 +1,32 @@
+// Copies of the elements of a part for one instance: arguments in place of parameters, and places of their own.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "import/parts/scope.h"
+#include "language/common/expression.h"
+
+namespace robcogen::import::parts {
+
+// What a name in the expressions of a part means.
+struct Meanings {
+  std::map<std::string, language::ExpressionPtr> values = {};  // of parameters of the part
+  std::set<std::string> joints = {};                           // which couplings name
+  // Of a part, which declares its parameters, in messages. In a robot other names are parameters of the robot.
+  std::string part = {};
+};
+
+// The body, its offsets moved by `shift` into those of `source`. Reports names without a meaning.
+kinematics::Body rewritten(
+    kinematics::Body body,
+    std::size_t shift,
+    const Meanings& meanings,
+    const std::shared_ptr<const Source>& source,
+    Diagnostics& diagnostics);
+
+// The names in the expressions of a robot that may be parameters.
+std::set<std::string> parameters_of(const kinematics::Body& body);
+
+}  // namespace robcogen::import::parts
