@@ -43,6 +43,8 @@ std::optional<reflection::FrameQuantity> frame_quantity(symbolic::Role role) {
   }
 }
 
+constexpr std::size_t kFewJoints = 6;
+
 std::string pair_name(const std::string& left, const std::string& letter, const std::string& right) {
   return left + "_" + letter + "_" + right;
 }
@@ -75,7 +77,9 @@ InterpretedRobot::InterpretedRobot(
   std::vector<std::string> passes = steps;
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.frames = frames;
+  const bool is_small = robot.joints.size() <= kFewJoints;
   for (const std::string& group : groups) {
+    if (!is_small && group.find("regressor") != std::string::npos) continue;
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
       const std::string name = f.program.name;
       if (group == "jacobians")
@@ -258,6 +262,44 @@ reference::Derivatives InterpretedRobot::gravity_forces_derivative(const Vector<
   return derivatives(run("gravity_forces_derivative", gravity, {{"q", q.values()}}), "base_wrench", "tau");
 }
 
+Matrix<double> InterpretedRobot::regressor(const State& m, const Arguments& arguments) const {
+  return matrix(run("regressor", arguments, inputs_of(m)).at("Y"), rows());
+}
+
+Matrix<double> InterpretedRobot::drive_regressor(const State& m) const {
+  return matrix(run("drive_regressor", {}, inputs_of(m)).at("Y"), rows());
+}
+
+Vector<double> InterpretedRobot::inertial_parameters() const {
+  return vector(run("inertial_parameters", {}, {}).at("pi"));
+}
+
+Vector<double> InterpretedRobot::drive_parameters() const {
+  return vector(run("drive_parameters", {}, {}).at("pi"));
+}
+
+Matrix<double> InterpretedRobot::base_regressor(const State& m) const {
+  return matrix(run("base_regressor", {}, inputs_of(m)).at("Y"), rows());
+}
+
+Vector<double> InterpretedRobot::base_parameters(const Vector<double>& inertial_parameters) const {
+  return vector(run("base_parameters", {}, {{"inertial_parameters", inertial_parameters.values()}}).at("beta"));
+}
+
+Matrix<double> InterpretedRobot::energy_regressor(const State& m, const Arguments& arguments) const {
+  return matrix(run("energy_regressor", arguments, inputs_of(m)).at("Y"), 2);
+}
+
+Matrix<double> InterpretedRobot::slotine_li_regressor(const State& m, const State& r, const Arguments& arguments)
+    const {
+  symbolic::Arrays<double> inputs = inputs_of(m);
+  inputs["qd_r"] = r.qd.values();
+  inputs["qdd_r"] = r.qdd.values();
+  inputs["base_velocity_r"] = r.base_velocity.values();
+  inputs["base_acceleration_r"] = r.base_acceleration.values();
+  return matrix(run("slotine_li_regressor", arguments, inputs).at("Y"), rows());
+}
+
 Vector<double> InterpretedRobot::center_of_mass(const Vector<double>& q) const {
   return vector(run("center_of_mass", {}, {{"q", q.values()}}).at("com"));
 }
@@ -316,6 +358,13 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
+    if (robot.programs().contains("regressor")) {
+      check_parameters_of_regressors(robot, c, checks);
+      check_regressor(robot, c, checks);
+      check_base_regressor(robot, c, checks);
+      check_energy_regressor(robot, c, checks);
+      check_slotine_li_regressor(robot, c, checks);
+    }
     check_inverse_dynamics_derivatives(robot, c, checks);
     check_free_inverse_dynamics_derivatives(robot, c, checks);
     check_gravity_forces_derivative(robot, c, checks);

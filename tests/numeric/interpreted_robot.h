@@ -12,6 +12,7 @@
 #include "robcogen/reference/check_derivatives.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_frame_motion.h"
+#include "robcogen/reference/check_identification.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "symbolic/interpret.h"
@@ -27,7 +28,8 @@ class InterpretedRobot {
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces the functions of these groups, in these link frames, and optimises them by `steps`.
+  // Traces the functions of these groups, in these link frames, and optimises them by `steps`. Regressors, whose
+  // matrices are the largest, of robots with few joints only.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
@@ -69,6 +71,15 @@ class InterpretedRobot {
       const reference::Arguments& arguments) const;
   reference::Derivatives gravity_forces_derivative(const Vector<double>& q, const reference::Arguments& arguments)
       const;
+  reference::Matrix<double> regressor(const State& m, const reference::Arguments& arguments) const;
+  reference::Matrix<double> drive_regressor(const State& m) const;
+  Vector<double> inertial_parameters() const;
+  Vector<double> drive_parameters() const;
+  reference::Matrix<double> base_regressor(const State& m) const;
+  Vector<double> base_parameters(const Vector<double>& inertial_parameters) const;
+  reference::Matrix<double> energy_regressor(const State& m, const reference::Arguments& arguments) const;
+  reference::Matrix<double> slotine_li_regressor(const State& m, const State& r, const reference::Arguments& arguments)
+      const;
   Vector<double> center_of_mass(const Vector<double>& q) const;
   reference::Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const;
   reference::Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const;
@@ -91,6 +102,8 @@ class InterpretedRobot {
       const symbolic::Arrays<double>& results,
       const std::string& base,
       const std::string& joints) const;
+
+  int rows() const { return floating_ ? 6 + dof_ : dof_; }
 
   bool floating_;
   int dof_;

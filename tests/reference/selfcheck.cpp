@@ -20,6 +20,7 @@
 #include "robcogen/reference/check_derivatives.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/check_frame_motion.h"
+#include "robcogen/reference/check_identification.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_parameters.h"
@@ -56,6 +57,11 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
       check_free_inverse_dynamics_derivatives(subject, c, checks);
     if constexpr (kHasInverseDynamicsGradient) check_inverse_dynamics_gradient(subject, c, checks);
     if constexpr (kHasForwardDynamicsDerivatives) check_forward_dynamics_derivatives(subject, c, checks);
+    if constexpr (kHasRegressor) check_parameters_of_regressors(subject, c, checks);
+    if constexpr (kHasRegressor) check_regressor(subject, c, checks);
+    if constexpr (kHasBaseRegressor) check_base_regressor(subject, c, checks);
+    if constexpr (kHasEnergyRegressor) check_energy_regressor(subject, c, checks);
+    if constexpr (kHasSlotineLiRegressor) check_slotine_li_regressor(subject, c, checks);
     if constexpr (kHasCentroidal) check_center_of_mass(subject, c, checks);
     if constexpr (kHasCentroidal) check_centroidal_momentum(subject, c, checks);
     if constexpr (kHasCentroidal && kHasForwardDynamics) check_free_fall(subject, c, checks);

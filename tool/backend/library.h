@@ -123,6 +123,7 @@ struct Function {
   std::string kernel;  // `inverse_dynamics_external`; identifier, unique in the library
   std::vector<std::string> summary;       // documentation lines: what, frames, units, source
   std::vector<int> columns;               // jacobians: joint index of each column
+  std::vector<std::string> labels = {};   // regressors: what each column multiplies
   int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
   symbolic::Program program;
   std::string method = {};                                  // how it is computed, where there was a choice

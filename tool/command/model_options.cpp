@@ -79,6 +79,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.groups = named_groups(groups);
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   options.contacts = contacts;
+  options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
   Diagnostics diagnostics;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));

@@ -65,6 +65,7 @@ backend::Function library_function(
   function.kernel = traced.program.name;
   function.summary = std::move(traced.summary);
   function.columns = std::move(traced.columns);
+  function.labels = std::move(traced.labels);
   function.program = std::move(traced.program);
   function.method = std::move(traced.method);
   function.error = traced.error;

@@ -92,12 +92,12 @@ std::optional<Model> load_tree(
 }
 
 void report_absence(const model::KinematicTree& tree, const std::string& group, Diagnostics& diagnostics) {
-  const std::string reason = algorithm::reason_of_absence(tree, group);
+  const std::string reason = algorithm::reason_of_absence(tree, group, algorithm::Reasons::other_than_masses);
   if (reason.empty()) return;
   Diagnostic& error = diagnostics.error(
       "unavailable-group", tree.links[0].place,
       fmt::format("'{}' of robot '{}' is not available: {}", group, tree.name, reason));
-  if (algorithm::is_available(tree, "inverse_dynamics_derivatives"))
+  if (group == "forward_dynamics_derivatives" && algorithm::is_available(tree, "inverse_dynamics_derivatives"))
     error.hint =
         "solve for the columns of inverse_dynamics_derivatives with joint_space_inertia_factor: d_q = -H^-1 d tau/d q";
 }
@@ -145,6 +145,20 @@ model::DesiredTransforms desired_of(
   return result;
 }
 
+// Those that `all` leaves out.
+void list_absent_groups(const Robot& robot, Diagnostics& diagnostics) {
+  const std::vector<std::string>& of_contacts = algorithm::groups_of_contacts();
+  for (const std::string& group : algorithm::groups()) {
+    std::string reason = algorithm::reason_of_absence(robot.tree, group, algorithm::Reasons::all);
+    const bool needs_contacts = std::find(of_contacts.begin(), of_contacts.end(), group) != of_contacts.end();
+    if (reason.empty() && needs_contacts && robot.desired.contacts.empty()) reason = "no contact frames are named";
+    if (reason.empty()) continue;
+    diagnostics.note(
+        "left-out-group", robot.tree.links[0].place,
+        fmt::format("'{}' of robot '{}' is left out: {}", group, robot.tree.name, reason));
+  }
+}
+
 std::optional<Model> load_robot(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
@@ -166,6 +180,7 @@ std::optional<Model> load_robot(
   robot.desired = desired_of(tree, options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   require_contacts(robot, options.groups, diagnostics);
+  if (options.lists_absent_groups) list_absent_groups(robot, diagnostics);
   return model;
 }
 

@@ -59,6 +59,7 @@ struct LoadOptions {
   std::vector<Derivative> derivatives = {};  // checked when they are traced
   // Instead of the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
   std::vector<std::string> contacts = {};
+  bool lists_absent_groups = false;                   // a note for each group that the robot cannot have
 };
 
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt

@@ -103,6 +103,19 @@ TEST(RobotPrograms, OfAFixedBase) {
       signatures(tree, "energy"), (List{
                                       "kinetic_energy: q qd -> T 1x1", "potential_energy: q -> V 1x1",
                                       "potential_energy_gravity: q gravity -> V 1x1"}));
+  EXPECT_EQ(
+      signatures(tree, "regressor"),
+      (List{
+          "regressor: q qd qdd -> Y 2x20", "regressor_gravity: q qd qdd gravity -> Y 2x20",
+          "inertial_parameters: -> pi 20x1", "drive_regressor: q qd qdd -> Y 2x10", "drive_parameters: -> pi 10x1"}));
+  EXPECT_EQ(
+      signatures(tree, "energy_regressor"),
+      (List{"energy_regressor: q qd -> Y 2x20", "energy_regressor_gravity: q qd gravity -> Y 2x20"}));
+  EXPECT_EQ(
+      signatures(tree, "slotine_li_regressor"),
+      (List{
+          "slotine_li_regressor: q qd qd_r qdd_r -> Y 2x20",
+          "slotine_li_regressor_gravity: q qd qd_r qdd_r gravity -> Y 2x20"}));
 }
 
 TEST(RobotPrograms, OfAFloatingBase) {
@@ -158,6 +171,17 @@ TEST(RobotPrograms, OfAFloatingBase) {
   EXPECT_EQ(
       signatures(tree, "energy"),
       (List{"kinetic_energy: q qd base_velocity -> T 1x1", "potential_energy: q gravity -> V 1x1"}));
+  const std::string moving = "q qd qdd base_velocity base_acceleration";
+  EXPECT_EQ(
+      signatures(tree, "regressor"),
+      (List{
+          "regressor: " + moving + " gravity -> Y 8x30", "inertial_parameters: -> pi 30x1",
+          "drive_regressor: " + moving + " -> Y 8x10", "drive_parameters: -> pi 10x1"}));
+  EXPECT_EQ(signatures(tree, "energy_regressor"), (List{"energy_regressor: q qd base_velocity gravity -> Y 2x30"}));
+  EXPECT_EQ(
+      signatures(tree, "slotine_li_regressor"),
+      (List{"slotine_li_regressor: q qd qd_r qdd_r base_velocity base_velocity_r base_acceleration_r gravity -> Y "
+            "8x30"}));
 }
 
 class EveryProgram : public testing::TestWithParam<bool> {};

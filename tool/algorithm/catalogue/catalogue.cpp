@@ -19,6 +19,7 @@ enum Needs : unsigned {
   kRegularInertia = 1 << 2,  // they divide by the joint-space inertia matrix
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
+  kFewElements = 1 << 5,     // a matrix has ten columns a link
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -64,6 +65,10 @@ constexpr std::array kGroups = {
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
     Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
     Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
+    Group{"regressor", false, kFewElements, regressor_functions, nullptr},
+    Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr},
+    Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr},
+    Group{"slotine_li_regressor", false, kFewElements, slotine_li_regressor_functions, nullptr},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
@@ -103,22 +108,39 @@ bool has_many_pairs(const KinematicTree& tree) {
   return pairs_of_coordinates(tree) > kMany;
 }
 
+// A regressor of more elements, for eight states at once, would outgrow the stacks of threads.
+bool has_many_elements(const KinematicTree& tree) {
+  constexpr int kMany = 4'000;
+  const int base = tree.floating_base ? 6 : 0, links = static_cast<int>(tree.links.size()) - (base > 0 ? 0 : 1);
+  return (base + tree.dof()) * 10 * links > kMany;
+}
+
 struct Requirement {
   Needs need;
   bool (*is_met)(const KinematicTree&);
-  const char* reason;  // empty where diagnostics of the mass properties say it
+  const char* reason;
+  bool is_of_masses = false;  // diagnostics of the mass properties say the reason, too
 };
 
 constexpr std::array kRequirements = {
-    Requirement{kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; }, ""},
-    Requirement{kMass, [](const KinematicTree& tree) { return !tree.inertia_defects.no_mass; }, ""},
-    Requirement{kRegularInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.is_singular(); }, ""},
+    Requirement{
+        kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; },
+        "no link that moves has mass properties", true},
+    Requirement{
+        kMass, [](const KinematicTree& tree) { return !tree.inertia_defects.no_mass; },
+        "the links that move have no mass", true},
+    Requirement{
+        kRegularInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.is_singular(); },
+        "its joint-space inertia matrix is singular", true},
     Requirement{
         kFewPairs, [](const KinematicTree& tree) { return !has_many_pairs(tree); },
         "with so many joints its code without loops would outgrow the caches of processors"},
     Requirement{
         kFewOperations, [](const KinematicTree& tree) { return !has_many_operations(tree); },
-        "with so many joints its code without loops would outgrow the caches of processors"}};
+        "with so many joints its code without loops would outgrow the caches of processors"},
+    Requirement{
+        kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
+        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);
@@ -166,11 +188,11 @@ bool is_available(const KinematicTree& tree, const std::string& group) {
   return found && is_available(*found, tree);
 }
 
-std::string reason_of_absence(const KinematicTree& tree, const std::string& group) {
+std::string reason_of_absence(const KinematicTree& tree, const std::string& group, Reasons reasons) {
   const Group* found = group_of(group);
   if (!found) return "";
   const auto lacking = std::find_if(kRequirements.begin(), kRequirements.end(), [&](const Requirement& r) {
-    return *r.reason != '\0' && lacks(tree, *found, r);
+    return (reasons == Reasons::all || !r.is_of_masses) && lacks(tree, *found, r);
   });
   return lacking == kRequirements.end() ? "" : lacking->reason;
 }

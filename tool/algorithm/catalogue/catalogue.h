@@ -25,6 +25,7 @@ struct RobotFunction {
   std::string method = {};           // how it is computed, where there was a choice
   std::optional<symbolic::RoundingError> error = {};        // once it was measured
   std::vector<symbolic::DerivativeBlock> derivatives = {};  // among its outputs, to be checked by differences
+  std::vector<std::string> labels = {};                     // regressors: what each column multiplies
 };
 
 // In canonical order.
@@ -43,8 +44,10 @@ const std::vector<std::string>& default_groups();
 // inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
 bool is_available(const model::KinematicTree& tree, const std::string& group);
 
-// Why a group is not available, where it is not the mass properties that do not allow it; else empty.
-std::string reason_of_absence(const model::KinematicTree& tree, const std::string& group);
+// Why a group is not available; empty where it is, and, if asked so, where the mass properties do not allow it, which
+// diagnostics of the model say.
+enum class Reasons { all, other_than_masses };
+std::string reason_of_absence(const model::KinematicTree& tree, const std::string& group, Reasons reasons);
 
 // The functions of one group; none where it is not available. Gravity, where it enters, is folded to (0, 0, -9.81) in a
 // fixed-base robot's first overload and an input in the others; external wrenches are inputs of the last.

@@ -33,8 +33,13 @@ std::vector<RobotFunction> forward_dynamics_derivatives_functions(
     FormulationChoices& choices);
 std::vector<RobotFunction> centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> energy_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-
 std::vector<RobotFunction> centroidal_bias_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> regressor_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> base_regressor_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> energy_regressor_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+std::vector<RobotFunction> slotine_li_regressor_functions(
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
 
 // ---- Contacts: of all contact frames that are desired, at least one.
 

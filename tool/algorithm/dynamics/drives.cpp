@@ -33,18 +33,22 @@ std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
   return rotors;
 }
 
-namespace {
+Expression smooth_sign(Trace& trace, const model::Drive& drive, const Expression& qd) {
+  // Added to v^2 it makes the sign of a velocity of zero zero and is lost beside every velocity above 1e-10, in double
+  // and in single precision.
+  constexpr double kLeastSquare = 1e-36;
+  const Expression v = trace.lift(drive.friction_velocity);
+  const Expression square = v * v + trace.graph.constant(kLeastSquare);
+  return qd / sqrt(qd * qd + square);
+}
 
-// Added to v^2 it makes the sign of a velocity of zero zero and is lost beside every velocity above 1e-10, in double
-// and in single precision.
-constexpr double kLeastSquare = 1e-36;
+namespace {
 
 // f s(qd)
 Expression friction(Trace& trace, const model::Drive& drive, const Expression& qd) {
   if (drive.friction.is_zero()) return Expression();
-  const Expression v = trace.lift(drive.friction_velocity);
-  const Expression square = v * v + trace.graph.constant(kLeastSquare);
-  return trace.lift(drive.friction) * (qd / sqrt(qd * qd + square));
+  const Expression sign = smooth_sign(trace, drive, qd);
+  return trace.lift(drive.friction) * sign;
 }
 
 // Whether the robot's dynamics use them or not.

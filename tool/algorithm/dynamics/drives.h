@@ -23,6 +23,9 @@ std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link);
 // The momentum of the joint's rotor if this link carries it, else zero.
 Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link);
 
+// s(qd) = qd / sqrt(qd^2 + v^2), with the velocity v below which the friction of this drive falls: a smooth sign.
+Expression smooth_sign(Trace& trace, const model::Drive& drive, const Expression& qd);
+
 // The forces that the joints have to overcome in their drives, by joint: b qd + f s(qd) + k (q - q0), with
 // s(qd) = qd / sqrt(qd^2 + v^2), a smooth form of Coulomb friction. Without v it is the sign of qd, zero at rest.
 // All are zero where the robot's dynamics do not use them.

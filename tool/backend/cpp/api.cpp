@@ -228,7 +228,10 @@ Api api(const Library& library) {
     const Function& f = library.functions[i];
     const std::string& name = names.at({f.scope, f.name});
     const bool jacobian = !f.program.outputs.empty() && symbolic::is_jacobian(f.program.outputs.front().role);
-    const std::string columns = jacobian ? taken[f.scope].claim(name + "_columns") : "";
+    const auto listed = [&](const Callable& c) { return c.name == name && c.function->scope == f.scope; };
+    const auto first = std::find_if(result.callables.begin(), result.callables.end(), listed);
+    const bool is_listed = first == result.callables.end() && (jacobian || !f.labels.empty());
+    const std::string columns = is_listed ? taken[f.scope].claim(name + "_columns") : "";
     result.callables.push_back(callable(f, kernel_names[i], name, columns, owner(f.program)));
   }
   if (!library.updates.empty()) name_parameters(library, result);

@@ -22,7 +22,7 @@ struct Callable {
   const Function* function = nullptr;
   std::string kernel;                           // in namespace `kernel`
   std::string name;                             // in the function's scope
-  std::string columns;                          // Jacobians: the constant that lists the joints of its columns
+  std::string columns;                          // the constant that lists joints, or labels, of its columns
   std::string owner;                            // the type whose member it is; empty: a free function
   std::string result = {};                      // the type that it returns
   std::vector<Parameter> parameters = {};       // of the kernel: inputs, then outputs

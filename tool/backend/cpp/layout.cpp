@@ -122,6 +122,31 @@ std::string numbered_list(const std::string& head, const std::vector<std::string
   return remarked_list(head, items, numbers, indent);
 }
 
+std::string text_list(const std::string& head, const std::vector<std::string>& texts) {
+  constexpr std::size_t kIndent = 4, kAround = 3;  // quotes and a comma
+  const std::size_t room = kColumns - kIndent - kAround;
+  std::vector<std::string> items;
+  std::size_t longest = 0;
+  for (const std::string& text : texts) {
+    items.push_back(cpp::quoted(text));
+    longest = std::max(longest, items.back().size());
+  }
+  if (longest + kIndent + std::string(",  // 1000").size() <= kColumns) return numbered_list(head, items);
+  std::string result = head + " = {\n";
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    result += blanks(kIndent) + "// " + std::to_string(i) + "\n";
+    std::string rest = texts[i];
+    while (rest.size() > room) {
+      const std::size_t cut = rest.rfind(' ', room - 1) + 1;
+      if (cut == 0) break;
+      result += blanks(kIndent) + cpp::quoted(rest.substr(0, cut)) + "\n";
+      rest.erase(0, cut);
+    }
+    result += blanks(kIndent) + cpp::quoted(rest) + ",\n";
+  }
+  return result + "};\n";
+}
+
 std::string table(const std::string& head, const std::vector<std::vector<Field>>& rows) {
   std::vector<std::string> items, numbers;
   std::size_t width = 0;

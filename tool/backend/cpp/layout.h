@@ -40,6 +40,8 @@ std::string remarked_list(
 
 // `head = {items};` in one line if they fit, else one a line, each with its number.
 std::string numbered_list(const std::string& head, const std::vector<std::string>& items, std::size_t indent = 0);
+// Texts, in pieces where they are longer than a line; with their numbers.
+std::string text_list(const std::string& head, const std::vector<std::string>& texts);
 
 // A field of a table: one item, a list in braces, or a template with a list of arguments.
 struct Field {

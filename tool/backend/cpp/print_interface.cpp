@@ -108,6 +108,10 @@ std::string types_of_members(const Api& api) {
 
 std::string columns_constant(const Api& api, const Callable& callable) {
   if (callable.columns.empty()) return "";
+  if (const std::vector<std::string>& labels = callable.function->labels; !labels.empty()) {
+    return text_list(
+        "inline constexpr std::array<const char*, " + std::to_string(labels.size()) + "> " + callable.columns, labels);
+  }
   std::vector<std::string> joints;
   for (int joint : callable.function->columns)
     joints.push_back("Joint::" + api.joints[static_cast<std::size_t>(joint)]);

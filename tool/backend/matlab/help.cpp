@@ -69,6 +69,8 @@ std::string results(const Library& library, const Function& function) {
   std::vector<std::string> joints;
   for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
   if (!joints.empty()) text += comment("    columns: " + joined(joints), 0, 6);
+  for (std::size_t k = 0; k < function.labels.size(); ++k)
+    text += comment("    column " + std::to_string(k + 1) + ": " + function.labels[k], 0, 6);
   return text;
 }
 

@@ -165,6 +165,8 @@ std::vector<std::string> documentation(const Library& library, const Function& f
   lines.push_back("returns " + joined(outputs));
   for (const int j : f.columns) columns.push_back(library.joints[static_cast<std::size_t>(j)].name);
   if (!columns.empty()) lines.push_back("columns: " + joined(columns));
+  for (std::size_t k = 0; k < f.labels.size(); ++k)
+    lines.push_back("column " + std::to_string(k + 1) + ": " + f.labels[k]);
   return lines;
 }
 

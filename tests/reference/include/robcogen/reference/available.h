@@ -28,6 +28,10 @@ constexpr bool kHasInverseDynamicsDerivatives = has_kernel("gravity_forces_deriv
 constexpr bool kHasFreeInverseDynamicsDerivatives = has_kernel("inverse_dynamics_derivatives");
 constexpr bool kHasInverseDynamicsGradient = has_kernel("inverse_dynamics_gradient");
 constexpr bool kHasForwardDynamicsDerivatives = has_kernel("forward_dynamics_derivatives");
+constexpr bool kHasRegressor = has_kernel("regressor");
+constexpr bool kHasBaseRegressor = has_kernel("base_regressor");
+constexpr bool kHasEnergyRegressor = has_kernel("energy_regressor");
+constexpr bool kHasSlotineLiRegressor = has_kernel("slotine_li_regressor");
 constexpr bool kHasCentroidal = has_kernel("center_of_mass");
 constexpr bool kHasEnergy = has_kernel("kinetic_energy");
 

@@ -123,7 +123,7 @@ void check_energies(const Subject& subject, const Case& c, Checks& checks) {
 
 // C v are the Coriolis forces, and dH/dt = C + C'.
 template <class Subject>
-void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks) {
+void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks, const std::string& of = "") {
   const Matrix<Real> C = subject.coriolis_matrix(c.sample.motion).template cast<Real>();
   const Vector<Real> velocity = coordinates(c.floating, c.motion.base_velocity, c.motion.qd);
   Motion<double> steady = at_rest(c.sample.motion.q);
@@ -132,7 +132,8 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
   Expected forces = expected_forces(c, steady, without_passive<Real>(Vector<double>(3)));
   forces.terms += magnitude(C) * magnitude(velocity);
   checks.record(
-      "coriolis_matrix times velocity", kForce, error_of(c, (C * velocity).template cast<double>(), forces), c.index);
+      of + "coriolis_matrix times velocity", kForce, error_of(c, (C * velocity).template cast<double>(), forces),
+      c.index);
 
   Real speed = 1;
   for (int j = 0; j < c.motion.qd.rows(); ++j) speed += std::abs(c.motion.qd(j));
@@ -143,7 +144,7 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
   };
   const Matrix<Real> change = 1 / (12 * step) * (Real(8) * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
   const Matrix<Real> terms = magnitude(C) + magnitude(transpose(C)) + speed * inertia_magnitude(c);
-  checks.record("dH/dt - 2 C is skew symmetric", kSkew, relative_error(C + transpose(C), change, terms), c.index);
+  checks.record(of + "dH/dt - 2 C is skew symmetric", kSkew, relative_error(C + transpose(C), change, terms), c.index);
 }
 
 }  // namespace robcogen::reference

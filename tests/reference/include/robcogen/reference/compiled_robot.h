@@ -216,6 +216,60 @@ class CompiledRobot {
     });
   }
 
+  Matrix<double> regressor(const State& m, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) {
+      return of_motion(m, [&](const auto&... state) { return robot_.regressor(state..., g...); });
+    });
+  }
+  Matrix<double> drive_regressor(const State& m) const {
+    return of_motion(m, [&](const auto&... state) { return robot_.drive_regressor(state...); });
+  }
+  Vector<double> inertial_parameters() const { return vector(robot_.inertial_parameters()); }
+  Vector<double> drive_parameters() const { return vector(robot_.drive_parameters()); }
+
+  // Under standard gravity.
+  Matrix<double> base_regressor(const State& m) const {
+    return of_motion(m, [&](const auto&... state) {
+      if constexpr (R::kFloatingBase) {
+        return robot_.base_regressor(state..., BasicGravity<Scalar>::standard());
+      } else {
+        return robot_.base_regressor(state...);
+      }
+    });
+  }
+  Vector<double> base_parameters(const Vector<double>& inertial_parameters) const {
+    constexpr int kMoving = R::kLinkCount - (R::kFloatingBase ? 0 : 1);
+    Eigen::Matrix<Scalar, 10 * kMoving, 1> all;
+    for (int i = 0; i < inertial_parameters.rows(); ++i) all[i] = static_cast<Scalar>(inertial_parameters(i));
+    return vector(robot_.base_parameters(all));
+  }
+
+  Matrix<double> energy_regressor(const State& m, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) {
+      if constexpr (R::kFloatingBase) {
+        return matrix(
+            robot_.energy_regressor(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), g...));
+      } else {
+        return matrix(robot_.energy_regressor(joints(m.q), joints(m.qd), g...));
+      }
+    });
+  }
+
+  // `r`: the reference velocities, and accelerations.
+  Matrix<double> slotine_li_regressor(const State& m, const State& r, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) {
+      const JointState q = joints(m.q), qd = joints(m.qd), qd_r = joints(r.qd), qdd_r = joints(r.qdd);
+      if constexpr (R::kFloatingBase) {
+        return matrix(robot_.slotine_li_regressor(
+            q, qd, qd_r, qdd_r, spatial<BasicTwist<Scalar>>(m.base_velocity),
+            spatial<BasicTwist<Scalar>>(r.base_velocity),
+            spatial<BasicSpatialAcceleration<Scalar>>(r.base_acceleration), g...));
+      } else {
+        return matrix(robot_.slotine_li_regressor(q, qd, qd_r, qdd_r, g...));
+      }
+    });
+  }
+
   // Of robots with parameters; else it is a constant.
   double total_mass() const { return robot_.total_mass(); }
   Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(joints(q))); }
@@ -322,6 +376,19 @@ class CompiledRobot {
       return stacked(vector(result.base_wrench.vector()), vector(result.tau));
     } else {
       return vector(result);
+    }
+  }
+
+  // Calls a function of the whole motion.
+  template <class Call>
+  static Matrix<double> of_motion(const State& m, const Call& call) {
+    const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+    if constexpr (R::kFloatingBase) {
+      return matrix(call(
+          q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity),
+          spatial<BasicSpatialAcceleration<Scalar>>(m.base_acceleration)));
+    } else {
+      return matrix(call(q, qd, qdd));
     }
   }
 

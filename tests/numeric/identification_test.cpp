@@ -1,0 +1,213 @@
+// Regressors of random robots: against the reference, and base parameters against the numerical rank of many states.
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "algorithm/identification/base_regressor.h"
+#include "algorithm/identification/drive_regressor.h"
+#include "coupled_robot.h"
+#include "import/kinematics.h"
+#include "interpreted_robot.h"
+#include "random_drives.h"
+#include "random_robot.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using algorithm::Loads;
+using model::KinematicTree;
+using symbolic::Arrays;
+using symbolic::Program;
+
+KinematicTree robot_of(const std::string& text, const std::string& name) {
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<Source>(name, text);
+  auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors()) << name;
+  return *tree;
+}
+
+KinematicTree document(const std::string& robot) {
+  std::ifstream file(std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / robot / (robot + ".kindsl"), std::ios::binary);
+  return robot_of(std::string(std::istreambuf_iterator<char>(file), {}), robot);
+}
+
+Eigen::MatrixXd matrix(const Program& program, const Arrays<double>& inputs) {
+  const std::vector<double> values = symbolic::interpret(program, inputs).at(program.outputs.front().name);
+  return Eigen::Map<const Eigen::MatrixXd>(
+      values.data(), program.outputs.front().rows, program.outputs.front().columns);
+}
+
+// The matrices of many states, one below the other. Gravity is the standard one in axes of a base that turns.
+Eigen::MatrixXd stacked(const Program& program, std::uint64_t seed) {
+  const int rows = program.outputs.front().rows, columns = program.outputs.front().columns;
+  const int states = 3 * columns / std::max(rows, 1) + 10;
+  std::mt19937_64 engine(seed);
+  Eigen::MatrixXd all(rows * states, columns);
+  for (int s = 0; s < states; ++s) {
+    Arrays<double> inputs;
+    for (const symbolic::InputArray& array : program.inputs)
+      for (std::size_t k = 0; k < array.elements.size(); ++k)
+        inputs[array.name].push_back(static_cast<double>(engine() >> 11) * 0x1p-50 - 4.0);
+    all.middleRows(rows * s, rows) = matrix(program, inputs);
+  }
+  return all;
+}
+
+// Columns are of one size, so that lengths in small units count as much; those that are rounding alone are zero.
+int rank(Eigen::MatrixXd m) {
+  const double largest = m.colwise().norm().maxCoeff();
+  for (Eigen::Index k = 0; k < m.cols(); ++k) {
+    const double size = m.col(k).norm();
+    m.col(k) *= size > 1e-12 * largest ? 1 / size : 0.0;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(m);
+  qr.setThreshold(1e-9);
+  return static_cast<int>(qr.rank());
+}
+
+void expect_minimal(const KinematicTree& robot, std::uint64_t seed) {
+  const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f"), seed);
+  const Eigen::MatrixXd all = stacked(algorithm::regressor(robot, "f", algorithm::default_loads(robot)), seed);
+  EXPECT_EQ(Y.cols(), rank(all)) << "seed " << seed << "\n" << describe(robot);
+  EXPECT_EQ(Y.cols(), rank(Y)) << "seed " << seed << "\n" << describe(robot);
+}
+
+TEST(BaseParameters, AreAsManyAsTheRankOfTheRegressor) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const KinematicTree robot = random_robot(seed, {.max_joints = 7});
+    expect_minimal(robot, seed);
+    if (HasFailure()) return;
+  }
+}
+
+// Bodies that only slide, axes that are parallel to gravity or to each other, and what follows.
+TEST(BaseParameters, OfSpecialRobots) {
+  const auto special = [](std::uint64_t seed) {
+    KinematicTree robot = random_robot(seed, {.min_joints = 2, .max_joints = 6, .shape = Shape::chain});
+    robot.floating_base = false;
+    std::mt19937_64 engine(seed);
+    for (model::Joint& joint : robot.joints) {
+      joint.type = engine() % 2 == 0 ? model::JointType::prismatic : model::JointType::revolute;
+      for (std::size_t k = 0; k < 3; ++k) joint.placement.rotation[k] = model::Quantity();
+      if (engine() % 3 == 0) joint.placement.rotation[engine() % 2] = model::Quantity(Number::pi_multiple(1, 2));
+    }
+    return robot;
+  };
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const KinematicTree robot = special(seed);
+    expect_minimal(robot, seed);
+    if (HasFailure()) return;
+  }
+}
+
+// The Staeubli RX-90 in the modified Denavit-Hartenberg convention: D3 = 0.45 m, RL4 = 0.45 m (Khalil and Dombre 2002).
+KinematicTree rx90() {
+  constexpr const char* kTurns[] = {"0", "PI/2.0", "0", "-PI/2.0", "PI/2.0", "-PI/2.0"};
+  constexpr const char* kShifts[] = {"0, 0, 0", "0, 0, 0", "0.45, 0, 0", "0, 0.45, 0", "0, 0, 0", "0, 0, 0"};
+  std::string links, joints;
+  for (int i = 0; i < 6; ++i) {
+    const std::string own = std::to_string(i + 1), next = std::to_string(i + 2);
+    links += "link L" + own + " { id = " + own +
+             " inertia_params { mass = 1 CoM = (0, 0, 0) Ix = 1 Iy = 1 Iz = 1 Ixy = 0 Ixz = 0 Iyz = 0 } children { " +
+             (i < 5 ? "L" + next + " via J" + next : "") + " } }\n";
+    joints += "r_joint J" + own + " { ref_frame { translation = (" + kShifts[i] + ") rotation = (" + kTurns[i] +
+              ", 0, 0) } }\n";
+  }
+  return robot_of("Robot rx90 {\nRobotBase base { children { L1 via J1 } }\n" + links + joints + "}\n", "rx90");
+}
+
+// An arm of n revolute joints, the first one vertical, the second one not: one parameter, then seven a link.
+TEST(BaseParameters, OfKnownRobots) {
+  for (const auto& [robot, count] :
+       {std::pair{document("puma560"), 36}, std::pair{document("iiwa14"), 43}, std::pair{rx90(), 36}}) {
+    EXPECT_EQ(algorithm::base_parameter_names(robot).size(), static_cast<std::size_t>(count)) << robot.name;
+    expect_minimal(robot, 1);
+  }
+}
+
+// With the inertia of drives, of which those of the first two joints are felt together with the links, the RX-90 has 40
+// (Khalil and Dombre 2002).
+TEST(BaseParameters, WithThoseOfDrives) {
+  const KinematicTree robot = rx90();
+  const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f"), 1);
+  const Eigen::MatrixXd drives = stacked(algorithm::drive_regressor(robot, "f"), 1);
+  Eigen::MatrixXd all(std::min(Y.rows(), drives.rows()), Y.cols() + 6);
+  all.leftCols(Y.cols()) = Y.topRows(all.rows());
+  for (int j = 0; j < 6; ++j) all.col(Y.cols() + j) = drives.col(5 * j).head(all.rows());
+  EXPECT_EQ(rank(all), 40);
+}
+
+// The first link of an arm on a vertical axis is felt by its moment of inertia about that axis alone.
+TEST(BaseParameters, SpeakOfLinks) {
+  const std::vector<std::string> names = algorithm::base_parameter_names(document("puma560"));
+  EXPECT_EQ(names[0].rfind("link1_Izz", 0), 0U) << names[0];
+}
+
+// What was measured gives the base parameters back.
+TEST(BaseParameters, AreIdentified) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const KinematicTree robot = random_robot(seed, {.max_joints = 6});
+    const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f"), seed);
+    const Eigen::MatrixXd all = stacked(algorithm::regressor(robot, "f", algorithm::default_loads(robot)), seed);
+    const std::vector<double> pi = symbolic::interpret<double>(algorithm::inertial_parameters(robot, "f"), {}).at("pi");
+    const Eigen::VectorXd tau = all.topRows(Y.rows()) * Eigen::Map<const Eigen::VectorXd>(pi.data(), all.cols());
+    const Eigen::VectorXd known = matrix(algorithm::base_parameters(robot, "f"), {{"inertial_parameters", pi}});
+    const Eigen::VectorXd found = Y.colPivHouseholderQr().solve(tau);
+    EXPECT_LT((found - known).norm(), 1e-9 * (1 + known.norm())) << "seed " << seed << "\n" << describe(robot);
+  }
+}
+
+// ---- All regressors against the reference.
+
+reference::Checks checks_of(
+    const KinematicTree& robot,
+    std::uint64_t seed,
+    const std::vector<double>& parameters = {}) {
+  const std::vector<std::string> steps = seed % 3 == 0 ? all_steps() : std::vector<std::string>{};
+  const InterpretedRobot subject(robot, {}, steps, parameters);
+  const reflection::Robot tables = subject.tables();
+  reference::Checks checks;
+  std::mt19937_64 engine(seed);
+  const reference::Sample sample = reference::random_sample(engine, tables);
+  const reference::Case c(tables, sample, 0);
+  check_parameters_of_regressors(subject, c, checks);
+  check_regressor(subject, c, checks);
+  check_base_regressor(subject, c, checks);
+  check_energy_regressor(subject, c, checks);
+  check_slotine_li_regressor(subject, c, checks);
+  return checks;
+}
+
+TEST(Regressors, OfRandomRobots) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const KinematicTree robot = random_robot(seed, {.max_joints = 6});
+    const reference::Checks checks = checks_of(robot, seed);
+    ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(robot);
+  }
+}
+
+TEST(Regressors, OfRobotsWithDrives) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const KinematicTree robot = with_random_drives(random_robot(seed, {.max_joints = 6}), seed);
+    const reference::Checks checks = checks_of(robot, seed);
+    ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(robot);
+  }
+}
+
+TEST(Regressors, OfRobotsWithCouplings) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    KinematicTree free = random_robot(seed, {.min_joints = 2, .max_joints = 6});
+    if (seed % 3 == 0) free = with_random_drives(std::move(free), seed);
+    const CoupledRobot made = coupled(free, seed, seed % 5 == 0);
+    const reference::Checks checks = checks_of(made.robot, seed, made.parameters);
+    ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(made.robot);
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::numeric

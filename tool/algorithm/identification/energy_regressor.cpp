@@ -1,0 +1,77 @@
+// Energies as linear functions of the inertial parameters.
+#include <functional>
+
+#include "algorithm/identification/regressor.h"
+#include "algorithm/spatial/describe.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+// What of gravity a link sees: in its axes, and minus the potential of its origin per unit of mass.
+struct Lift {
+  Vector3 gravity;
+  Expression height;
+};
+
+Lift to_child(const Pose& X_PC, const Lift& parent) {
+  Lift child;
+  child.gravity = algorithm::to_child(X_PC.rotation, parent.gravity);
+  child.height = parent.height + dot(parent.gravity, X_PC.offset);
+  child.height += child.gravity[2] * X_PC.slide;
+  return child;
+}
+
+// m v v / 2 + h (v x w) + w I w / 2.
+std::array<Expression, kParametersOfLink> kinetic(const Motion& twist) {
+  const Vector3 &w = twist.angular, &v = twist.linear;
+  const Vector3 moment = cross(v, w);
+  const Vector3 half{0.5 * w[0], 0.5 * w[1], 0.5 * w[2]};
+  return {0.5 * dot(v, v), moment[0],      moment[1],      moment[2],      half[0] * w[0],
+          half[1] * w[1],  half[2] * w[2], -(w[0] * w[1]), -(w[0] * w[2]), -(w[1] * w[2])};
+}
+
+}  // namespace
+
+Program energy_regressor(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, representative);
+  const int first = first_moving_link(tree);
+  std::vector<Expression> Y(at(2 * inertial_parameter_count(tree)));
+  const std::function<void(int, const Motion&, const Lift&)> visit = [&](int link, const Motion& twist,
+                                                                         const Lift& lift) {
+    if (link >= first) {
+      const std::array<Expression, kParametersOfLink> of_twist = kinetic(twist);
+      std::size_t place = at(2 * kParametersOfLink * (link - first));
+      for (std::size_t p = 0; p < of_twist.size(); ++p, place += 2) Y[place] = of_twist[p];
+      place = at(2 * kParametersOfLink * (link - first)) + 1;
+      Y[place] = -lift.height;
+      for (std::size_t i = 0; i < 3; ++i) Y[place + 2 * (i + 1)] = -lift.gravity[i];
+    }
+    for (const Joint& joint : robot.children(link)) {
+      const std::string& child = robot.link_name(joint.child);
+      trace.section(child, "link " + child + ": velocity, gravity and energies");
+      const Pose& X_PC = robot.pose(joint.index);
+      const Motion moved = across_joint(joint, X_PC, twist, in.qd[at(joint.index)]);
+      algorithm::name(trace.graph, moved.angular, child + "_w");
+      algorithm::name(trace.graph, moved.linear, child + "_v");
+      const Lift lifted = to_child(X_PC, lift);
+      describe(lifted.gravity, child + "_g");
+      describe(lifted.height, child + "_height");
+      visit(joint.child, moved, lifted);
+    }
+  };
+  visit(0, in.base_velocity, {load.gravity, Expression()});
+  trace.output("Y", Role::matrix, 2, inertial_parameter_count(tree), Y);
+  return trace.program(name);
+}
+
+}  // namespace robcogen::algorithm

@@ -1,0 +1,111 @@
+#include "algorithm/identification/reference_motion.h"
+
+#include "algorithm/spatial/describe.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+bool same_vectors(const Vector3& a, const Vector3& b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+// Whether the reference is the motion itself: then products of both are symmetric.
+bool is_actual(const ReferenceMotion& motion) {
+  return same_vectors(motion.w, motion.r);
+}
+
+Vector3 times_u(const ReferenceMotion& motion, const Vector3& p) {
+  const VelocityChange change(motion);
+  Vector3 result;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!p[c].is_zero()) result[r] += change.u(r, c) * p[c];
+  return result;
+}
+
+}  // namespace
+
+ReferenceMotion base_motion(
+    const Motion& velocity,
+    const Motion& reference,
+    const Motion& acceleration,
+    const Vector3& gravity) {
+  const Vector3 &w = velocity.angular, &r = reference.angular;
+  const Vector3 free = acceleration.linear - gravity;
+  return {
+      w, r, same_vectors(w, r) ? acceleration.angular : acceleration.angular + cross(w, r),
+      free + cross(w, reference.linear)};
+}
+
+ReferenceMotion across_joint(
+    Graph& graph,
+    const Joint& joint,
+    const Pose& X_PC,
+    const ReferenceMotion& parent,
+    const ReferenceRate& rate) {
+  const bool actual = is_actual(parent) && rate.qd == rate.reference;
+  const Motion S = subspace(joint, graph);
+  ReferenceMotion child;
+  child.w = to_child(X_PC.rotation, parent.w);
+  child.r = to_child(X_PC.rotation, parent.r);
+  child.rd = to_child(X_PC.rotation, parent.rd);
+  child.a = to_child(X_PC.rotation, parent.a + times_u(parent, X_PC.offset));
+  child.rd += cross(child.w, rate.reference * S.angular);
+  child.rd += rate.acceleration * S.angular;
+  if (actual) {
+    child.a += cross(child.w, (rate.qd + rate.qd) * S.linear);
+  } else {
+    child.a += cross(child.r, rate.qd * S.linear);
+    child.a += cross(child.w, rate.reference * S.linear);
+  }
+  child.a += rate.acceleration * S.linear;
+  child.w += rate.qd * S.angular;
+  child.r += rate.reference * S.angular;
+  const Vector3 slide{Expression(), Expression(), X_PC.slide};
+  child.a += times_u(child, slide);
+  return child;
+}
+
+VelocityChange::VelocityChange(const ReferenceMotion& motion) : a_(motion.a), axis_(motion.rd) {
+  const Vector3 &w = motion.w, &r = motion.r;
+  for (std::size_t i = 0; i < 3; ++i) squares_[i] = w[i] * r[i];
+  if (is_actual(motion)) {
+    for (std::size_t i = 0; i < 3; ++i) products_[i] = w[(i + 1) % 3] * w[(i + 2) % 3];
+    return;
+  }
+  // w r' is not symmetric: half of what it is more than its transpose turns.
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Expression jk = w[j] * (0.5 * r[k]), kj = w[k] * (0.5 * r[j]);
+    products_[i] = jk + kj;
+    axis_[i] += kj - jk;
+  }
+}
+
+Expression VelocityChange::u(std::size_t row, std::size_t column) const {
+  if (row == column) return -(squares_[(row + 1) % 3] + squares_[(row + 2) % 3]);
+  const std::size_t other = 3 - row - column;
+  return column == (row + 1) % 3 ? products_[other] - axis_[other] : products_[other] + axis_[other];
+}
+
+void name(Graph& graph, const ReferenceMotion& motion, const std::string& link) {
+  if (!graph.keeps_names()) return;
+  name(graph, motion.w, link + "_w");
+  if (!is_actual(motion)) name(graph, motion.r, link + "_r");
+  name(graph, motion.rd, link + (is_actual(motion) ? "_wd" : "_rd"));
+  name(graph, motion.a, link + "_a");
+}
+
+void describe(const VelocityChange& change, const std::string& link) {
+  if (!keeps_names(change.a()) && !keeps_names(change.axis())) return;
+  constexpr const char* axes = "xyz";
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      describe(change.u(r, c), link + "_U" + axes[r] + axes[c]);
+      if (c > r) describe(change.product(r, c), link + "_w" + axes[r] + "_w" + axes[c]);
+    }
+    describe(change.axis()[r], link + "_axis_" + axes[r]);
+  }
+}
+
+}  // namespace robcogen::algorithm
