@@ -387,6 +387,7 @@ function(_robcogen_add_library target)
     ${target}
     PROPERTIES ROBCOGEN_MODEL ${library_MODEL}
                ROBCOGEN_NAME ${library_NAME}
+               ROBCOGEN_GROUPS "${library_groups}"
                ROBCOGEN_LEVELS "${library_levels}"
                FOLDER robots
                POSITION_INDEPENDENT_CODE ON
