@@ -19,6 +19,7 @@ function compare(folder, states)
     if size(values, 2) ~= states
       error('values.bin ends early');
     end
+    typical = typical_sizes(values(sizes(call.arguments) + 1:end, :), call.results);
     worst = 0;
     for s = 1:states
       [arguments, used] = unpack(values(:, s), call.arguments, 0);
@@ -26,7 +27,7 @@ function compare(folder, states)
       results = cell(1, numel(expected));
       [results{:}] = feval(call.name, arguments{:});
       for r = 1:numel(results)
-        worst = max(worst, difference(results{r}, expected{r}));
+        worst = max(worst, difference(results{r}, expected{r}, typical(r)));
       end
       compared = compared + 1;
     end
@@ -98,11 +99,25 @@ function [arrays, first] = unpack(values, list, first)
   end
 end
 
-% Greatest difference of an element, relative to the greatest element.
-function worst = difference(result, expected)
+% The greatest element of each result, in the median state.
+function typical = typical_sizes(values, list)
+  typical = zeros(1, numel(list));
+  first = 0;
+  for k = 1:numel(list)
+    count = list(k).rows * list(k).columns;
+    if count > 0
+      typical(k) = median(max(abs(values(first + 1:first + count, :)), [], 1));
+    end
+    first = first + count;
+  end
+end
+
+% Greatest difference of an element, relative to the greatest element. A result that happens to be small, as a single
+% element that passes zero, is a difference of terms: it is judged by the size of the others.
+function worst = difference(result, expected, typical)
   if ~isequal(size(result), size(expected)) || ~all(isfinite(result(:)))
     worst = Inf;
     return
   end
-  worst = max([0; abs(result(:) - expected(:))]) / max([realmin; abs(expected(:))]);
+  worst = max([0; abs(result(:) - expected(:))]) / max([realmin; typical; abs(expected(:))]);
 end
