@@ -228,7 +228,8 @@ void expect_same_results(
         expect_same_of_given_sines(tree, program, packed);
       }
       if (testing::Test::HasFatalFailure()) return;
-      if (checked) checked->replace(std::move(packed));
+      // Regressors of robots with many joints are not checked.
+      if (checked && checked->programs().contains(packed.name)) checked->replace(std::move(packed));
     }
   }
 }

@@ -184,7 +184,7 @@ KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options) {
     joint.placement = placement(dice);
     connect(robot, parent_of_next(dice, options.shape, chain_likeness, k), k + 1, joint);
   }
-  make_screws(robot, seed);
+  if (options.screws) make_screws(robot, seed);
   // Parallel prismatic joints, or axes that coincide, make H singular or nearly so: spread them. Long chains are badly
   // conditioned whatever their frames.
   for (int trial = 0; trial < 5 && !well_conditioned(robot); ++trial) {

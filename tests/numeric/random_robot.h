@@ -17,6 +17,7 @@ struct RobotOptions {
   int max_joints = 40;
   Shape shape = Shape::any;   // any: chains, stars, and trees in between
   bool odd_documents = true;  // massless links in between, masses in user frames, shuffled declarations
+  bool screws = true;         // helical joints
 };
 
 // The same robot for the same seed, everywhere. Most robots are small; every inertia matrix is well positive definite,

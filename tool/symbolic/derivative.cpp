@@ -257,7 +257,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-std::size_t output_of(const Program& program, const std::string& name) {
+std::size_t place_of_output(const Program& program, const std::string& name) {
   std::size_t k = 0;
   while (k < program.outputs.size() && program.outputs[k].name != name) ++k;
   if (k == program.outputs.size()) throw std::logic_error("the program has no output '" + name + "'");
@@ -276,7 +276,7 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
     const std::vector<Expression> variables = d.input(by);
     d.graph().begin_section("derivatives of the gradient by " + of + " and " + by, "d_" + of + "_" + by);
     const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
-    std::vector<Expression> block = blocks(d, {output_of(gradient, "d_" + of)}, variables).front();
+    std::vector<Expression> block = blocks(d, {place_of_output(gradient, "d_" + of)}, variables).front();
     if (of == by) make_symmetric(block, variables.size());
     const std::size_t rows = variables.empty() ? 0 : block.size() / variables.size();
     d.add_output("d_" + of + "_" + by, Role::matrix, static_cast<int>(rows), static_cast<int>(variables.size()), block);

@@ -28,14 +28,16 @@ bool is_balanced(const std::string& text) {
   return depth == 0;
 }
 
+// Of the second line of a statement.
+const std::string kMargin = "\n      ";
+
 // A definition that does not fit in one line has its value in the next one, and a call its arguments in several.
 std::string wrapped(std::string line, std::size_t limit) {
   if (line.size() <= limit) return line;
-  const std::string margin = "\n      ";
   const std::size_t equals = line.find(" = "), of = line.find("::of(");
   const bool is_definition = equals != std::string::npos;
   if (is_definition && line.size() - equals - 3 + 4 <= limit)
-    return line.substr(0, equals + 2) + margin + line.substr(equals + 3);
+    return line.substr(0, equals + 2) + kMargin + line.substr(equals + 3);
   // The value is this call alone.
   const bool is_call = of != std::string::npos && line.find_first_of(" (", equals + 3) == of + 4;
   if (is_definition && !(is_call && is_balanced(line.substr(of + 5, line.size() - of - 7)))) return line;
@@ -45,8 +47,8 @@ std::string wrapped(std::string line, std::size_t limit) {
     const std::size_t comma = std::min(rest.find(", "), rest.size());
     const std::string part = rest.substr(0, std::min(comma + 1, rest.size()));
     if (column + 1 + part.size() > limit + kIndentation) {
-      result += margin + part;
-      column = margin.size() - 1 + part.size();
+      result += kMargin + part;
+      column = kMargin.size() - 1 + part.size();
     } else {
       result += ' ' + part;
       column += 1 + part.size();
@@ -142,9 +144,10 @@ std::string text(const Line& line) {
     case Line::Kind::store:
       break;
   }
-  std::string result;
-  for (const std::string& target : targets) result += target + " = ";
-  return result + expression + ";";
+  std::string head;
+  for (const std::string& target : targets) head += (head.empty() ? "" : " ") + target + " =";
+  const bool fits = targets.size() == 1 || head.size() + expression.size() + 2 <= dialect().line_limit;
+  return head + (fits ? " " : kMargin) + expression + ";";
 }
 
 }  // namespace robcogen::backend::cpp
