@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
+#include <string>
 
 #include "run_tool.h"
 
@@ -41,16 +41,15 @@ constexpr const char* kMjcf = R"(<mujoco model="finger">
 )";
 
 // Attached where its base would be, a robot has its own dynamics.
-class ImportedRobot : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+class ImportedRobot : public testing::TestWithParam<std::string> {};
 
 TEST_P(ImportedRobot, AtTheOriginMovesAsByItself) {
   const Scratch scratch("imported");
-  const auto& [name, text] = GetParam();
-  write_text(scratch.path / name, text);
+  const std::string& name = GetParam();
+  write_text(scratch.path / name, name.ends_with(".urdf") ? kUrdf : kMjcf);
   write_text(
       scratch.path / "hand.kindsl",
-      std::string("import \"") + name +
-          "\" as Finger\n\nRobot Hand {\n    RobotBase palm { children { Finger a() } }\n}\n");
+      "import \"" + name + "\" as Finger\n\nRobot Hand {\n    RobotBase palm { children { Finger a() } }\n}\n");
   const std::string state = R"({"q": [0.3], "qd": [0.4], "qdd": [0.5]})";
   const std::string call = " inverse_dynamics --quiet";
   const Outcome alone = run_tool("eval " + quoted(scratch.path / name) + call, state);
@@ -65,10 +64,7 @@ TEST_P(ImportedRobot, AtTheOriginMovesAsByItself) {
   EXPECT_NE(expanded.output.find("r_joint a_bend {"), std::string::npos) << expanded.output;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    As,
-    ImportedRobot,
-    testing::Values(std::pair("finger.urdf", kUrdf), std::pair("finger.xml", kMjcf)));
+INSTANTIATE_TEST_SUITE_P(As, ImportedRobot, testing::Values("finger.urdf", "finger.xml"));
 
 }  // namespace
 }  // namespace robcogen::test
