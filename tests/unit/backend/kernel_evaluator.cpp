@@ -36,15 +36,15 @@ void KernelEvaluator::run(const std::string& line) {
     expect(")");
   } else if (accept("const Scalar ") || accept("const Scalar& ")) {
     const std::string name = word();
-    if (!accept(" =\n      ")) expect(" = ");
+    expect_equals();
     define(name, sum());
   } else {
     // The last `=` divides the targets from the value.
-    const std::size_t end = text_.rfind(" = ");
+    const std::size_t end = text_.rfind(" =");
     std::vector<std::string> targets;
     while (at_ <= end) {
       targets.push_back(word());
-      expect(" = ");
+      expect_equals();
     }
     const double value = sum();
     for (const std::string& target : targets) define(target, value);
@@ -61,6 +61,11 @@ bool KernelEvaluator::accept(const std::string& token) {
 
 void KernelEvaluator::expect(const std::string& token) {
   if (!accept(token)) throw std::logic_error("expected '" + token + "' at " + std::to_string(at_) + " of: " + text_);
+}
+
+// The value stands in the same line or in the next one.
+void KernelEvaluator::expect_equals() {
+  if (!accept(" =\n      ")) expect(" = ");
 }
 
 // A name, with its index if it has one.

@@ -34,6 +34,7 @@ class KernelEvaluator {
 
   bool accept(const std::string& token);
   void expect(const std::string& token);
+  void expect_equals();
   std::string word();
   double sum();
   double product();
