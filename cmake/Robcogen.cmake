@@ -30,7 +30,7 @@
 #       [PROCESSORS level…]         # what the functions of one state are compiled for, from baseline, avx2 and avx512; a
 #                                   # program chooses when it starts. The baseline is always included. Without PROCESSORS
 #                                   # or where options of the build choose a processor (-march=…, -mavx2, …): the README
-#       [LANGUAGES cpp matlab maxima]
+#       [LANGUAGES cpp matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
 #       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, they get -O2 in
@@ -92,7 +92,7 @@ function(robcogen_add_robot)
   _robcogen_check_elements(ALGORITHMS ${groups} all)
   _robcogen_choose_groups()
   _robcogen_check_derivatives()
-  _robcogen_check_elements(LANGUAGES cpp matlab maxima)
+  _robcogen_check_elements(LANGUAGES cpp matlab maxima javascript)
   _robcogen_check_elements(BATCH_LEVELS baseline avx2 avx512)
   if(library_BATCH_LEVELS AND NOT library_BATCH)
     _robcogen_refuse("BATCH_LEVELS needs BATCH")

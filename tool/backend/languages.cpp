@@ -1,6 +1,7 @@
 #include "backend/languages.h"
 
 #include "backend/cpp/cpp.h"
+#include "backend/javascript/javascript.h"
 #include "backend/matlab/matlab.h"
 #include "backend/maxima/maxima.h"
 
@@ -14,6 +15,7 @@ const std::vector<Language>& languages() {
        .print = cpp::print},
       {.name = "matlab", .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .takes_transforms = true, .print = maxima::print},
+      {.name = "javascript", .takes_transforms = true, .print = javascript::print},
   };
   return all;
 }

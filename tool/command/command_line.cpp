@@ -212,8 +212,8 @@ Action declare_generate(CLI::App& application) {
   subcommand
       ->add_option(
           "--primitives", options->primitives,
-          "matlab, maxima: transforms also as products of Rx, Tx, … that you provide; left or right: the position of "
-          "the moved frame")
+          "matlab, maxima, javascript: transforms also as products of Rx, Tx, … that you provide; left or right: the "
+          "position of the moved frame")
       ->check(one_of({"left", "right"}));
   subcommand->add_option("--depfile", options->depfile, "Write the files that were read as a dependency file");
   subcommand->add_option(

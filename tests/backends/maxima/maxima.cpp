@@ -8,10 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 
 #include "backend/maxima/maxima.h"
-#include "robcogen/reference/samples.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::test {
@@ -30,18 +28,6 @@ std::string read_text(const std::filesystem::path& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-Arrays<double> random_inputs(const Program& program, std::mt19937_64& engine) {
-  constexpr double kLimit = 2;
-  Arrays<double> inputs;
-  for (const symbolic::InputArray& array : program.inputs) {
-    for (std::size_t k = 0; k < array.elements.size(); ++k) {
-      const double value = reference::uniform(engine, kLimit);
-      inputs[array.name].push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
-    }
-  }
-  return inputs;
-}
-
 // `if__inverse_dynamics([0.1, 0.2], [0.3, 0.4])`
 std::string call(const std::string& name, const Program& program, const Arrays<double>& inputs) {
   std::vector<std::string> arguments;
@@ -52,17 +38,6 @@ std::string call(const std::string& name, const Program& program, const Arrays<d
     arguments.push_back(fmt::format("[{}]", fmt::join(elements, ", ")));
   }
   return fmt::format("{}({})", name, fmt::join(arguments, ", "));
-}
-
-// As `show` prints them: matrices by rows, results one after another.
-std::vector<double> flattened(const Program& program, const Arrays<double>& results) {
-  std::vector<double> values;
-  for (const symbolic::OutputArray& output : program.outputs) {
-    for (int r = 0; r < output.rows; ++r)
-      for (int c = 0; c < output.columns; ++c)
-        values.push_back(results.at(output.name)[static_cast<std::size_t>(r + c * output.rows)]);
-  }
-  return values;
 }
 
 const char* const kShow = R"(
@@ -122,24 +97,6 @@ std::vector<std::string> run_maxima(const std::vector<OutputFile>& files) {
   EXPECT_TRUE(complete) << printed.substr(printed.size() - std::min<std::size_t>(printed.size(), 2000));
   if (complete) lines.pop_back();
   return lines;
-}
-
-backend::Library library_of(
-    const std::filesystem::path& document,
-    const std::string& name,
-    driver::Primitives primitives,
-    const std::vector<driver::Derivative>& derivatives,
-    const std::vector<std::string>& groups) {
-  Diagnostics diagnostics;
-  driver::LoadOptions reading;
-  reading.derivatives = derivatives;
-  std::filesystem::path desired = document;
-  desired.replace_extension(".dtdsl");
-  if (document.extension() == ".kindsl" && std::filesystem::exists(desired)) reading.desired = desired;
-  const std::optional<driver::Model> model = driver::load(document, reading, diagnostics);
-  if (!model) throw std::runtime_error(diagnostics.render());
-  if (!model->robot()) primitives = std::nullopt;
-  return driver::library(*model, {.names = {name}, .groups = groups, .primitives = primitives});
 }
 
 OutputFile maxima_text(const backend::Library& library) {

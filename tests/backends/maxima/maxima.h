@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/library.h"
-#include "driver/driver.h"
+#include "../calls.h"
 
 namespace robcogen::test {
 
@@ -21,15 +20,6 @@ class WithMaxima : public virtual testing::Test {
 // Loads the files in their order into a Maxima of its own: the lines that they print with "= " in front, without it and
 // without blanks at their end. A file that cannot be loaded ends the run, and the test fails with all that was printed.
 std::vector<std::string> run_maxima(const std::vector<OutputFile>& files);
-
-// The library of a robot document, with its list of desired transforms where one stands beside it; or of a
-// document of motions or transforms; with these derivatives.
-backend::Library library_of(
-    const std::filesystem::path& document,
-    const std::string& name,
-    driver::Primitives primitives = std::nullopt,
-    const std::vector<driver::Derivative>& derivatives = {},
-    const std::vector<std::string>& groups = algorithm::groups());
 
 // The text of a library.
 OutputFile maxima_text(const backend::Library& library);

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/common/meaning.h"
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
-#include "symbolic/count.h"
 
 namespace robcogen::backend::matlab {
 namespace {
@@ -14,48 +14,23 @@ using symbolic::OutputArray;
 using symbolic::Role;
 
 // What an array is, its unit and its frame; empty where the summary of the function says it.
-std::string meaning(Role role) {
+std::string meaning_of(Role role) {
   switch (role) {
-    case Role::joint_position:
-      return "joint positions (rad, m)";
-    case Role::joint_velocity:
-      return "joint velocities (rad/s, m/s)";
-    case Role::joint_acceleration:
-      return "joint accelerations (rad/s^2, m/s^2)";
-    case Role::joint_force:
-      return "joint forces (N m, N)";
-    case Role::gravity:
-      return "gravity (m/s^2) in base coordinates";
-    case Role::base_velocity:
-      return "velocity of the base (rad/s, m/s) in base coordinates, angular first";
-    case Role::base_acceleration:
-      return "spatial acceleration of the base (rad/s^2, m/s^2) in base coordinates, angular first, without gravity";
-    case Role::base_wrench:
-      return "wrench on the base (N m, N) about its origin in base coordinates, moment first";
     case Role::link_wrenches:
       return "wrench on each link (N m, N), a column a link, base first: about the link's origin in link coordinates, "
              "moment first";
     case Role::inertia_factor:
       return "factor of the inertia matrix H = L' * L";
-    case Role::inverse_diagonal:
-      return "reciprocals of the diagonal of L";
-    case Role::contact_activity:
-      return "1 where a contact holds, 0 where it is open";
     case Role::parameters:
       return "struct of the parameters, as parameters() returns it";
     default:
-      return "";
+      return meaning(role);
   }
 }
 
 std::string line(const std::string& name, int rows, int columns, const std::string& what) {
   const std::string shape = " (" + std::to_string(rows) + " x " + std::to_string(columns) + ")";
   return comment("  " + name + shape + (what.empty() ? "" : "  " + what), 0, 6);
-}
-
-bool is_of_joints(Role role) {
-  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
-         role == Role::joint_force;
 }
 
 std::string default_of(const InputArray& input) {
@@ -65,31 +40,13 @@ std::string default_of(const InputArray& input) {
 std::string results(const Library& library, const Function& function) {
   std::string text = comment("Results:");
   for (const OutputArray& output : function.program.outputs)
-    text += line(output.name, output.rows, output.columns, meaning(output.role));
+    text += line(output.name, output.rows, output.columns, meaning_of(output.role));
   std::vector<std::string> joints;
   for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
   if (!joints.empty()) text += comment("    columns: " + joined(joints), 0, 6);
   for (std::size_t k = 0; k < function.labels.size(); ++k)
     text += comment("    column " + std::to_string(k + 1) + ": " + function.labels[k], 0, 6);
   return text;
-}
-
-std::string counts(const symbolic::Program& program) {
-  const symbolic::OperationCount c = symbolic::count(program);
-  return "Takes " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
-         std::to_string(c.div) + " divisions, " + (c.sqrt ? std::to_string(c.sqrt) + " square roots, " : "") +
-         std::to_string(c.sincos) + " pairs of sine and cosine.";
-}
-
-// What all overloads say: the loads that distinguish them are described as arguments.
-std::vector<std::string> summary(const Callable& callable) {
-  std::vector<std::string> lines = callable.overloads.front()->summary;
-  for (const Function* f : callable.overloads)
-    std::erase_if(lines, [&](const std::string& line) {
-      return std::find(f->summary.begin(), f->summary.end(), line) == f->summary.end();
-    });
-  if (const std::string& method = callable.overloads.front()->method; !method.empty()) lines.push_back(method);
-  return lines;
 }
 
 // The lines with a first one that stands alone, as searches of help texts show it.
@@ -106,12 +63,6 @@ std::vector<std::string> titled(const std::string& name, std::vector<std::string
 }
 
 }  // namespace
-
-std::size_t required_inputs(const Library& library, const Callable& callable) {
-  const std::vector<InputArray>& inputs = callable.overloads.front()->program.inputs;
-  const bool has_default = !library.floating_base && !inputs.empty() && inputs.back().role == Role::gravity;
-  return inputs.size() - (has_default ? 1 : 0);
-}
 
 std::string first_line(const Callable& callable) {
   return titled(callable.name, summary(callable)).front();
@@ -135,7 +86,7 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
       for (const std::string& e : kernel.parameters[i].elements) text += line(e, 1, 1, "rad or m");
       continue;
     }
-    std::string what = meaning(input.role);
+    std::string what = meaning_of(input.role);
     if (is_of_joints(input.role) && names_joints && size > 0) {
       what += ": " + joined(input.elements);
       names_joints = false;
@@ -159,7 +110,7 @@ std::string help(const Library& library, const Callable& callable, const Kernel&
   const Function& function = callable.longest();
   return heading(callable.name, summary(callable)) +
          describe_arguments(function.program.inputs, kernel, required_inputs(library, callable)) +
-         results(library, function) + comment(counts(function.program));
+         results(library, function) + comment(describe_operations(function.program));
 }
 
 std::string origin(const Library& library) {

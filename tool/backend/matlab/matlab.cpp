@@ -35,22 +35,14 @@ struct PackageNames {
   }
 };
 
-std::vector<Callable> callables(const Library& library) {
-  std::vector<Callable> result;
-  std::map<std::pair<std::string, std::string>, std::size_t> known;
+// Under names that are legal here.
+std::vector<Callable> named_callables(const Library& library) {
+  std::vector<Callable> result = callables(library);
   std::map<std::string, PackageNames> taken;
   for (const std::string name : {"contents", "model", "parameters"}) taken[""].claim(name);
-  for (const Function& f : library.functions) {
-    const auto [place, is_new] = known.insert({{f.scope, f.name}, result.size()});
-    const auto other = f.scope == "inertia_factor" ? renamed().find(f.name) : renamed().end();
-    const std::string& name = other == renamed().end() ? f.name : other->second;
-    if (is_new) result.push_back({f.scope, taken[f.scope].claim(name), {}});
-    result[place->second].overloads.push_back(&f);
-  }
   for (Callable& callable : result) {
-    std::stable_sort(callable.overloads.begin(), callable.overloads.end(), [](const Function* a, const Function* b) {
-      return a->program.inputs.size() < b->program.inputs.size();
-    });
+    const auto other = callable.scope == "inertia_factor" ? renamed().find(callable.name) : renamed().end();
+    callable.name = taken[callable.scope].claim(other == renamed().end() ? callable.name : other->second);
   }
   return result;
 }
@@ -78,7 +70,7 @@ std::vector<std::string> packages(const Library& library, const std::string& sco
 }
 
 std::vector<OutputFile> print(const Library& library) {
-  const std::vector<Callable> all = callables(library);
+  const std::vector<Callable> all = named_callables(library);
   const std::string top = package(library, "");
   std::vector<OutputFile> files = {{top + "Contents.m", print_contents(library, all)}};
   if (library.has_robot()) files.push_back({top + "model.m", print_model(library)});

@@ -5,25 +5,13 @@
 #include <vector>
 
 #include "backend/common/lower.h"
+#include "backend/common/overloads.h"
 #include "backend/library.h"
 
 namespace robcogen::backend::matlab {
 
-// Overloads of one function: each takes the arguments of the one before it and more. The text is that of the last one,
-// whose additional arguments have defaults.
-struct Callable {
-  std::string scope;
-  std::string name;  // legal, and one of its own in the scope, also where file names know no case
-  std::vector<const Function*> overloads;
-
-  const Function& longest() const { return *overloads.back(); }
-};
-
 // The packages of a scope's functions, from the outermost one: hyl, transforms, homogeneous.
 std::vector<std::string> packages(const Library& library, const std::string& scope);
-
-// How many of the arguments must be given. Gravity, when it is the last of them, need not, unless the base floats.
-std::size_t required_inputs(const Library& library, const Callable& callable);
 
 // The lines that refuse missing arguments and those of another shape. Arguments behind the first `required` ones have
 // defaults. `name` is the whole name of the function, with its packages.

@@ -1,0 +1,52 @@
+#include "calls.h"
+
+#include <stdexcept>
+
+#include "robcogen/reference/samples.h"
+
+namespace robcogen::test {
+
+using symbolic::Arrays;
+using symbolic::Program;
+
+backend::Library library_of(
+    const std::filesystem::path& document,
+    const std::string& name,
+    driver::Primitives primitives,
+    const std::vector<driver::Derivative>& derivatives,
+    const std::vector<std::string>& groups) {
+  Diagnostics diagnostics;
+  driver::LoadOptions reading;
+  reading.derivatives = derivatives;
+  std::filesystem::path desired = document;
+  desired.replace_extension(".dtdsl");
+  if (document.extension() == ".kindsl" && std::filesystem::exists(desired)) reading.desired = desired;
+  const std::optional<driver::Model> model = driver::load(document, reading, diagnostics);
+  if (!model) throw std::runtime_error(diagnostics.render());
+  if (!model->robot()) primitives = std::nullopt;
+  return driver::library(*model, {.names = {name}, .groups = groups, .primitives = primitives});
+}
+
+Arrays<double> random_inputs(const Program& program, std::mt19937_64& engine) {
+  constexpr double kLimit = 2;
+  Arrays<double> inputs;
+  for (const symbolic::InputArray& array : program.inputs) {
+    for (std::size_t k = 0; k < array.elements.size(); ++k) {
+      const double value = reference::uniform(engine, kLimit);
+      inputs[array.name].push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
+    }
+  }
+  return inputs;
+}
+
+std::vector<double> flattened(const Program& program, const Arrays<double>& results) {
+  std::vector<double> values;
+  for (const symbolic::OutputArray& output : program.outputs) {
+    for (int r = 0; r < output.rows; ++r)
+      for (int c = 0; c < output.columns; ++c)
+        values.push_back(results.at(output.name)[static_cast<std::size_t>(r + c * output.rows)]);
+  }
+  return values;
+}
+
+}  // namespace robcogen::test

@@ -1,0 +1,30 @@
+// Libraries, and random arguments of their functions, for the tests of languages.
+#pragma once
+
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "backend/library.h"
+#include "driver/driver.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::test {
+
+// The library of a robot document, with its list of desired transforms where one stands beside it; or of a
+// document of motions or transforms; with these derivatives.
+backend::Library library_of(
+    const std::filesystem::path& document,
+    const std::string& name,
+    driver::Primitives primitives = std::nullopt,
+    const std::vector<driver::Derivative>& derivatives = {},
+    const std::vector<std::string>& groups = algorithm::groups());
+
+// Of both signs, up to 2; parameters above 0.5.
+symbolic::Arrays<double> random_inputs(const symbolic::Program& program, std::mt19937_64& engine);
+
+// All results one after another, matrices by rows.
+std::vector<double> flattened(const symbolic::Program& program, const symbolic::Arrays<double>& results);
+
+}  // namespace robcogen::test

@@ -1,0 +1,39 @@
+#include "backend/common/meaning.h"
+
+namespace robcogen::backend {
+
+using symbolic::Role;
+
+std::string meaning(Role role) {
+  switch (role) {
+    case Role::joint_position:
+      return "joint positions (rad, m)";
+    case Role::joint_velocity:
+      return "joint velocities (rad/s, m/s)";
+    case Role::joint_acceleration:
+      return "joint accelerations (rad/s^2, m/s^2)";
+    case Role::joint_force:
+      return "joint forces (N m, N)";
+    case Role::gravity:
+      return "gravity (m/s^2) in base coordinates";
+    case Role::base_velocity:
+      return "velocity of the base (rad/s, m/s) in base coordinates, angular first";
+    case Role::base_acceleration:
+      return "spatial acceleration of the base (rad/s^2, m/s^2) in base coordinates, angular first, without gravity";
+    case Role::base_wrench:
+      return "wrench on the base (N m, N) about its origin in base coordinates, moment first";
+    case Role::inverse_diagonal:
+      return "reciprocals of the diagonal of L";
+    case Role::contact_activity:
+      return "1 where a contact holds, 0 where it is open";
+    default:
+      return "";
+  }
+}
+
+bool is_of_joints(Role role) {
+  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
+         role == Role::joint_force;
+}
+
+}  // namespace robcogen::backend

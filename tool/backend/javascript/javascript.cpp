@@ -1,0 +1,316 @@
+#include "backend/javascript/javascript.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "backend/common/meaning.h"
+#include "backend/common/overloads.h"
+#include "backend/common/product.h"
+#include "backend/javascript/text.h"
+
+namespace robcogen::backend::javascript {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Role;
+
+std::string dotted(std::string scope) {
+  for (std::size_t at = scope.find("::"); at != std::string::npos; at = scope.find("::")) scope.replace(at, 2, ".");
+  return scope.empty() ? "" : scope + ".";
+}
+
+// With scopes as `transforms.homogeneous.`, and legal names. A member may have any name.
+std::vector<Callable> named_callables(const Library& library) {
+  std::vector<Callable> result = callables(library);
+  NameScope names(dialect().is_reserved);
+  for (Callable& callable : result) {
+    if (callable.scope.empty()) callable.name = names.claim(callable.name);
+    callable.scope = dotted(callable.scope);
+  }
+  return result;
+}
+
+int side(const InputArray& square) {
+  return static_cast<int>(std::lround(std::sqrt(static_cast<double>(square.elements.size()))));
+}
+
+// The functions that take arguments; no function of a robot has such a name.
+constexpr const char* kChecks = R"(
+const { cos, sin, sqrt } = Math;
+
+const $isArray = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
+
+const $kind = (value) => ($isArray(value) ? `an array of ${value.length}` : typeof value);
+
+// An array of `size` numbers, as it is.
+function $vector(name, value, size) {
+  if (!$isArray(value) || value.length !== size)
+    throw new TypeError(`${name} must be an array of ${size} numbers, is ${$kind(value)}`);
+  for (let k = 0; k < size; ++k)
+    if (typeof value[k] !== "number") throw new TypeError(`${name}[${k}] must be a number, is ${$kind(value[k])}`);
+  return value;
+}
+
+// `count` arrays of `size` numbers, one after another.
+function $vectors(name, value, count, size) {
+  if (!Array.isArray(value) || value.length !== count)
+    throw new TypeError(`${name} must be an array of ${count} arrays of ${size} numbers, is ${$kind(value)}`);
+  return value.flatMap((vector, k) => Array.from($vector(`${name}[${k}]`, vector, size)));
+}
+
+// The columns of a square matrix, one after another.
+function $columns(name, value, size) {
+  const rows = $vectors(name, value, size, size);
+  return rows.map((_, k) => rows[(k % size) * size + Math.floor(k / size)]);
+}
+
+function $number(name, value) {
+  if (typeof value !== "number") throw new TypeError(`${name} must be a number, is ${$kind(value)}`);
+}
+)";
+
+// The text that checks an argument and puts it into the form that the lines read.
+std::string check(const std::string& function, const InputArray& input, const Parameter& parameter) {
+  const std::string& name = parameter.name;
+  if (input.role == Role::parameters) return "  $parameters(\"" + function + ": " + name + "\", " + name + ");\n";
+  if (input.role == Role::variables) {
+    std::string text;
+    for (const std::string& e : parameter.elements) text += "  $number(\"" + function + ": " + e + "\", " + e + ");\n";
+    return text;
+  }
+  std::string label = "\"" + function + ": " + name;
+  if (input.role == Role::gravity) label += " (m/s^2, in base coordinates)";
+  const std::string head = label + "\", " + name + ", ";
+  if (input.role == Role::link_wrenches)
+    return "  " + name + " = $vectors(" + head + std::to_string(input.elements.size() / 6) + ", 6);\n";
+  if (input.role == Role::inertia_factor)
+    return "  " + name + " = $columns(" + head + std::to_string(side(input)) + ");\n";
+  return "  $vector(" + head + std::to_string(input.elements.size()) + ");\n";
+}
+
+std::string parameter_line(const Library& library, const InputArray& input, const Parameter& p, bool is_required) {
+  const std::string size = std::to_string(input.elements.size());
+  std::string type = "ArrayLike<number>", what = meaning(input.role);
+  if (input.role == Role::parameters) {
+    return "@param {ReturnType<typeof parameters>} " + p.name +
+           " values of the parameters, as parameters() returns them";
+  } else if (input.role == Role::link_wrenches) {
+    type = "ArrayLike<number>[]";
+    what = "wrench on each link (N m, N), " + std::to_string(library.links.size()) +
+           " arrays of 6, base first: about the link's origin in link coordinates, moment first";
+  } else if (input.role == Role::inertia_factor) {
+    type = "number[][]";
+    what = std::to_string(side(input)) + " rows: factor of the inertia matrix H = L^T L";
+  } else {
+    what = size + (input.elements.size() == 1 ? " number" : " numbers") + (what.empty() ? "" : ": " + what);
+    if (input.role == Role::joint_position && !input.elements.empty()) what += ": " + joined(input.elements);
+  }
+  if (is_required) return "@param {" + type + "} " + p.name + " " + what;
+  return "@param {" + type + "} [" + p.name + "] " + what + "; default " +
+         (input.role == Role::gravity ? "[0, 0, -9.81]" : "zero");
+}
+
+bool is_number(const OutputArray& output) {
+  return output.role == Role::energy || output.role == Role::mass;
+}
+
+bool is_matrix(const OutputArray& output) {
+  return symbolic::is_matrix(output.role) || output.columns > 1;
+}
+
+std::string type_of(const OutputArray& output) {
+  return is_number(output) ? "number" : is_matrix(output) ? "number[][]" : "number[]";
+}
+
+std::string shape_of(const OutputArray& output) {
+  if (is_number(output)) return output.name;
+  const std::string rows = std::to_string(output.rows);
+  const std::string what = meaning(output.role);
+  return output.name + ", " + (is_matrix(output) ? rows + " x " + std::to_string(output.columns) : rows + " numbers") +
+         (what.empty() ? "" : ": " + what);
+}
+
+std::string returns_line(const std::vector<OutputArray>& outputs) {
+  if (outputs.size() == 1) return "@returns {" + type_of(outputs.front()) + "} " + shape_of(outputs.front());
+  std::vector<std::string> types, shapes;
+  for (const OutputArray& output : outputs) {
+    types.push_back(output.name + ": " + type_of(output));
+    shapes.push_back(shape_of(output));
+  }
+  return "@returns {{ " + joined(types) + " }} " + joined(shapes, "; ");
+}
+
+std::string documentation(const Library& library, const Callable& callable, const Kernel& kernel) {
+  const Function& f = callable.longest();
+  std::vector<std::string> lines = summary(callable);
+  lines.push_back(describe_operations(f.program));
+  const std::size_t required = required_inputs(library, callable);
+  for (std::size_t i = 0; i < f.program.inputs.size(); ++i) {
+    const Parameter& p = kernel.parameters[i];
+    if (f.program.inputs[i].role == Role::variables)
+      for (const std::string& e : p.elements) lines.push_back("@param {number} " + e + " rad or m");
+    else
+      lines.push_back(parameter_line(library, f.program.inputs[i], p, i < required));
+  }
+  std::vector<std::string> columns;
+  for (const int j : f.columns) columns.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  lines.push_back(returns_line(f.program.outputs) + (columns.empty() ? "" : "; columns: " + joined(columns)));
+  for (std::size_t k = 0; k < f.labels.size(); ++k)
+    lines.push_back("  column " + std::to_string(k) + ": " + f.labels[k]);
+  return "\n/**\n" + comment_lines(lines, " * ") + " */\n";
+}
+
+// `export function name(` or `scope.name = function (`, and the arguments.
+std::string signature(
+    const Callable& callable,
+    const symbolic::Program& program,
+    const Kernel& kernel,
+    std::size_t required,
+    const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    const Parameter& p = kernel.parameters[i];
+    if (program.inputs[i].role == Role::variables)
+      arguments.insert(arguments.end(), p.elements.begin(), p.elements.end());
+    else if (i < required)
+      arguments.push_back(p.name);
+    else
+      arguments.push_back(p.name + (program.inputs[i].role == Role::gravity ? " = $gravity" : " = $noWrenches"));
+  }
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const bool is_member = !callable.scope.empty();
+  return wrapped(
+      is_member ? callable.scope + callable.name + " = function (" : "export function " + callable.name + "(",
+      arguments, ") {");
+}
+
+std::string body(const std::string& name, const symbolic::Program& program, const Kernel& kernel) {
+  std::string text;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) text += check(name, program.inputs[i], kernel.parameters[i]);
+  for (const Line& line : kernel.lines)
+    text += line.kind == Line::Kind::section ? "\n" + comment_lines({line.expression}, "  // ")
+                                             : "  " + dialect().text(line) + "\n";
+  return text;
+}
+
+// `head value tail`: a number, an array or the rows of a matrix.
+std::string result(
+    const std::string& head,
+    const OutputArray& output,
+    const std::vector<std::string>& elements,
+    const std::string& tail) {
+  if (is_number(output)) return head + elements.front() + tail + "\n";
+  if (!is_matrix(output)) return wrapped(head + "[", elements, "]" + tail);
+  const std::string margin(head.find_first_not_of(' ') + 2, ' ');
+  const auto rows = static_cast<std::size_t>(output.rows);
+  std::string text = head + "[\n";
+  for (std::size_t r = 0; r < rows; ++r) {
+    std::vector<std::string> row;
+    for (std::size_t k = r; k < elements.size(); k += rows) row.push_back(elements[k]);
+    text += wrapped(margin + "[", row, "],");
+  }
+  return text + margin.substr(2) + "]" + tail + "\n";
+}
+
+std::string print_function(const Library& library, const Callable& callable) {
+  const symbolic::Program& program = callable.longest().program;
+  const Kernel kernel = lower(program, callable.name, dialect());
+  const bool is_member = !callable.scope.empty();
+  std::string text = documentation(library, callable, kernel) +
+                     signature(callable, program, kernel, required_inputs(library, callable)) +
+                     body(callable.scope + callable.name, program, kernel);
+  if (program.outputs.size() == 1) {
+    text += result("  return ", program.outputs.front(), kernel.results.front(), ";");
+  } else {
+    text += "  return {\n";
+    for (std::size_t p = 0; p < program.outputs.size(); ++p)
+      text += result("    " + program.outputs[p].name + ": ", program.outputs[p], kernel.results[p], ",");
+    text += "  };\n";
+  }
+  return text + (is_member ? "};\n" : "}\n");
+}
+
+std::string print_product(const Library& library, const Function& function, const Callable& callable) {
+  const ProductData& data = function.product.value();
+  const Product product = product_of_primitives(data, function.kernel, ", ", dialect());
+  std::vector<std::string> factors;
+  for (std::size_t begin = 0; begin < product.text.size();) {
+    const std::size_t end = std::min(product.text.find("), ", begin), product.text.size() - 1);
+    factors.push_back(product.text.substr(begin, end + 1 - begin));
+    begin = end + 3;
+  }
+  std::vector<std::string> lines = {
+      convention_of_primitives(library),
+      "@param {object} primitives your functions Rx, Ry, Rz, Tx, Ty, Tz of one number, and multiply(A, B)"};
+  return "\n/**\n" + comment_lines(lines, " * ") + " */\n" +
+         signature(callable, data.amounts, product.kernel, data.amounts.inputs.size(), {"primitives"}) +
+         body(callable.scope + callable.name, data.amounts, product.kernel) +
+         "  const { Rx, Ry, Rz, Tx, Ty, Tz, multiply } = primitives;\n" +
+         wrapped("  return [", factors, "].reduce((A, B) => multiply(A, B));") + "};\n";
+}
+
+// The objects of scopes, each before its members.
+std::string print_scopes(const std::vector<Callable>& all) {
+  std::string text;
+  std::vector<std::string> known;
+  for (const Callable& callable : all) {
+    for (std::size_t dot = callable.scope.find('.'); dot != std::string::npos;
+         dot = callable.scope.find('.', dot + 1)) {
+      const std::string scope = callable.scope.substr(0, dot);
+      if (std::find(known.begin(), known.end(), scope) != known.end()) continue;
+      known.push_back(scope);
+      text += (scope.find('.') == std::string::npos ? "export const " : "") + scope + " = {};\n";
+    }
+  }
+  return text.empty() ? "" : "\n" + text;
+}
+
+std::string print_parameters(const Library& library) {
+  std::vector<std::string> names, values, initial;
+  for (const ParameterData& p : library.parameters) names.push_back(p.name);
+  names = members(names);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    initial.push_back(names[i] + ": " + number(library.parameters[i].default_value));
+  return "\n/** Values of the parameters as the document declares them; NaN where one has no value. */\n"
+         "export function parameters() {\n" +
+         wrapped("  return {", initial, " };") +
+         "}\n\nfunction $parameters(name, value) {\n"
+         "  if (typeof value !== \"object\" || value === null)\n"
+         "    throw new TypeError(`${name} must be an object, as parameters() returns it, is ${$kind(value)}`);\n"
+         "  for (const key in $declared)\n"
+         "    if (typeof value[key] !== \"number\" || Number.isNaN(value[key]))\n"
+         "      throw new TypeError(`${name}.${key} must be a number, is ${value[key]}`);\n"
+         "}\nconst $declared = parameters();\n";
+}
+
+}  // namespace
+
+std::vector<OutputFile> print(const Library& library) {
+  std::string file = library.enclosing.empty() ? "" : library.enclosing + "_";
+  file = identifier(file + library.name, [](const std::string&) { return false; }) + ".mjs";
+  std::vector<Callable> all = named_callables(library);
+  std::vector<std::pair<const Function*, Callable>> products;
+  if (library.primitives != PrimitiveConvention::none)
+    for (const Callable& callable : all)
+      if (callable.longest().product)
+        products.push_back({&callable.longest(), {"transforms.product.", callable.name, {}}});
+  std::vector<Callable> scopes = all;
+  for (const auto& [function, callable] : products) scopes.push_back(callable);
+
+  std::string text = comment_lines(
+      {library.robot + ": generated by robcogen from " + library.model_file + " (model " + library.model_hash +
+       "). Edit the model, not this file."},
+      "// ");
+  text += kChecks;
+  if (library.has_robot())
+    text += "\nconst $gravity = [0, 0, -9.81];\nconst $noWrenches = Array(" + std::to_string(library.links.size()) +
+            ").fill([0, 0, 0, 0, 0, 0]);\n" + print_model(library);
+  if (!library.parameters.empty()) text += print_parameters(library);
+  text += print_scopes(scopes);
+  for (const Callable& callable : all) text += print_function(library, callable);
+  for (const auto& [function, callable] : products) text += print_product(library, *function, callable);
+  return {{file, text}};
+}
+
+}  // namespace robcogen::backend::javascript

@@ -1,0 +1,16 @@
+// Prints a library as an ES module, for browsers and for Node.
+#pragma once
+
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend::javascript {
+
+// <name>.mjs, with the enclosing namespaces in front of the name, `a_b_hyl.mjs`: constants of the robot, and its
+// functions by the names that `eval` takes: `inverse_dynamics(…)`, `transforms.homogeneous.fr_base_X_fr_foot(q)`.
+// Vectors are arrays of numbers, matrices arrays of rows. Overloads are one function, whose last arguments may be left
+// out. A function throws a TypeError for arguments of another shape.
+std::vector<OutputFile> print(const Library& library);
+
+}  // namespace robcogen::backend::javascript

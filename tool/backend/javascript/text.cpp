@@ -1,0 +1,127 @@
+#include "backend/javascript/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "support/number.h"
+
+namespace robcogen::backend::javascript {
+namespace {
+
+// What no variable of a module can be called, and global values that the text could mean.
+constexpr std::string_view kReserved =
+    " Infinity NaN arguments await break case catch class const continue debugger default delete do else enum eval "
+    "export extends false finally for function if implements import in instanceof interface let new null package "
+    "private protected public return static super switch this throw true try typeof undefined var void while with "
+    "yield ";
+
+bool is_reserved(const std::string& name) {
+  return kReserved.find(" " + name + " ") != std::string_view::npos;
+}
+
+// A member may have any name.
+bool is_free(const std::string&) {
+  return false;
+}
+
+Spelling literal(const Number& value, Texts& texts) {
+  const std::string text = number(value.value());
+  return backend::literal(texts.add({text}), texts.add({"-", text}));
+}
+
+std::string element(const std::string& array, std::size_t k) {
+  return array + "[" + std::to_string(k) + "]";
+}
+
+std::string text(const Line& line) {
+  return "const " + line.targets.front() + " = " + line.expression + ";";
+}
+
+}  // namespace
+
+const Dialect& dialect() {
+  static const Dialect javascript = [] {
+    Dialect d;
+    d.is_reserved = is_reserved;
+    d.used_names = {"Rx", "Ry", "Rz", "Tx", "Ty", "Tz", "cos", "multiply", "primitives", "sin", "sqrt"};
+    d.line_limit = kColumns - 2;
+    d.name_limit = 26;  // three such operands and their operators fit in one line
+    d.pairs_angles = false;
+    d.stores = false;
+    d.binds_parameters = true;
+    d.names_variables = true;
+    d.literal = literal;
+    d.element = element;
+    d.members = members;
+    d.text = text;
+    return d;
+  }();
+  return javascript;
+}
+
+std::vector<std::string> members(const std::vector<std::string>& parameters) {
+  NameScope scope(is_free);
+  return claim_all(scope, parameters);
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+  std::string result;
+  for (const std::string& item : items) result += (result.empty() ? "" : separator) + item;
+  return result;
+}
+
+std::string number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
+  const std::string text = print_double(value);
+  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return result + "\"";
+}
+
+std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail) {
+  const std::string margin(std::min(head.find_first_not_of(' '), head.size()) + 4, ' ');
+  std::string result, line = head;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool opens = line.ends_with('(') || line.ends_with('[');
+    const std::string item = items[i] + (i + 1 < items.size() ? "," : tail);
+    if (line.size() + item.size() + 1 > kColumns && line != head) {
+      result += line + "\n";
+      line = margin + item;
+    } else {
+      line += (opens ? "" : " ") + item;
+    }
+  }
+  return result + line + (items.empty() ? tail : "") + "\n";
+}
+
+std::string comment_lines(const std::vector<std::string>& lines, const std::string& margin) {
+  std::string result;
+  for (std::string line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool ends_line = static_cast<unsigned char>(line[i]) < ' ' || line.compare(i, 2, "\xE2\x80") == 0;
+      if (ends_line || (i > 0 && line[i] == '/' && line[i - 1] == '*')) line[i] = ' ';
+    }
+    std::string prefix = margin;
+    while (line.size() + prefix.size() > kColumns) {
+      std::size_t cut = line.rfind(' ', kColumns - prefix.size());
+      if (cut == std::string::npos || cut == 0) cut = line.find(' ', 1);
+      if (cut == std::string::npos) break;
+      result += prefix + line.substr(0, cut) + "\n";
+      line.erase(0, cut + 1);
+      prefix = margin + "  ";
+    }
+    result += prefix + line + "\n";
+  }
+  return result;
+}
+
+}  // namespace robcogen::backend::javascript

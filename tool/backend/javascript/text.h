@@ -1,0 +1,36 @@
+// The words and the layout of JavaScript.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/common/lower.h"
+#include "backend/library.h"
+
+namespace robcogen::backend::javascript {
+
+inline constexpr std::size_t kColumns = 100;
+
+const Dialect& dialect();
+
+// The members of the object of parameters, by the names of all parameters.
+std::vector<std::string> members(const std::vector<std::string>& parameters);
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ");
+
+// The shortest text of a number; NaN and infinities too.
+std::string number(double value);
+
+// A string literal of one line.
+std::string quoted(const std::string& text);
+
+// `head item, item tail`, continued on lines that are indented by four more where it is too long.
+std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
+
+// Lines of a comment, each begun anew where it is too long. They do not end the comment.
+std::string comment_lines(const std::vector<std::string>& lines, const std::string& margin);
+
+// `export const model`: what the library knows about the robot.
+std::string print_model(const Library& library);
+
+}  // namespace robcogen::backend::javascript
