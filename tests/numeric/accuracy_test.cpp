@@ -11,6 +11,7 @@
 #include "ill_robot.h"
 #include "packed_programs.h"
 #include "random_robot.h"
+#include "symbolic/derivative.h"
 #include "symbolic/interpret.h"
 #include "volume.h"
 
@@ -45,9 +46,20 @@ const std::vector<std::string>& groups() {
       "coriolis_matrix",
       "inverse_dynamics_derivatives",
       "inverse_dynamics_gradient",
+      "inverse_dynamics_second_derivatives",
       "forward_dynamics_derivatives",
       "centroidal",
-      "energy"};
+      "energy",
+      "regressor",
+      "base_regressor",
+      "slotine_li_regressor"};
+  return list;
+}
+
+// Of the derivatives that a user asks for.
+const std::vector<driver::Derivative>& derivatives() {
+  static const std::vector<driver::Derivative> list = {
+      {"inverse_dynamics", {"q", "qd"}}, {"forward_dynamics", {"q"}}, {"joint_space_inertia", {"q"}}};
   return list;
 }
 
@@ -206,11 +218,24 @@ class Judge {
   Sample few_;
 };
 
+// Derivatives of a plain program are those by forward mode.
+const Program& plain_program(std::map<std::string, Program>& plain, const std::string& kernel) {
+  const std::size_t suffix = kernel.rfind("_d_q");
+  if (plain.count(kernel) == 0) {
+    const std::string inputs = kernel.substr(suffix + 3);
+    plain.emplace(
+        kernel, symbolic::with_derivatives(
+                    plain.at(kernel.substr(0, suffix)),
+                    inputs == "q" ? std::vector<std::string>{"q"} : std::vector<std::string>{"q", "qd"}));
+  }
+  return plain.at(kernel);
+}
+
 // Of all that is generated for the robot.
 std::string losses(const KinematicTree& tree) {
   std::string text;
   const backend::Library library = driver::library(
-      driver::Model{driver::Robot{tree, {}}}, {.names = {"robot"}, .groups = groups()},
+      driver::Model{driver::Robot{tree, {}, derivatives()}}, {.names = {"robot"}, .groups = groups()},
       {.caches_parameters = true, .has_lanes = true});
   std::map<std::string, Program> plain;
   for (const std::string& group : groups())
@@ -218,7 +243,7 @@ std::string losses(const KinematicTree& tree) {
   for (const backend::Function& f : library.functions) {
     // Functions that read a factor have no formulation.
     if (f.scope == "inertia_factor") continue;
-    const Judge judge(plain.at(f.kernel));
+    const Judge judge(plain_program(plain, f.kernel));
     text += judge.loss_of(f.program);
     const std::string in_lanes = f.in_lanes ? judge.loss_of(*f.in_lanes) : "";
     if (!in_lanes.empty()) text += "in lanes: " + in_lanes;

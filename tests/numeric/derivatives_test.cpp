@@ -130,7 +130,8 @@ std::vector<long double> difference(
 int expect_derivatives(const algorithm::RobotFunction& f, std::uint64_t seed) {
   std::vector<std::string> inputs;
   for (const symbolic::InputArray& array : f.program.inputs) inputs.push_back(array.name);
-  const std::optional<Program> derivatives = symbolic::with_cheapest_derivatives(f.program, inputs, 1'000'000);
+  const std::optional<Program> derivatives =
+      symbolic::with_derivatives(f.program, inputs, symbolic::DerivativeMode::cheaper, 1'000'000);
   EXPECT_TRUE(derivatives) << f.name;
   if (!derivatives) return 0;
   Arrays<long double> state;

@@ -15,6 +15,7 @@ namespace {
 
 using algorithm::RobotFunction;
 using algorithm::TransformFunction;
+using symbolic::DerivativeMode;
 using symbolic::Program;
 using symbolic::Role;
 
@@ -70,8 +71,8 @@ std::string suffix_of(const Derivative& derivative) {
   return fmt::format("_d_{}", fmt::join(derivative.inputs, "_"));
 }
 
-Program differentiated(const Program& program, const Derivative& derivative) {
-  std::optional<Program> result = symbolic::with_cheapest_derivatives(program, derivative.inputs, kMostExpressions);
+Program differentiated(const Program& program, const Derivative& derivative, DerivativeMode mode) {
+  std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMostExpressions);
   if (!result)
     refuse(
         derivative,
@@ -95,13 +96,13 @@ std::string summary_of(const Derivative& derivative) {
 }
 
 template <class Function>
-Function differentiated(Function function, const Derivative& derivative) {
+Function differentiated(Function function, const Derivative& derivative, DerivativeMode mode) {
   std::vector<symbolic::DerivativeBlock> blocks;
   const auto values = static_cast<int>(function.program.outputs.size());
   for (const std::string& input : derivative.inputs)
     for (int k = 0; k < values; ++k) blocks.push_back({k, input, values + static_cast<int>(blocks.size())});
   function.derivatives = std::move(blocks);
-  function.program = differentiated(function.program, derivative);
+  function.program = differentiated(function.program, derivative, mode);
   function.name += suffix_of(derivative);
   function.summary.push_back(summary_of(derivative));
   return function;
@@ -166,6 +167,7 @@ std::vector<RobotFunction> derivative_functions(
   algorithm::Formulation draft = algorithm::plain_formulation();
   draft.is_draft = true;
   algorithm::FormulationChoices drafts(robot.tree, draft);  // fast: no frames are looked for
+  const DerivativeMode mode = algorithm::derivative_mode(formulations.common());
   for (const Derivative& derivative : distinct(robot.derivatives)) {
     const FoundFunctions found = find_functions(robot, derivative.function, drafts);
     if (found.overloads.empty())
@@ -180,7 +182,7 @@ std::vector<RobotFunction> derivative_functions(
          algorithm::functions(robot.tree, {{first.frames}, {first.frames}}, first.group, formulations)) {
       if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
       f.group = kDerivativesGroup;
-      list.push_back(differentiated(std::move(f), derivative));
+      list.push_back(differentiated(std::move(f), derivative, mode));
     }
   }
   return list;
@@ -198,7 +200,7 @@ std::vector<TransformFunction> derivative_functions(const Transforms& transforms
       refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative.function, names);
     const TransformFunction& f = functions[static_cast<std::size_t>(place - names.begin())];
     require_inputs(derivative, {&f.program});
-    list.push_back(differentiated(f, derivative));
+    list.push_back(differentiated(f, derivative, DerivativeMode::cheaper));
   }
   return list;
 }

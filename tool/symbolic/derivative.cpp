@@ -243,11 +243,13 @@ Program with_derivatives(const Program& program, const std::vector<std::string>&
   return *differentiated(program, inputs, Mode::forward, std::numeric_limits<std::size_t>::max());
 }
 
-std::optional<Program> with_cheapest_derivatives(
+std::optional<Program> with_derivatives(
     const Program& program,
     const std::vector<std::string>& inputs,
+    DerivativeMode mode,
     std::size_t most) {
   std::optional<Program> forward = differentiated(program, inputs, Mode::forward, most);
+  if (forward && mode == DerivativeMode::forward) return forward;
   std::optional<Program> reverse = differentiated(program, inputs, Mode::reverse, most);
   if (!forward || !reverse) return forward ? std::move(forward) : std::move(reverse);
   return work(*reverse) < work(*forward) ? std::move(reverse) : std::move(forward);
@@ -286,8 +288,9 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
 
 }  // namespace
 
-Program with_second_derivatives(const Program& gradient, const Pairs& pairs) {
+Program with_second_derivatives(const Program& gradient, const Pairs& pairs, DerivativeMode mode) {
   Program forward = second_derivatives(gradient, pairs, Mode::forward);
+  if (mode == DerivativeMode::forward) return forward;
   Program reverse = second_derivatives(gradient, pairs, Mode::reverse);
   return work(reverse) < work(forward) ? std::move(reverse) : std::move(forward);
 }

@@ -23,16 +23,20 @@ struct DerivativeBlock {
 // Of an expression of few operations, by an input.
 Expression derivative(const Expression& of, const Expression& by);
 
-// Forward mode: the program, with the derivatives of its outputs by each element of these inputs as further outputs.
-// Those of `y` by `q` are the array `y_d_q`, or `d_q` where the program has one output that is not called so itself: a
-// row for each element of y, a column for each of q. Of programs without lanes.
+// `cheaper`: forward mode, or reverse mode (an adjoint for each element of the outputs), whichever takes less work
+// (count.h).
+enum class DerivativeMode { forward, cheaper };
+
+// The program, with the derivatives of its outputs by each element of these inputs as further outputs. Those of `y` by
+// `q` are the array `y_d_q`, or `d_q` where the program has one output that is not called so itself: a row for each
+// element of y, a column for each of q. Of programs without lanes.
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs);
 
-// The same in forward or in reverse mode (an adjoint for each element of the outputs), whichever takes less work
-// (count.h). nullopt where either would take more than `most` expressions.
-std::optional<Program> with_cheapest_derivatives(
+// The same in this mode; in the other one where that would take more than `most` expressions. nullopt where both would.
+std::optional<Program> with_derivatives(
     const Program& program,
     const std::vector<std::string>& inputs,
+    DerivativeMode mode,
     std::size_t most);
 
 // Reverse mode: the program, with the gradient of the product of `weights` and the elements of these outputs, one after
@@ -44,8 +48,10 @@ Program with_gradient(
     const std::vector<std::string>& inputs,
     std::size_t place);
 
-// Derivatives of the `d_x` of such a gradient by y, for each pair (x, y): `d_x_y`, symmetric where x is y. By forward
-// or reverse mode, whichever takes less work.
-Program with_second_derivatives(const Program& gradient, const std::vector<std::pair<std::string, std::string>>& pairs);
+// Derivatives of the `d_x` of such a gradient by y, for each pair (x, y): `d_x_y`, symmetric where x is y.
+Program with_second_derivatives(
+    const Program& gradient,
+    const std::vector<std::pair<std::string, std::string>>& pairs,
+    DerivativeMode mode);
 
 }  // namespace robcogen::symbolic

@@ -76,7 +76,7 @@ TEST(Derivative, CheapestMode) {
       test::small_program("let x = a[0] * a[1]\nlet y = x * a[2]\nlet z = y * a[3]\nreturn out z\n");
   const Program many = test::small_program("let x = sin a[0]\nlet y = x * x\nlet z = y * x\nreturn out x y z 0\n", 4);
   for (const Program& p : {product, many}) {
-    const std::optional<Program> found = with_cheapest_derivatives(p, {"a"}, 1000);
+    const std::optional<Program> found = with_derivatives(p, {"a"}, DerivativeMode::cheaper, 1000);
     ASSERT_TRUE(found);
     EXPECT_EQ(verify(*found), "");
     const Values a = {0.3L, 0.7L, -2.0L, 5.0L}, expected = differences(p, a, "out"), d = results(*found, a, "d_a");
@@ -84,7 +84,9 @@ TEST(Derivative, CheapestMode) {
     for (std::size_t i = 0; i < d.size(); ++i) EXPECT_LT(std::abs(d[i] - expected[i]), 1e-11L) << i;
     EXPECT_LE(found->statements.size(), with_derivatives(p, {"a"}).statements.size());
   }
-  EXPECT_FALSE(with_cheapest_derivatives(product, {"a"}, 8));
+  EXPECT_FALSE(with_derivatives(product, {"a"}, DerivativeMode::cheaper, 8));
+  EXPECT_EQ(
+      print(*with_derivatives(product, {"a"}, DerivativeMode::forward, 1000)), print(with_derivatives(product, {"a"})));
 }
 
 // An output may be called like a derivative itself.

@@ -187,7 +187,8 @@ Program inverse_dynamics_second_derivatives(
                       {"base_acceleration", "q"},
                       {"base_velocity", "qd"},
                       {"base_velocity", "base_velocity"}});
-  return symbolic::with_second_derivatives(inverse_dynamics_gradient(tree, name, loads, formulation), pairs);
+  return symbolic::with_second_derivatives(
+      inverse_dynamics_gradient(tree, name, loads, formulation), pairs, derivative_mode(formulation));
 }
 
 }  // namespace robcogen::algorithm

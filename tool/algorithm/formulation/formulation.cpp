@@ -12,13 +12,18 @@ struct Choice {
 
 constexpr std::array kChoices = {
     Choice{"regroup", &Formulation::regroup}, Choice{"choose-fd", &Formulation::choose_forward_dynamics},
-    Choice{"frames", &Formulation::choose_frames}, Choice{"turn-inertia", &Formulation::turn_inertia}};
+    Choice{"frames", &Formulation::choose_frames}, Choice{"turn-inertia", &Formulation::turn_inertia},
+    Choice{"reverse-mode", &Formulation::choose_reverse_mode}};
 
 }  // namespace
 
 Formulation plain_formulation() {
   std::vector<std::string> none;
   return take_formulation(none);
+}
+
+symbolic::DerivativeMode derivative_mode(const Formulation& formulation) {
+  return formulation.choose_reverse_mode ? symbolic::DerivativeMode::cheaper : symbolic::DerivativeMode::forward;
 }
 
 const std::vector<std::string>& choices() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithm/formulation/link_frames.h"
+#include "symbolic/derivative.h"
 
 namespace robcogen::algorithm {
 
@@ -14,6 +15,7 @@ struct Formulation {
   bool choose_forward_dynamics = true;  // by inertia matrix where that is quicker; else always by articulated bodies
   bool choose_frames = true;            // turned and slid along joint axes, where that is cheaper (link_frames.h)
   bool turn_inertia = true;             // of links, instead of the vectors of the recursion, where that is cheaper
+  bool choose_reverse_mode = true;      // for derivatives of programs, where that is cheaper; else always forward mode
   int effort = 0;                       // of the search for such frames (frame_search.h); 0: none
   LinkFrames frames = {};               // those that were found; empty: the model's
 
@@ -28,6 +30,8 @@ struct Formulation {
 
 // Chooses nothing: the algorithms of the textbook in the frames of the model, the reference for all others.
 Formulation plain_formulation();
+
+symbolic::DerivativeMode derivative_mode(const Formulation& formulation);
 
 // Names of the choices, in the order of the fields.
 const std::vector<std::string>& choices();
