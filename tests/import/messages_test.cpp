@@ -27,20 +27,20 @@ TEST_P(Messages, AreAsExpected) {
   Diagnostics diagnostics;
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
-  const auto tree = import::urdf(test::source(folder() / (GetParam() + ".urdf")), options, diagnostics);
+  const auto tree = import::urdf(test::source_of_file(folder() / (GetParam() + ".urdf")), options, diagnostics);
   EXPECT_EQ(testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(tree.has_value(), !diagnostics.has_errors());
 
   test::expect_messages(diagnostics.render(), folder() / (GetParam() + ".expected"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), ".urdf")), test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), {".urdf"})), test::test_name);
 
 // Codes are the string literals in kebab case, and whatever is given literally to error(), warning() or note().
 TEST(Messages, OfEveryCodeHaveADocument) {
   const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([^"]+)")re");
   std::set<std::string> codes;
-  for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/urdf", ".cpp")) {
+  for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/urdf", {".cpp"})) {
     const std::string text = test::contents(file);
     codes.merge(test::matches(text, kebab));
     codes.merge(test::matches(text, reported));

@@ -28,19 +28,19 @@ TEST_P(MjcfMessages, AreAsExpected) {
   const path file = folder() / (GetParam() + ".xml");
   const import::MjcfOptions options{.free_equality_joints = GetParam().find("-free-mimic") != std::string::npos};
   Diagnostics diagnostics;
-  const auto robot = import::mjcf(test::source(file), file, options, diagnostics);
+  const auto robot = import::mjcf(test::source_of_file(file), file, options, diagnostics);
   EXPECT_EQ(robot.has_value(), !diagnostics.has_errors());
 
   test::expect_messages(without_folder(diagnostics.render()), folder() / (GetParam() + ".expected"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::stems(folder(), ".xml")), test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::stems(folder(), {".xml"})), test::test_name);
 
 // Codes are the string literals in kebab case.
 TEST(MjcfMessages, OfEveryCodeHaveADocument) {
   const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re");
   std::set<std::string> codes;
-  for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/mjcf", ".cpp"))
+  for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/mjcf", {".cpp"}))
     codes.merge(test::matches(test::contents(file), kebab));
   codes.erase("mjcf-unavailable");  // of a generator without urdfdom
   test::expect_documents(codes, folder());

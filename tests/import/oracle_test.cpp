@@ -282,7 +282,7 @@ TEST(Oracle, SnappingChangesNoMoreThanItSays) {
 class Models : public testing::TestWithParam<bool> {};
 
 TEST_P(Models, AgreeWithTheOracle) {
-  const auto files = test::files(ROBCOGEN_MODELS_DIR, ".urdf");
+  const auto files = test::files(ROBCOGEN_MODELS_DIR, {".urdf"});
   if (files.empty()) GTEST_SKIP() << "no URDFs in " << ROBCOGEN_MODELS_DIR;
   for (const auto& file : files) {
     SCOPED_TRACE(file.filename());

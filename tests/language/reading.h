@@ -1,15 +1,11 @@
 // Documents from texts and files, and their messages.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "../golden_messages.h"
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
 #include "language/motion/document.h"
@@ -17,18 +13,8 @@
 
 namespace robcogen::test {
 
-inline std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 inline std::shared_ptr<const Source> source(std::string text) {
   return std::make_shared<Source>("test", std::move(text));
-}
-
-// A source that messages call by the file's name alone.
-inline std::shared_ptr<const Source> source_of_file(const std::filesystem::path& path) {
-  return std::make_shared<Source>(path.filename().string(), contents(path));
 }
 
 inline std::vector<std::string> codes(const Diagnostics& diagnostics) {

@@ -51,7 +51,8 @@ std::map<std::string, KinematicTree> robots() {
   for (const path& document : documents(".kindsl")) {
     if (is_refused(document)) continue;
     Diagnostics diagnostics;
-    if (const auto tree = test::tree_of(test::source(document), diagnostics)) result[document.stem().string()] = *tree;
+    if (const auto tree = test::tree_of(test::source_of_file(document), diagnostics))
+      result[document.stem().string()] = *tree;
   }
   return result;
 }
@@ -59,7 +60,7 @@ std::map<std::string, KinematicTree> robots() {
 TEST_F(Corpus, BuildsUnlessMalformed) {
   for (const path& document : documents(".kindsl")) {
     Diagnostics diagnostics;
-    const auto tree = test::tree_of(test::source(document), diagnostics);
+    const auto tree = test::tree_of(test::source_of_file(document), diagnostics);
     EXPECT_EQ(tree.has_value(), !is_refused(document)) << document << "\n" << diagnostics.render();
     EXPECT_EQ(tree.has_value(), !diagnostics.has_errors()) << document;
   }
@@ -70,9 +71,9 @@ TEST_F(Corpus, RefusesWhatIsMalformedForItsReason) {
     const path robot = path(ROBCOGEN_CORPUS_DIR) / (name + ".kindsl"), list = path(robot).replace_extension(".dtdsl");
     Diagnostics diagnostics;
     if (exists(robot)) {
-      test::tree_of(test::source(robot), diagnostics);
+      test::tree_of(test::source_of_file(robot), diagnostics);
     } else {
-      language::desired::parse(test::source(list), diagnostics);
+      language::desired::parse(test::source_of_file(list), diagnostics);
     }
     ASSERT_TRUE(diagnostics.has_errors()) << name;
     const auto& all = diagnostics.all();
@@ -131,7 +132,7 @@ TEST_F(Corpus, HasTheKnownRobots) {
 TEST_F(Corpus, WarnsOfAWrongId) {
   Diagnostics diagnostics;
   const path document = path(ROBCOGEN_CORPUS_DIR) / "ESROCOS_kin-gen__tests_models_malformed_cmm-numbering.kindsl";
-  EXPECT_TRUE(test::tree_of(test::source(document), diagnostics).has_value());
+  EXPECT_TRUE(test::tree_of(test::source_of_file(document), diagnostics).has_value());
   ASSERT_EQ(diagnostics.all().size(), 2u) << diagnostics.render();
   EXPECT_EQ(diagnostics.all()[1].code, "gapped-ids");
   EXPECT_EQ(diagnostics.all()[0].code, "child-before-parent");
@@ -186,7 +187,7 @@ TEST_F(Corpus, ResolvesItsDesiredTransforms) {
   const auto resolve = [&](const path& list, const KinematicTree& tree) {
     SCOPED_TRACE(list.filename().string());
     Diagnostics diagnostics;
-    const auto document = language::desired::parse(test::source(list), diagnostics);
+    const auto document = language::desired::parse(test::source_of_file(list), diagnostics);
     ASSERT_FALSE(diagnostics.has_errors()) << diagnostics.render();
     if (document.robot.text != tree.name) return;
     const auto desired = import::desired_transforms(document, tree, diagnostics);

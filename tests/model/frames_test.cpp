@@ -206,15 +206,16 @@ TEST(FrameDocuments, OfOtherProjectsAreReadWithoutAWord) {
   if (corpus(".motdsl").empty()) GTEST_SKIP() << "no documents in " << ROBCOGEN_CORPUS_DIR;
   for (const auto& file : corpus(".motdsl")) {
     Diagnostics diagnostics;
-    const auto motions = import::rigid_motions(language::motion::parse(test::source(file), diagnostics), diagnostics);
+    const auto motions =
+        import::rigid_motions(language::motion::parse(test::source_of_file(file), diagnostics), diagnostics);
     EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render();
     ASSERT_TRUE(motions.has_value()) << file;
     expect_same_motions(*motions);
   }
   for (const auto& file : corpus(".ctdsl")) {
     Diagnostics diagnostics;
-    const auto transforms =
-        import::coordinate_transforms(language::transforms::parse(test::source(file), diagnostics), diagnostics);
+    const auto transforms = import::coordinate_transforms(
+        language::transforms::parse(test::source_of_file(file), diagnostics), diagnostics);
     EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render();
     EXPECT_TRUE(transforms.has_value()) << file;
   }
@@ -224,7 +225,7 @@ TEST(FrameDocuments, OfOtherProjectsAreReadWithoutAWord) {
 TEST(FrameDocuments, OfRobotsAreTheirMotions) {
   const auto document = std::filesystem::path(ROBCOGEN_SOURCE_DIR) / "robots" / "humanoid" / "humanoid.kindsl";
   Diagnostics diagnostics;
-  const auto robot = test::tree_of(test::source(document), diagnostics);
+  const auto robot = test::tree_of(test::source_of_file(document), diagnostics);
   ASSERT_TRUE(robot.has_value()) << diagnostics.render();
   expect_same_motions(model::motions_of(*robot));
 

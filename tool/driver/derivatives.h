@@ -19,9 +19,9 @@ Derivative parse_derivative(const std::string& text);
 
 // The functions with the derivatives that are asked for: `f_d_q_qd` for those of `f` by `q` and `qd`, in the scope of
 // f, each overload of f that takes these inputs. Results of f, then for each input, of each of them, a matrix with a
-// row for each element of the result (column by column) and a column for each of the input (symbolic/derivative.h). A
-// Failure where there is no such function or input, or where the program would be too long to compile; `model` is named
-// in it.
+// row for each element of the result (column by column) and a column for each of the input (symbolic/derivative.h).
+// Throws a Failure, which names `model`, if the robot has no such function, the function no such input, or the program
+// would be too long to compile.
 std::vector<algorithm::RobotFunction> derivative_functions(
     const Robot& robot,
     const std::filesystem::path& model,

@@ -54,12 +54,12 @@ struct LoadOptions {
   import::UrdfOptions urdf = {};                           // for robots in URDF; free_mimic_joints for MJCF too
   bool lists_parameters = false;                           // a note with the model's parameters
   std::vector<std::filesystem::path> import_folders = {};  // searched for parts of robots after that of the document
-  bool may_be_library = false;                             // imports and parts without a robot are no error
+  bool may_be_library = false;                             // imports and parts without a robot are accepted
   std::vector<std::string> groups = {};      // asked for by name: one that the robot cannot have is an error
   std::vector<Derivative> derivatives = {};  // checked when they are traced
   // Instead of the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
   std::vector<std::string> contacts = {};
-  bool lists_absent_groups = false;                   // a note for each group that the robot cannot have
+  bool lists_absent_groups = false;  // a note for each group that the robot cannot have
 };
 
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt

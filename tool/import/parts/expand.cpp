@@ -113,7 +113,8 @@ class Expander {
     const Entry* entry = scopes_.find(document, instance.part.text);
     if (entry == nullptr) {
       diagnostics_
-          .error("unknown-part", place(instance.part.span), fmt::format("there is no part '{}'", instance.part.text))
+          .error(
+              "unknown-part", place(instance.part.span), fmt::format("part '{}' is not declared", instance.part.text))
           .hint = did_you_mean(instance.part.text, scopes_.names(document));
       return;
     }

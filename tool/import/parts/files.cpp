@@ -45,7 +45,7 @@ class Files {
     std::error_code ignored;
     for (const fs::path& candidate : candidates)
       if (!file.empty() && fs::exists(candidate, ignored)) return candidate.lexically_normal();
-    Diagnostic& error = diagnostics_.error("unknown-file", place, fmt::format("there is no file '{}'", file));
+    Diagnostic& error = diagnostics_.error("unknown-file", place, fmt::format("cannot find file '{}'", file));
     error.hint = options_.folders.empty()
                      ? "it is searched beside this document; '-I FOLDER' names a folder to search after that"
                      : "it is searched beside this document and in the folders of '-I'";
