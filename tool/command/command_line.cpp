@@ -297,6 +297,15 @@ Action declare_convert(CLI::App& application) {
   return [options] { return convert(*options); };
 }
 
+Action declare_language_server(CLI::App& application) {
+  CLI::App* subcommand = application.add_subcommand(
+      "language-server", "Serves editors over standard input and output: messages, names, completion");
+  subcommand->add_flag_callback(
+      "--stdio", [] {}, "Over standard input and output, which is the default");
+  subcommand->footer("Speaks the Language Server Protocol. An editor starts it; tool/editors/ has what editors need.");
+  return &language_server;
+}
+
 }  // namespace
 
 std::function<Status()> parse_command_line(int argc, char** argv) {
@@ -304,9 +313,13 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
   application.set_version_flag("--version", fmt::format("robcogen {}", driver::kVersion));
   application.require_subcommand(1);
   const std::vector<std::pair<const char*, Action>> actions = {
-      {"generate", declare_generate(application)}, {"check", declare_check(application)},
-      {"print", declare_print(application)},       {"ops", declare_ops(application)},
-      {"eval", declare_eval(application)},         {"convert", declare_convert(application)}};
+      {"generate", declare_generate(application)},
+      {"check", declare_check(application)},
+      {"print", declare_print(application)},
+      {"ops", declare_ops(application)},
+      {"eval", declare_eval(application)},
+      {"convert", declare_convert(application)},
+      {"language-server", declare_language_server(application)}};
   try {
     application.parse(argc, argv);
   } catch (const CLI::Success& answer) {  // --help, --version

@@ -65,4 +65,7 @@ struct ConvertOptions {
 };
 Status convert(const ConvertOptions& options);
 
+// Over standard input and output. wrong_input when the editor ends the session without `shutdown`.
+Status language_server();
+
 }  // namespace robcogen::command

@@ -42,7 +42,13 @@ Language language_of(const std::filesystem::path& file) {
   if (language && !is_robot(*language)) return *language;
   std::error_code no_such_file;
   if (file != "-" && !std::filesystem::exists(file, no_such_file)) return language.value_or(Language::robot);
-  const language::Content content = language::content_of(read_source(file)->text());
+  return language_of(file, *read_source(file));
+}
+
+Language language_of(const std::filesystem::path& file, const Source& source) {
+  const std::optional<Language> language = language_of_suffix(file);
+  if (language && !is_robot(*language)) return *language;
+  const language::Content content = language::content_of(source.text());
   if (content == language::Content::mjcf) return Language::mjcf;
   return content == language::Content::urdf ? Language::urdf : language.value_or(Language::robot);
 }

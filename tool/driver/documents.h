@@ -16,6 +16,8 @@ std::optional<Language> language_of_suffix(const std::filesystem::path& file);
 // A robot is in the language that its content shows, whatever its suffix: URDF and MJCF by their root elements, and a
 // robot document otherwise.
 Language language_of(const std::filesystem::path& file);
+// The same for a file of this text.
+Language language_of(const std::filesystem::path& file, const Source& source);
 
 constexpr bool is_robot(Language language) {
   return language == Language::robot || language == Language::urdf || language == Language::mjcf;

@@ -22,6 +22,11 @@ namespace {
 
 using model::FrameNames;
 
+std::shared_ptr<const Source> source_of(const std::filesystem::path& file, const import::OpenTexts& open_texts) {
+  if (const std::shared_ptr<const Source> open = open_texts ? open_texts(file) : nullptr) return open;
+  return read_source(file);
+}
+
 // ---- Robots.
 
 // What the robot language cannot say, for the canonical text.
@@ -47,7 +52,8 @@ std::optional<import::RobotDocument> expanded(
     const std::shared_ptr<const Source>& source,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  return import::robot_document(source, {options.import_folders, &exporting::kinematics_document}, diagnostics);
+  return import::robot_document(
+      source, {options.import_folders, &exporting::kinematics_document, options.open_texts}, diagnostics);
 }
 
 bool require_robot(
@@ -68,7 +74,7 @@ std::optional<Model> load_tree(
     const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  const Language language = language_of(file);
+  const Language language = language_of(file, *source);
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read = import::mjcf(source, file, {options.urdf.free_mimic_joints}, diagnostics);
     if (!read) return std::nullopt;
@@ -136,7 +142,8 @@ model::DesiredTransforms desired_of(
     Diagnostics& diagnostics) {
   model::DesiredTransforms result = model::default_desired(tree);
   if (options.desired) {
-    const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
+    const language::desired::Document list =
+        language::desired::parse(source_of(*options.desired, options.open_texts), diagnostics);
     if (diagnostics.has_errors()) return result;
     result = import::desired_transforms(list, tree, diagnostics);
   }
@@ -191,7 +198,8 @@ std::optional<std::vector<FrameNames>> desired_pairs(
     const LoadOptions& options,
     const model::RigidMotions& motions,
     Diagnostics& diagnostics) {
-  const language::desired::Document list = language::desired::parse(read_source(*options.desired), diagnostics);
+  const language::desired::Document list =
+      language::desired::parse(source_of(*options.desired, options.open_texts), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<FrameNames> pairs = import::desired_frame_pairs(list, motions, diagnostics);
   if (options.strict) promote_strict_warnings(diagnostics);
@@ -257,8 +265,8 @@ std::optional<Model> load_content(
     const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  const std::shared_ptr<const Source> source = read_source(file);
-  const Language language = language_of(file);
+  const std::shared_ptr<const Source> source = source_of(file, options.open_texts);
+  const Language language = language_of(file, *source);
   if (is_robot(language) || language == Language::desired) return load_robot(source, file, options, diagnostics);
   std::optional<Model> model = language == Language::motions ? load_motions(source, options, diagnostics)
                                                              : load_transforms(source, options, diagnostics);
@@ -298,12 +306,15 @@ std::optional<import::RobotDocument> load_robot_document(
     const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics) {
-  return expanded(read_source(file), options, diagnostics);
+  return expanded(source_of(file, options.open_texts), options, diagnostics);
 }
 
-std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  const std::shared_ptr<const Source> source = read_source(file);
-  if (language_of(file) == Language::motions) return read_motions(source, diagnostics);
+std::optional<model::RigidMotions> load_motions_of(
+    const std::filesystem::path& file,
+    Diagnostics& diagnostics,
+    const import::OpenTexts& open_texts) {
+  const std::shared_ptr<const Source> source = source_of(file, open_texts);
+  if (language_of(file, *source) == Language::motions) return read_motions(source, diagnostics);
   const std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
   return transforms ? std::optional(model::motions_of(*transforms)) : std::nullopt;
 }

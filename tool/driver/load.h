@@ -59,7 +59,8 @@ struct LoadOptions {
   std::vector<Derivative> derivatives = {};  // checked when they are traced
   // Instead of the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
   std::vector<std::string> contacts = {};
-  bool lists_absent_groups = false;  // a note for each group that the robot cannot have
+  bool lists_absent_groups = false;   // a note for each group that the robot cannot have
+  import::OpenTexts open_texts = {};  // of documents, lists and imported documents; not of what MJCF includes
 };
 
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt
@@ -74,7 +75,10 @@ std::optional<import::RobotDocument> load_robot_document(
     Diagnostics& diagnostics);
 
 // The frames of a document of motions or of transforms, and the paths between them. nullopt when an error was reported.
-std::optional<model::RigidMotions> load_motions_of(const std::filesystem::path& file, Diagnostics& diagnostics);
+std::optional<model::RigidMotions> load_motions_of(
+    const std::filesystem::path& file,
+    Diagnostics& diagnostics,
+    const import::OpenTexts& open_texts = {});
 
 // The pairs of frames that the list of the options asks for; without a list, each motion and its inverse. nullopt when
 // an error was reported.

@@ -27,10 +27,14 @@ std::optional<language::kinematics::Document> expand(
     const Resolver& resolve,
     Diagnostics& diagnostics);
 
+// The text of a file that an editor holds, which is read in place of the one on disk; nullptr for other files.
+using OpenTexts = std::function<std::shared_ptr<const Source>(const std::filesystem::path&)>;
+
 struct ImportOptions {
   std::vector<std::filesystem::path> folders = {};  // searched after that of the document
   // How a robot in URDF or MJCF is written as a document. Without it such robots are refused.
   std::function<language::kinematics::Document(const model::KinematicTree&)> write = {};
+  OpenTexts open_texts = {};
 };
 
 struct RobotDocument {

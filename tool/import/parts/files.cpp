@@ -39,12 +39,17 @@ class Files {
   std::map<fs::path, DocumentPtr> documents_;
   std::vector<fs::path> read_;
 
+  std::shared_ptr<const Source> open_text(const fs::path& path) const {
+    return options_.open_texts ? options_.open_texts(path.lexically_normal()) : nullptr;
+  }
+
   std::optional<fs::path> find(const kinematics::Document& from, const std::string& file, const Place& place) {
     std::vector<fs::path> candidates = {fs::path(from.source->name()).parent_path() / file};
     for (const fs::path& folder : options_.folders) candidates.push_back(folder / file);
     std::error_code ignored;
     for (const fs::path& candidate : candidates)
-      if (!file.empty() && fs::exists(candidate, ignored)) return candidate.lexically_normal();
+      if (!file.empty() && (open_text(candidate) || fs::exists(candidate, ignored)))
+        return candidate.lexically_normal();
     Diagnostic& error = diagnostics_.error("unknown-file", place, fmt::format("cannot find file '{}'", file));
     error.hint = options_.folders.empty()
                      ? "it is searched beside this document; '-I FOLDER' names a folder to search after that"
@@ -54,7 +59,8 @@ class Files {
 
   DocumentPtr read(const fs::path& path, const Place& place) {
     std::string fault;
-    const std::optional<std::string> text = read_file(path, fault);
+    const std::shared_ptr<const Source> open = open_text(path);
+    const std::optional<std::string> text = open ? std::string(open->text()) : read_file(path, fault);
     if (!text || text->find('\0') != std::string::npos) {
       const std::string reason = text ? "not a text file" : fault.substr(fault.find("error: ") + 7);
       diagnostics_.error("unreadable-import", place, fmt::format("'{}': {}", path.string(), reason));
@@ -62,7 +68,7 @@ class Files {
     }
     read_.push_back(path);
     const std::size_t errors_before = diagnostics_.error_count();
-    DocumentPtr document = parse(path, std::make_shared<const Source>(path.string(), *text), place);
+    DocumentPtr document = parse(path, open ? open : std::make_shared<const Source>(path.string(), *text), place);
     return diagnostics_.error_count() > errors_before ? nullptr : document;
   }
 

@@ -1,0 +1,98 @@
+// The life of a session, and what an editor may do wrong.
+#include "client.h"
+
+namespace robcogen::test {
+namespace {
+
+int error_code(const Json& answer) {
+  return answer.contains("error") ? answer["error"]["code"].get<int>() : 0;
+}
+
+TEST(Session, BeginsAndEnds) {
+  const Transcript transcript = served(frames(
+      {request(1, "textDocument/hover"), request(2, "initialize"), notification("initialized"),
+       request(3, "initialize"), request(4, "no/such"), request(5, "shutdown"), request(6, "textDocument/hover"),
+       notification("exit"), request(7, "shutdown")}));
+  ASSERT_EQ(transcript.answers.size(), 6U) << "nothing follows 'exit'";
+  const std::vector<int> errors = {-32002, 0, -32600, -32601, 0, -32600};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    EXPECT_EQ(transcript.answers[i].at("id"), static_cast<int>(i + 1));
+    EXPECT_EQ(error_code(transcript.answers[i]), errors[i]) << transcript.answers[i];
+  }
+  EXPECT_TRUE(transcript.answers[4].at("result").is_null());
+  EXPECT_TRUE(transcript.ended_well);
+}
+
+TEST(Session, ThatEndsWithoutShutdownDoesNotEndWell) {
+  EXPECT_FALSE(served(frames({request(1, "initialize"), notification("exit")})).ended_well);
+  EXPECT_FALSE(served(frames({request(1, "initialize")})).ended_well);
+  EXPECT_FALSE(served("").ended_well);
+  EXPECT_TRUE(served(frames({request(1, "initialize"), request(2, "shutdown")})).ended_well);
+}
+
+TEST(Session, TakesUtf8WhereItIsOffered) {
+  EXPECT_EQ(Client({}, true).capabilities.at("positionEncoding"), "utf-8");
+  EXPECT_EQ(Client({}, false).capabilities.at("positionEncoding"), "utf-16");
+}
+
+TEST(Session, NotificationsItDoesNotKnowAreIgnored) {
+  Client client;
+  client.tell("$/cancelRequest", {{"id", 7}});
+  client.tell("$/setTrace", {{"value", "off"}});
+  client.tell("workspace/didChangeConfiguration", {{"settings", nullptr}});
+  client.tell("no/such/thing");
+  EXPECT_TRUE(client.others.empty());
+}
+
+TEST(Session, SurvivesMessagesOfAnyShape) {
+  const std::vector<Json> odd = {
+      nullptr,
+      3,
+      "text",
+      Json::array(),
+      Json::object(),
+      {{"id", 1}},
+      {{"method", 3}},
+      {{"id", nullptr}, {"method", "x"}},
+      {{"method", "textDocument/didOpen"}},
+      {{"method", "textDocument/didOpen"}, {"params", 3}},
+      {{"method", "textDocument/didChange"}, {"params", {{"textDocument", nullptr}}}},
+      notification("textDocument/didChange", {{"textDocument", {{"uri", 3}}}}),
+      notification("textDocument/didClose", Json::array()),
+      request(9, "textDocument/codeAction", Json::array()),
+      request(9, "textDocument/codeAction", {{"textDocument", {{"uri", "file:///x.kindsl"}}}})};
+  std::vector<Json> messages = {request(1, "initialize")};
+  messages.insert(messages.end(), odd.begin(), odd.end());
+  messages.push_back(request(2, "shutdown"));
+  const Transcript transcript = served(frames(messages));
+  EXPECT_EQ(transcript.answers.back().at("id"), 2);
+  EXPECT_TRUE(transcript.ended_well);
+}
+
+TEST(Session, ChangesOfUnknownFilesAreIgnoredWithAWarning) {
+  Client client;
+  client.texts["file:///a.kindsl"] = "";
+  client.change("file:///a.kindsl", "Robot");
+  ASSERT_EQ(client.others.size(), 1U);
+  EXPECT_EQ(client.others[0].at("method"), "window/logMessage");
+  EXPECT_TRUE(client.diagnostics.empty());
+  client.close("file:///a.kindsl");
+  EXPECT_TRUE(client.diagnostics.empty());
+}
+
+// Editors send ranges only where the server asks for them; one that does nevertheless is understood.
+TEST(Session, ChangesOfRangesAreUnderstood) {
+  Client client({}, false);
+  client.open("file:///a.dtdsl", "// \U0001F916 Robbot\n");
+  EXPECT_EQ(client.codes("file:///a.dtdsl").size(), 1U);
+  const Json range = {{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", 0}, {"character", 6}}}};
+  client.tell(
+      "textDocument/didChange", {{"textDocument", {{"uri", "file:///a.dtdsl"}, {"version", 2}}},
+                                 {"contentChanges", Json::array({{{"range", range}, {"text", ""}}})}});
+  const Json& d = client.diagnostics.at("file:///a.dtdsl").at(0);
+  EXPECT_EQ(d.at("code"), "unexpected-token");
+  EXPECT_NE(d.at("message").get<std::string>().find("did you mean 'Robot'?"), std::string::npos) << d;
+}
+
+}  // namespace
+}  // namespace robcogen::test

@@ -1,0 +1,31 @@
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "command/output.h"
+#include "command/subcommands.h"
+#include "server/serve.h"
+
+namespace robcogen::command {
+namespace {
+
+// As soon as there is something: an editor waits for the answer before it goes on.
+std::size_t read_input(char* bytes, std::size_t size) {
+  while (true) {
+    const ssize_t count = ::read(STDIN_FILENO, bytes, size);
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno != EINTR) return 0;
+  }
+}
+
+}  // namespace
+
+Status language_server() {
+  const auto write = [](std::string_view bytes) {
+    write_output(bytes);
+    flush_output();
+  };
+  return server::serve(&read_input, write) ? ok : wrong_input;
+}
+
+}  // namespace robcogen::command

@@ -1,0 +1,81 @@
+#include "server/analysis.h"
+
+#include <fmt/format.h>
+
+#include "driver/failure.h"
+#include "import/frames.h"
+#include "import/kinematics.h"
+
+namespace robcogen::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Open documents, and a record of what was asked for.
+import::OpenTexts open_texts(const Documents& documents, std::set<fs::path>& read){
+    return [&](const fs::path& path){read.insert(path);
+const OpenDocument* open = documents.find(path);
+return open != nullptr ? open->source : nullptr;
+};  // namespace
+}  // namespace robcogen::server
+
+void check_list(const OpenDocument& list, const Documents& documents, RobotFinder& robots, Analysis& analysis) {
+  const language::desired::Document document = language::desired::parse(list.source, analysis.diagnostics);
+  if (analysis.diagnostics.has_errors()) return;
+  const std::optional<fs::path> robot = robots.find(list, document.robot.text);
+  if (!robot) {
+    analysis.diagnostics
+        .note(
+            "unchecked-list", {list.source, document.robot.span},
+            fmt::format("no document of '{}' was found: the frames of this list are not checked", document.robot.text))
+        .hint =
+        "it is searched beside this document under its name, then in the folders of the workspace by the name "
+        "of the robot";
+    return;
+  }
+  Diagnostics of_robot;
+  driver::LoadOptions options;
+  options.open_texts = open_texts(documents, analysis.read);
+  const driver::Language language = *driver::language_of_suffix(*robot);
+  if (language == driver::Language::motions || language == driver::Language::transforms) {
+    if (const auto motions = driver::load_motions_of(*robot, of_robot, options.open_texts))
+      import::desired_frame_pairs(document, *motions, analysis.diagnostics);
+  } else if (const auto model = driver::load(*robot, options, of_robot)) {
+    import::desired_transforms(document, model->robot()->tree, analysis.diagnostics);
+  }
+}
+
+// Zeros come from binary files and from UTF-16.
+bool is_text(const OpenDocument& document, Diagnostics& diagnostics) {
+  const std::size_t zero = document.source->text().find('\0');
+  if (zero == std::string_view::npos) return true;
+  diagnostics
+      .error("not-text", {document.source, {zero, zero + 1}}, fmt::format("not a text file: byte {} is zero", zero + 1))
+      .hint = "documents are UTF-8";
+  return false;
+}
+
+}  // namespace
+
+std::shared_ptr<const Analysis> analyse(const OpenDocument& document, const Documents& documents, RobotFinder& robots) {
+  auto analysis = std::make_shared<Analysis>();
+  if (!is_text(document, analysis->diagnostics)) return analysis;
+  try {
+    if (document.language == driver::Language::desired) {
+      check_list(document, documents, robots, *analysis);
+    } else {
+      driver::LoadOptions options;
+      options.may_be_library = true;
+      options.open_texts = open_texts(documents, analysis->read);
+      analysis->model = driver::load(document.path, options, analysis->diagnostics);
+    }
+  } catch (const driver::Failure& failure) {
+    analysis->diagnostics.error("unreadable", {document.source, {}}, failure.message);
+  } catch (const std::exception& fault) {
+    analysis->diagnostics.error(
+        "internal-fault", {document.source, {}}, fmt::format("internal fault: {}", fault.what()));
+  }
+  return analysis;
+}
+
+}  // namespace robcogen::server

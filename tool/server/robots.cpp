@@ -1,0 +1,120 @@
+#include "server/robots.h"
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "language/common/content.h"
+#include "support/files.h"
+
+namespace robcogen::server {
+namespace {
+
+namespace fs = std::filesystem;
+using driver::Language;
+
+constexpr std::size_t kMaxEntries = 20000;
+constexpr std::array kSuffixes = {".kindsl", ".urdf", ".motdsl", ".ctdsl"};
+
+// The value of the first attribute `name` of the element `robot`.
+std::string name_in_urdf(std::string_view text) {
+  const std::size_t robot = text.find("<robot");
+  if (robot == std::string_view::npos) return "";
+  const std::string_view tag = text.substr(robot, text.find('>', robot) - robot);
+  const std::size_t name = tag.find("name");
+  const std::size_t open = name == std::string_view::npos ? name : tag.find_first_of("\"'", name);
+  if (open == std::string_view::npos) return "";
+  const std::size_t close = tag.find(tag[open], open + 1);
+  return close == std::string_view::npos ? "" : std::string(tag.substr(open + 1, close - open - 1));
+}
+
+std::string name_after(const std::shared_ptr<const Source>& source, std::string_view keyword) {
+  Diagnostics ignored;
+  const language::TokenList list = language::tokenize(source, ignored);
+  for (std::size_t i = 0; i + 1 < list.tokens.size(); ++i) {
+    const bool is_name = list.tokens[i + 1].kind == language::Token::Kind::identifier;
+    if (list.tokens[i].text == keyword && !list.tokens[i].escaped && is_name)
+      return std::string(list.tokens[i + 1].text);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string declared_name(Language language, const std::shared_ptr<const Source>& source) {
+  const language::Content content = language::content_of(source->text());
+  if (content == language::Content::urdf) return name_in_urdf(source->text());
+  if (content != language::Content::unknown) return "";
+  switch (language) {
+    case Language::robot:
+      return name_after(source, "Robot");
+    case Language::motions:
+    case Language::transforms:
+      return name_after(source, "Model");
+    default:
+      return "";
+  }
+}
+
+std::vector<fs::path> documents_below(const fs::path& folder) {
+  std::vector<fs::path> result;
+  std::error_code fault;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, fault), end;
+  for (std::size_t seen = 0; !fault && entry != end && seen < kMaxEntries; entry.increment(fault), ++seen) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored;
+    if (entry->is_directory(ignored) && (name.starts_with('.') || name == "node_modules"))
+      entry.disable_recursion_pending();
+    else if (driver::language_of_suffix(entry->path()) && entry->is_regular_file(ignored))
+      result.push_back(entry->path().lexically_normal());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void RobotFinder::set_folders(std::vector<fs::path> folders) {
+  folders_ = std::move(folders);
+  forget_files();
+}
+
+bool RobotFinder::exists(const fs::path& path) const {
+  std::error_code ignored;
+  return documents_.find(path) != nullptr || fs::is_regular_file(path, ignored);
+}
+
+std::optional<fs::path> RobotFinder::find(const OpenDocument& list, const std::string& name) {
+  for (const char* suffix : kSuffixes) {
+    fs::path sibling = list.path;
+    sibling.replace_extension(suffix);
+    if (exists(sibling)) return sibling;
+  }
+  return find_by_name(list, name);
+}
+
+std::optional<fs::path> RobotFinder::find_by_name(const OpenDocument& list, const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  for (const auto& [uri, open] : documents_.all())
+    if (open.language != Language::desired && declared_name(open.language, open.source) == name) return open.path;
+  if (!names_) {
+    names_.emplace();
+    for (const fs::path& folder : folders_) {
+      for (const fs::path& file : documents_below(folder)) {
+        std::string fault;
+        if (driver::language_of_suffix(file) == Language::desired) continue;
+        if (std::optional<std::string> text = read_file(file, fault))
+          (*names_)[declared_name(
+                        *driver::language_of_suffix(file),
+                        std::make_shared<const Source>(file.string(), std::move(*text)))]
+              .push_back(file);
+      }
+    }
+  }
+  const auto found = names_->find(name);
+  if (found == names_->end()) return std::nullopt;
+  const auto beside = std::find_if(found->second.begin(), found->second.end(), [&](const fs::path& file) {
+    return file.parent_path() == list.path.parent_path();
+  });
+  return beside != found->second.end() ? *beside : found->second.front();
+}
+
+}  // namespace robcogen::server

@@ -1,0 +1,18 @@
+// A session over a stream of bytes.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+
+namespace robcogen::server {
+
+// Reads at most `size` bytes, at least one; 0 at the end of the stream.
+using ReadBytes = std::function<std::size_t(char* bytes, std::size_t size)>;
+using WriteBytes = std::function<void(std::string_view bytes)>;
+
+// Answers until `exit` or the end of the stream. Returns whether the editor ended the session as the protocol demands:
+// by `shutdown` first.
+bool serve(const ReadBytes& read, const WriteBytes& write);
+
+}  // namespace robcogen::server

@@ -1,0 +1,166 @@
+#include "server/session.h"
+
+#include <fmt/format.h>
+
+#include "driver/library.h"
+#include "server/answers.h"
+#include "server/uri.h"
+
+namespace robcogen::server {
+namespace {
+
+Json error_response(const Json& id, ErrorCode code, const std::string& message) {
+  return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", message}}}};
+}
+
+Json warning(const std::string& message) {
+  return {{"jsonrpc", "2.0"}, {"method", "window/logMessage"}, {"params", {{"type", 2}, {"message", message}}}};
+}
+
+std::vector<std::filesystem::path> folders_of(const Json& parameters) {
+  std::vector<std::filesystem::path> folders;
+  const Json& list = member(parameters, "workspaceFolders");
+  if (list.is_array())
+    for (const Json& folder : list)
+      if (member(folder, "uri").is_string()) folders.push_back(path_of(folder["uri"].get<std::string>()));
+  if (folders.empty() && member(parameters, "rootUri").is_string())
+    folders.push_back(path_of(parameters["rootUri"].get<std::string>()));
+  return folders;
+}
+
+// utf-8 where the editor offers it: no counting.
+PositionEncoding encoding_of(const Json& parameters) {
+  const Json& offered = member(member(member(parameters, "capabilities"), "general"), "positionEncodings");
+  for (const Json& name : offered.is_array() ? offered : Json::array())
+    if (name == "utf-8") return PositionEncoding::utf8;
+  return PositionEncoding::utf16;
+}
+
+// The text after the changes: the whole one, or one of a range.
+std::string changed(const OpenDocument& document, const Json& changes, PositionEncoding encoding) {
+  std::string text(document.source->text());
+  for (const Json& change : changes) {
+    std::string inserted = change.at("text").get<std::string>();
+    if (!change.contains("range")) {
+      text = std::move(inserted);
+      continue;
+    }
+    const Positions positions(std::make_shared<const Source>("", text), encoding);
+    const Span span = positions.span(change["range"]);
+    text.replace(span.begin, span.end - span.begin, inserted);
+  }
+  return text;
+}
+
+}  // namespace
+
+Json Session::fault(const std::string& what) {
+  return error_response(nullptr, ErrorCode::parse_error, what);
+}
+
+Json Session::initialize(const Json& parameters) {
+  if (state_ != State::starting) throw RequestError{ErrorCode::invalid_request, "the session is initialized already"};
+  state_ = State::running;
+  workspace_.encoding = encoding_of(parameters);
+  workspace_.robots().set_folders(folders_of(parameters));
+  Json capabilities = capabilities_of_answers();
+  capabilities["positionEncoding"] = workspace_.encoding == PositionEncoding::utf8 ? "utf-8" : "utf-16";
+  capabilities["textDocumentSync"] = {{"openClose", true}, {"change", 1}, {"save", true}};
+  return {
+      {"capabilities", std::move(capabilities)}, {"serverInfo", {{"name", "robcogen"}, {"version", driver::kVersion}}}};
+}
+
+Json Session::answer(const std::string& method, const Json& parameters) {
+  if (method == "initialize") return initialize(parameters);
+  if (state_ == State::starting)
+    throw RequestError{ErrorCode::server_not_initialized, "the first request is 'initialize'"};
+  if (state_ == State::shut_down)
+    throw RequestError{ErrorCode::invalid_request, "the session was shut down: only 'exit' may follow"};
+  if (method == "shutdown") {
+    state_ = State::shut_down;
+    return nullptr;
+  }
+  const Answer* found = find_answer(method);
+  if (found == nullptr) throw RequestError{ErrorCode::method_not_found, fmt::format("no method '{}'", method)};
+  return (*found)(workspace_, parameters);
+}
+
+std::vector<Json> Session::change(const Json& parameters) {
+  const Json& named = parameters.at("textDocument");
+  const auto uri = named.at("uri").get<std::string>();
+  const OpenDocument* open = workspace_.documents().find(uri);
+  if (open == nullptr) return {warning(fmt::format("'{}' is not open: its changes are ignored", uri))};
+  const Json& version = member(named, "version");
+  std::string text = changed(*open, parameters.at("contentChanges"), workspace_.encoding);
+  open = workspace_.documents().change(
+      uri, version.is_number_integer() ? version.get<std::int64_t>() : open->version + 1, std::move(text));
+  workspace_.forget(open->path);
+  return workspace_.publish(uri);
+}
+
+// Those that are not known are left alone, as the protocol demands.
+std::vector<Json> Session::notice(const std::string& method, const Json& parameters) {
+  if (method == "exit") {
+    is_over_ = true;
+    return {};
+  }
+  if (state_ != State::running) return {};
+  if (method == "textDocument/didChange") return change(parameters);
+  if (method == "textDocument/didOpen") {
+    const Json& item = parameters.at("textDocument");
+    const auto uri = item.at("uri").get<std::string>();
+    workspace_.documents().open(
+        uri, item.value("languageId", ""), item.value("version", std::int64_t{0}), item.at("text").get<std::string>());
+    workspace_.forget_all();
+    return workspace_.publish(uri);
+  }
+  if (method == "textDocument/didClose") {
+    workspace_.documents().close(parameters.at("textDocument").at("uri").get<std::string>());
+    workspace_.forget_all();
+    return workspace_.publish("");
+  }
+  if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") {
+    workspace_.forget_all();
+    return workspace_.publish("");
+  }
+  return {};
+}
+
+std::vector<Json> Session::handle(const Json& message) {
+  const Json& method = member(message, "method");
+  const Json& id = member(message, "id");
+  if (!method.is_string()) {
+    const bool is_response = message.is_object() && (message.contains("result") || message.contains("error"));
+    if (is_response) return {};
+    return {error_response(id, ErrorCode::invalid_request, "not a request: it has no method")};
+  }
+  if (!message.contains("id")) {
+    try {
+      return notice(method.get<std::string>(), member(message, "params"));
+    } catch (const Json::exception& wrong) {
+      return {warning(fmt::format("'{}' was ignored: {}", method.get<std::string>(), wrong.what()))};
+    }
+  }
+  try {
+    return {{{"jsonrpc", "2.0"}, {"id", id}, {"result", answer(method.get<std::string>(), member(message, "params"))}}};
+  } catch (const RequestError& error) {
+    return {error_response(id, error.code, error.message)};
+  } catch (const Json::exception& wrong) {
+    return {error_response(id, ErrorCode::invalid_params, wrong.what())};
+  } catch (const std::exception& fault) {
+    return {error_response(id, ErrorCode::internal_error, fault.what())};
+  }
+}
+
+std::vector<Json> Session::receive(std::string_view content, bool& is_message) {
+  const Json message = Json::parse(content, nullptr, false);
+  is_message = !message.is_discarded();
+  if (!is_message) return {fault("the content is not JSON")};
+  try {
+    return handle(message);
+  } catch (const std::exception& fault) {
+    return {warning(fmt::format("internal fault: {}", fault.what()))};
+  }
+}
+
+}  // namespace robcogen::server

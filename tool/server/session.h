@@ -1,0 +1,55 @@
+// A session with an editor: messages in, messages out (Language Server Protocol 3.17, over JSON-RPC 2.0).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/json.h"
+#include "server/workspace.h"
+
+namespace robcogen::server {
+
+// Codes of errors that the protocol defines.
+enum class ErrorCode {
+  parse_error = -32700,
+  invalid_request = -32600,
+  method_not_found = -32601,
+  invalid_params = -32602,
+  internal_error = -32603,
+  server_not_initialized = -32002,
+  request_failed = -32803,
+};
+
+// Thrown by the answer to a request that cannot be given.
+struct RequestError {
+  ErrorCode code;
+  std::string message;
+};
+
+class Session {
+ public:
+  // The messages that answer the content of a frame. `is_message`: whether it was a message at all.
+  std::vector<Json> receive(std::string_view content, bool& is_message);
+  // The answer to a broken header.
+  static Json fault(const std::string& what);
+
+  // After `exit`; without `shutdown` before it, the status of the process is 1.
+  bool is_over() const { return is_over_; }
+  bool was_shut_down() const { return state_ == State::shut_down; }
+
+ private:
+  enum class State { starting, running, shut_down };
+  State state_ = State::starting;
+  bool is_over_ = false;
+  Workspace workspace_;
+
+  std::vector<Json> handle(const Json& message);
+  Json answer(const std::string& method, const Json& parameters);
+  Json initialize(const Json& parameters);
+  std::vector<Json> notice(const std::string& method, const Json& parameters);
+  std::vector<Json> change(const Json& parameters);
+};
+
+}  // namespace robcogen::server
