@@ -59,4 +59,23 @@ class ActiveContacts {
   SquareMatrix matrix_;
 };
 
+// A robot's contacts, some of them active.
+struct SwitchedContacts {
+  SwitchedContacts(
+      const TracedRobot& robot,
+      const std::vector<Expression>& q,
+      const ContactFrames& contacts,
+      const ContactSwitches& switches)
+      : rows(robot.trace, q, contacts),
+        system(robot, rows),
+        active(robot.trace, rows, system.inverse_inertia(), switches) {}
+
+  SwitchedContacts(const SwitchedContacts&) = delete;
+  SwitchedContacts& operator=(const SwitchedContacts&) = delete;
+
+  ContactRows rows;
+  ContactSystem system;
+  ActiveContacts active;
+};
+
 }  // namespace robcogen::algorithm

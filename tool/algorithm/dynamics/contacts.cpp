@@ -53,11 +53,6 @@ void output_matrix(Trace& trace, const std::string& name, const std::vector<std:
   trace.output(name, Role::matrix, static_cast<int>(rows.size()), static_cast<int>(count), columns);
 }
 
-Forces forces_of(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load) {
-  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  return newton_euler_forces(robot, base, in.qd, in.qdd, &load);
-}
-
 void subtract(Trace& trace, const std::vector<Expression>& generalized, std::vector<Expression>& tau, Force& base) {
   const std::size_t first = trace.tree.floating_base ? 6 : 0;
   for (std::size_t k = 0; k < first; ++k) (k < 3 ? base.moment[k] : base.linear[k - 3]) -= generalized[k];
@@ -124,9 +119,8 @@ Program constrained_forward_dynamics(
   subtract_passive_forces(trace, in, in.tau);
   const Forces bias = bias_forces(robot, in, load);
   const std::vector<Expression> of_contacts = contact_bias(robot, bias.motions, load.gravity, contacts);
-  const ContactRows rows(trace, in.q, contacts);
-  const ContactSystem system(robot, rows);
-  const ActiveContacts active(trace, rows, system.inverse_inertia(), switches);
+  const SwitchedContacts switched(robot, in.q, contacts, switches);
+  const auto& [rows, system, active] = switched;
   trace.section("contacts", "contacts: accelerations that are missing");
   const std::vector<Expression> halved = system.halved(missing_forces(trace, in.tau, bias));
   const std::vector<Expression> free = system.at_contacts(halved);
@@ -152,9 +146,8 @@ Program impact(
   const std::vector<Expression> restitution = trace.input("restitution", Role::value, names);
   const ContactSwitches switches(trace, contacts);
   const TracedRobot robot(trace, in.q, formulation);
-  const ContactRows rows(trace, in.q, contacts);
-  const ContactSystem system(robot, rows);
-  const ActiveContacts active(trace, rows, system.inverse_inertia(), switches);
+  const SwitchedContacts switched(robot, in.q, contacts, switches);
+  const auto& [rows, system, active] = switched;
   const std::vector<Expression> before = velocities(trace, in);
   std::vector<Expression> change;
   for (const Expression& velocity : times(rows, before))
@@ -175,13 +168,9 @@ Program inverse_dynamics_with_contacts(
     Loads loads,
     const Formulation& formulation) {
   Trace trace(tree);
-  const StateInputs in(
-      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const StateInputs in = motion_inputs(trace);
   const std::vector<Expression> wrenches = trace.input("contact_wrenches", Role::value, force_elements(contacts));
-  const LoadInputs load(trace, loads);
-  const TracedRobot robot(trace, in.q, formulation);
-  Forces forces = forces_of(robot, in, load);
-  add_passive_forces(trace, in, forces.tau);
+  Forces forces = TracedMotion(trace, in, loads, formulation).forces;
   std::vector<Expression> tau = by_coordinate(trace, forces.tau);
   const ContactRows rows(trace, in.q, contacts);
   trace.section("contacts", "contacts: what their wrenches leave to the joints");
@@ -200,14 +189,10 @@ Program constrained_inverse_dynamics(
     const Formulation& formulation) {
   constexpr int kBase = 6;
   Trace trace(tree);
-  const StateInputs in(
-      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const StateInputs in = motion_inputs(trace);
   const std::vector<Expression> weights = trace.input("weights", Role::contact_compliance, force_elements(contacts));
   const Expression regularization = trace.input("regularization", Role::contact_compliance, {"r"}).front();
-  const LoadInputs load(trace, loads);
-  const TracedRobot robot(trace, in.q, formulation);
-  Forces forces = forces_of(robot, in, load);
-  add_passive_forces(trace, in, forces.tau);
+  Forces forces = TracedMotion(trace, in, loads, formulation).forces;
   std::vector<Expression> tau = by_coordinate(trace, forces.tau);
   const ContactRows rows(trace, in.q, contacts);
   trace.section("contacts", "contacts: wrenches");
@@ -248,9 +233,8 @@ Program operational_space(
   const StateInputs in(trace, {State::position});
   const ContactSwitches switches(trace, contacts);
   const TracedRobot robot(trace, in.q, formulation);
-  const ContactRows rows(trace, in.q, contacts);
-  const ContactSystem system(robot, rows);
-  const ActiveContacts active(trace, rows, system.inverse_inertia(), switches);
+  const SwitchedContacts switched(robot, in.q, contacts, switches);
+  const auto& [rows, system, active] = switched;
   const SquareMatrix inertia = active.inverse();
   const std::size_t size = rows.J.front().size();
   const std::vector<Expression> none(size);

@@ -294,14 +294,10 @@ Program inverse_dynamics_derivatives(
     Loads loads,
     const Formulation& formulation) {
   Trace trace(tree);
-  const StateInputs in(
-      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
-  const LoadInputs load(trace, loads);
-  const TracedRobot robot(trace, in.q, formulation);
-  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
-  add_passive_forces(trace, in, forces.tau);
-  const ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
+  const StateInputs in = motion_inputs(trace);
+  const TracedMotion motion(trace, in, loads, formulation);
+  const Forces& forces = motion.forces;
+  const ForceDerivatives d = force_derivatives(motion.robot, in, motion.load.gravity, forces);
   const int n = tree.dof(), rows = n + (tree.floating_base ? 6 : 0);
   trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
   if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);

@@ -30,6 +30,11 @@ StateInputs::StateInputs(Trace& trace, std::initializer_list<State> list) {
   }
 }
 
+StateInputs motion_inputs(Trace& trace) {
+  return {
+      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration}};
+}
+
 LoadInputs::LoadInputs(Trace& trace, Loads loads) {
   // As the decimal that it is: products with exact numbers of the model stay exact.
   const Number g = *Number::parse(print_double(kStandardGravity));

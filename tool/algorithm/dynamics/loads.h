@@ -34,6 +34,9 @@ struct StateInputs {
   Motion base_velocity, base_acceleration;
 };
 
+// Positions, velocities and accelerations of the joints, velocity and acceleration of the base.
+StateInputs motion_inputs(Trace& trace);
+
 // Gravity and external wrenches of a program. Declares its inputs: call after all other inputs.
 struct LoadInputs {
   LoadInputs(Trace& trace, Loads loads);

@@ -104,6 +104,13 @@ Forces newton_euler_forces(
   return std::move(recursion.result);
 }
 
+TracedMotion::TracedMotion(Trace& trace, const StateInputs& in, Loads loads, const Formulation& formulation)
+    : load(trace, loads), robot(trace, in.q, formulation) {
+  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
+  forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
+  add_passive_forces(trace, in, forces.tau);
+}
+
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads) {
   const std::vector<Expression> zeros(in.qd.size());
   return newton_euler_forces(robot, base_motion(in.base_velocity, {}, loads.gravity), in.qd, zeros, &loads);
@@ -126,14 +133,8 @@ Program newton_euler(
     Loads loads,
     const Formulation& formulation) {
   Trace trace(tree);
-  const StateInputs in(
-      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
-  const LoadInputs load(trace, loads);
-  const TracedRobot robot(trace, in.q, formulation);
-  const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
-  add_passive_forces(trace, in, forces.tau);
-  return write_forces(trace, name, forces);
+  const StateInputs in = motion_inputs(trace);
+  return write_forces(trace, name, TracedMotion(trace, in, loads, formulation).forces);
 }
 
 Program bias_forces(

@@ -24,6 +24,15 @@ Forces newton_euler_forces(
     const std::vector<Expression>& qdd,
     const LoadInputs* loads);
 
+// The inverse dynamics of a motion, with passive forces. Declares the inputs of the loads.
+struct TracedMotion {
+  TracedMotion(Trace& trace, const StateInputs& in, Loads loads, const Formulation& formulation);
+
+  LoadInputs load;
+  TracedRobot robot;
+  Forces forces;
+};
+
 // At zero joint and base acceleration, without passive forces.
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads);
 

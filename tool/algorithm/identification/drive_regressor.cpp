@@ -119,8 +119,7 @@ Program drive_parameters(const model::KinematicTree& tree, const std::string& na
 
 Program drive_regressor(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
-  const StateInputs in(
-      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const StateInputs in = motion_inputs(trace);
   const TracedRobot robot(trace, in.q);
   const int first = tree.floating_base ? 6 : 0, rows = first + static_cast<int>(tree.joints.size());
   std::vector<RegressorColumn> columns;

@@ -308,8 +308,7 @@ std::vector<LinkColumns> regressor_columns(
     Loads loads,
     const RepresentativeLinks& representative,
     Moments moments) {
-  const StateInputs in(
-      trace, {State::position, State::velocity, State::acceleration, State::base_velocity, State::base_acceleration});
+  const StateInputs in = motion_inputs(trace);
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, representative);
   const ReferenceMotion base = base_motion(in.base_velocity, in.base_velocity, in.base_acceleration, load.gravity);
