@@ -54,6 +54,16 @@ struct EvalOptions {
 };
 Status eval(const EvalOptions& options);
 
+// Of pictures of a robot.
+struct ViewOptions {
+  ModelOptions model;
+  std::string output, depfile;
+  std::vector<std::string> q, parameters;  // `0.1`, one each, or `KFE=0.1`
+  double azimuth = -60, elevation = 20;    // of the viewer, degrees
+  bool pattern = false;                    // also that of the joint-space inertia matrix
+};
+Status draw(const ViewOptions& options);
+
 struct ConvertOptions {
   std::string from, to;
   std::string desired;

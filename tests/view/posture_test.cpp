@@ -1,0 +1,110 @@
+// Where the parts of a robot are drawn, against products of matrices.
+#include <gtest/gtest.h>
+
+#include "robcogen/reference/kinematics.h"
+#include "robots.h"
+
+namespace robcogen::test {
+namespace {
+
+using reference::Matrix;
+using view::ViewedFrame;
+
+constexpr double kRounding = 1e-13;  // m, for robots of a few metres
+
+template <class Placed>
+Matrix<double> placement(const Placed& placed) {
+  const double t[3] = {placed.translation[0], placed.translation[1], placed.translation[2]};
+  const double r[3] = {placed.rotation[0], placed.rotation[1], placed.rotation[2]};
+  return reference::placement<double>(t, r);
+}
+
+double position(const backend::Library& library, const std::vector<double>& q, std::size_t joint) {
+  if (joint < q.size()) return q[joint];
+  const backend::CoupledJointData& coupled = library.coupled[joint - q.size()];
+  double sum = coupled.offset;
+  for (std::size_t k = 0; k < q.size(); ++k) sum += coupled.factors[k] * q[k];
+  return sum;
+}
+
+// The poses of links and of joint frames in the base, parents first.
+void place(
+    const backend::Library& library,
+    const std::vector<double>& q,
+    int link,
+    const Matrix<double>& pose,
+    std::vector<Matrix<double>>& links,
+    std::vector<Matrix<double>>& joints) {
+  links[static_cast<std::size_t>(link)] = pose;
+  const std::vector<backend::JointData> all = library.all_joints();
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    if (all[j].parent != link) continue;
+    joints[j] = pose * placement(all[j]);
+    const double value = position(library, q, j);
+    const double turn = backend::turns(all[j].type) ? value : 0;
+    const double slide = all[j].type == backend::JointType::prismatic ? value : all[j].pitch * value;
+    place(
+        library, q, all[j].child, joints[j] * reference::rotation(2, turn) * reference::translation(0.0, 0.0, slide),
+        links, joints);
+  }
+}
+
+class Posture : public testing::TestWithParam<std::string> {};
+
+TEST_P(Posture, IsThatOfProductsOfMatrices) {
+  const view::ViewedRobot robot = view::viewed(load_robot(GetParam()));
+  const std::vector<double> q = some_positions(robot);
+  const view::Posture posture = view::posture(robot, q, declared_parameters(robot));
+  const backend::Library& library = robot.library;
+  std::vector<Matrix<double>> links(library.links.size(), Matrix<double>(4, 4));
+  std::vector<Matrix<double>> joints(library.all_joints().size(), Matrix<double>(4, 4));
+  place(library, q, 0, Matrix<double>::identity(4), links, joints);
+  ASSERT_EQ(posture.frames.size(), robot.frames.size());
+  for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+    const ViewedFrame& frame = robot.frames[f];
+    Matrix<double> expected = Matrix<double>::identity(4);
+    if (frame.kind == ViewedFrame::Kind::joint) {
+      expected = joints[static_cast<std::size_t>(frame.index)];
+    } else {
+      expected = links[static_cast<std::size_t>(frame.link)];
+      if (frame.kind == ViewedFrame::Kind::user)
+        for (const backend::FrameData& data : library.frames)
+          if (data.name == frame.name) expected = expected * placement(data);
+    }
+    for (int r = 0; r < 4; ++r)
+      for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(
+            posture.frames[f][static_cast<std::size_t>(r)][static_cast<std::size_t>(c)], expected(r, c), kRounding)
+            << frame.name << " " << r << " " << c;
+  }
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    const auto& com = library.links[l].com;
+    EXPECT_EQ(posture.masses[l], library.links[l].mass);
+    const Matrix<double> at = links[l] * reference::translation(com[0], com[1], com[2]);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(posture.centres[l][static_cast<std::size_t>(i)], at(i, 3), kRounding);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Posture, testing::ValuesIn(kRobots), [](const auto& robot) { return robot.param; });
+
+// Of a robot with parameters: those that are given, not those of the document.
+TEST(PostureWithParameters, FollowsThem) {
+  const view::ViewedRobot robot = view::viewed(load_robot("hyl_parametric"));
+  std::vector<double> parameters = declared_parameters(robot);
+  const auto at = [&](const std::string& name) {
+    const auto& list = robot.library.parameters;
+    return static_cast<std::size_t>(
+        std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.name == name; }) - list.begin());
+  };
+  const std::vector<double> q = {0, 0, 0};
+  const view::Posture before = view::posture(robot, q, parameters);
+  parameters[at("upperleg_length")] += 0.25;
+  parameters[at("lowerleg_mass")] = 3.5;
+  const view::Posture after = view::posture(robot, q, parameters);
+  // The leg hangs: a longer thigh lowers the knee.
+  EXPECT_NEAR(after.frames[3][2][3], before.frames[3][2][3] - 0.25, kRounding);
+  EXPECT_EQ(after.masses[3], 3.5);
+}
+
+}  // namespace
+}  // namespace robcogen::test

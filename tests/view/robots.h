@@ -1,0 +1,40 @@
+// Robots to draw.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "driver/driver.h"
+#include "view/robot.h"
+
+namespace robcogen::test {
+
+inline const std::string kRobots[] = {"hyl",    "hyl_parametric", "tree5",           "scara", "gripper",
+                                      "iiwa14", "quadruped",      "quadruped_fixed", "wrist", "humanoid"};
+
+inline driver::Model load_robot(const std::string& name) {
+  Diagnostics diagnostics;
+  const auto file = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / name / (name + ".kindsl");
+  const std::optional<driver::Model> model = driver::load(file, {}, diagnostics);
+  if (!model) throw std::runtime_error(diagnostics.render());
+  return *model;
+}
+
+// Positions that differ between joints.
+inline std::vector<double> some_positions(const view::ViewedRobot& robot) {
+  std::vector<double> q;
+  for (std::size_t k = 0; k < robot.library.joints.size(); ++k) q.push_back(0.3 + 0.17 * static_cast<double>(k % 7));
+  return q;
+}
+
+inline std::vector<double> declared_parameters(const view::ViewedRobot& robot) {
+  std::vector<double> values;
+  for (const backend::ParameterData& p : robot.library.parameters)
+    values.push_back(std::isnan(p.default_value) ? 0.7 : p.default_value);
+  return values;
+}
+
+}  // namespace robcogen::test

@@ -1,0 +1,131 @@
+// Pictures of a robot: a drawing, and a page to look at.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "command/output.h"
+#include "command/subcommands.h"
+#include "driver/documents.h"
+#include "support/files.h"
+#include "view/drawing.h"
+
+namespace robcogen::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& option, const std::string& what, const std::string& hint) {
+  throw Failure{wrong_usage, with_hint(fmt::format("robcogen: error: {}: {}", option, what), hint)};
+}
+
+double number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    refuse(option, fmt::format("'{}' is not a finite decimal number", text), "");
+  return value;
+}
+
+// `0.1,0.2` in the order of the names, or `KFE=0.2`: into the values.
+void assign(
+    const std::string& option,
+    const std::vector<std::string>& given,
+    const std::vector<std::string>& names,
+    std::vector<double>& values) {
+  const bool is_named = std::any_of(
+      given.begin(), given.end(), [](const std::string& word) { return word.find('=') != std::string::npos; });
+  if (!given.empty() && !is_named && given.size() != names.size())
+    refuse(
+        option, fmt::format("{} numbers are given, but the robot has {}", given.size(), names.size()),
+        fmt::format(
+            "they are those of {}; or name them: {}=0.5", fmt::join(names, ", "),
+            names.empty() ? "joint" : names.front()));
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (!is_named) {
+      values[k] = number(option, given[k]);
+      continue;
+    }
+    const std::size_t equals = given[k].find('=');
+    if (equals == std::string::npos) refuse(option, fmt::format("'{}' has no name, but others have", given[k]), "");
+    const std::string name = given[k].substr(0, equals);
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end())
+      refuse(option, fmt::format("'{}' is not one of {}", name, fmt::join(names, ", ")), did_you_mean(name, names));
+    values[static_cast<std::size_t>(at - names.begin())] = number(option, given[k].substr(equals + 1));
+  }
+}
+
+// Zero, or the limit that is nearest to it.
+std::vector<double> positions(const ViewOptions& options, const view::ViewedRobot& robot) {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  for (const backend::JointData& joint : robot.library.joints) {
+    names.push_back(joint.name);
+    values.push_back(
+        joint.limits.lower <= joint.limits.upper ? std::clamp(0.0, joint.limits.lower, joint.limits.upper) : 0.0);
+  }
+  assign("--q", options.q, names, values);
+  return values;
+}
+
+std::vector<double> parameters(const ViewOptions& options, const view::ViewedRobot& robot) {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  for (const backend::ParameterData& p : robot.library.parameters) {
+    names.push_back(p.name);
+    values.push_back(p.default_value);
+  }
+  assign("--parameters", options.parameters, names, values);
+  std::vector<std::string> missing;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (std::isnan(values[k])) missing.push_back(names[k]);
+  if (!missing.empty())
+    refuse(
+        "--parameters", fmt::format("these parameters have no value: {}", fmt::join(missing, ", ")),
+        fmt::format("--parameters {}=1.0", fmt::join(missing, "=1.0,")));
+  return values;
+}
+
+void require_robot(const ViewOptions& options, const std::string& command) {
+  if (options.output.empty())
+    throw Failure{wrong_usage, fmt::format("robcogen: error: {} needs an output file: -o FILE", command)};
+  if (!driver::is_robot(driver::language_of(options.model.file)))
+    throw Failure{
+        wrong_usage, fmt::format("robcogen: error: {} applies to robots only, not to motions and transforms", command)};
+}
+
+Status write(const ViewOptions& options, const driver::Model& model, const std::string& text) {
+  const fs::path file = options.output;
+  std::string error;
+  if (!write_files_if_changed(file.has_parent_path() ? file.parent_path() : ".", {{file.filename(), text}}, error))
+    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
+  if (options.depfile.empty()) return ok;
+  std::vector<fs::path> inputs;
+  for (const fs::path& read : model.read) inputs.push_back(fs::absolute(read));
+  if (!write_files_if_changed(
+          fs::path(options.depfile).has_parent_path() ? fs::path(options.depfile).parent_path() : ".",
+          {{fs::path(options.depfile).filename(), dependency_file(file, inputs)}}, error))
+    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
+  return ok;
+}
+
+}  // namespace
+
+Status draw(const ViewOptions& options) {
+  require_robot(options, "draw");
+  const std::optional<driver::Model> model = options.model.load();
+  if (!model) return wrong_input;
+  const view::ViewedRobot robot = view::viewed(*model);
+  view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr};
+  view::Pattern pattern;
+  if (options.pattern) {
+    pattern = view::inertia_pattern(*model);
+    drawing.pattern = &pattern;
+  }
+  const view::Posture posture = view::posture(robot, positions(options, robot), parameters(options, robot));
+  return write(options, *model, view::draw(robot, posture, drawing));
+}
+
+}  // namespace robcogen::command

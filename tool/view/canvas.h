@@ -1,0 +1,54 @@
+// Lines, discs and labels in space, seen from a direction, as SVG.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace robcogen::view {
+
+using Point = std::array<double, 3>;
+
+// A label is placed near its point where it hides no other; of those that find no place, the last ones are left out.
+class Canvas {
+ public:
+  // The viewer in degrees: azimuth from x to y, elevation towards z.
+  Canvas(double azimuth, double elevation);
+
+  // `attributes` is put into the element: class and style. What is nearer to the viewer is drawn later.
+  void line(const Point& from, const Point& to, std::string attributes, double nearer = 0);
+  void disc(const Point& centre, double pixels, std::string attributes, double nearer = 0);
+  void polygon(const std::vector<Point>& corners, std::string attributes, double nearer = 0);
+  // Elements about the origin of the drawing, which is moved to the point.
+  void symbol(const Point& centre, std::string elements, double nearer = 0);
+  void label(const Point& at, std::string text, std::string attributes);
+
+  // The elements, fitted into a square of that many pixels whose corner is at (x, y).
+  std::string elements(double x, double y, double pixels) const;
+
+ private:
+  struct Item {
+    enum class Kind { line, disc, polygon, symbol };
+    Kind kind = Kind::line;
+    std::vector<Point> points;
+    double radius = 0;  // pixels
+    std::string text;
+    double depth = 0;  // larger is nearer
+  };
+  struct Label {
+    Point at;
+    std::string text, attributes;
+  };
+
+  Point seen(const Point& p) const;  // right, down, towards the viewer
+  void add(Item item, double nearer);
+
+  Point right_, down_, near_;
+  std::vector<Item> items_;
+  std::vector<Label> labels_;
+};
+
+// The text in an SVG.
+std::string escaped(const std::string& text);
+
+}  // namespace robcogen::view

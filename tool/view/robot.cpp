@@ -1,0 +1,150 @@
+#include "view/robot.h"
+
+#include <algorithm>
+#include <map>
+
+#include "algorithm/catalogue/model_numbers.h"
+#include "driver/driver.h"
+#include "model/plausibility.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::view {
+namespace {
+
+using algorithm::kNumbersOfLink;
+using symbolic::Role;
+
+// The groups whose functions are shown.
+const std::vector<std::string> kGroups = {"bias_forces", "forward_dynamics", driver::kTransformsGroup};
+
+// The base held, and every frame wanted.
+driver::Model held(const driver::Model& model) {
+  driver::Model result = model;
+  driver::Robot robot = *model.robot();
+  robot.tree.floating_base = false;
+  robot.tree.inertia_defects = model::inertia_defects(robot.tree);
+  robot.desired = {};
+  robot.derivatives.clear();
+  const std::vector<model::Frame> frames = robot.tree.frames();
+  for (const model::Frame& frame : frames)
+    if (!(frame.kind == model::Frame::Kind::link && frame.index == 0))
+      robot.desired.transforms.push_back({frames.front(), frame});
+  result.content = std::move(robot);
+  return result;
+}
+
+bool is_shown(const backend::Function& f) {
+  return f.scope == "transforms::homogeneous" ||
+         (f.scope.empty() && (f.name == "gravity_forces" || f.name == "forward_dynamics"));
+}
+
+backend::Function numbers(const std::string& name, symbolic::Program program, const std::string& what) {
+  backend::Function f;
+  f.group = f.name = f.kernel = name;
+  f.summary = {what};
+  f.program = std::move(program);
+  return f;
+}
+
+std::vector<ViewedFrame> frames_of(const model::KinematicTree& tree, const backend::Library& library) {
+  std::map<std::string, int> functions;
+  for (std::size_t k = 0; k < library.functions.size(); ++k) {
+    const int right = library.functions[k].right_frame;
+    if (right >= 0) functions[library.frames[static_cast<std::size_t>(right)].name] = static_cast<int>(k);
+  }
+  std::map<std::string, int> joints;
+  for (const backend::JointData& j : library.all_joints()) joints.emplace(j.name, static_cast<int>(joints.size()));
+  std::vector<ViewedFrame> result;
+  int users = 0;
+  for (const model::Frame& frame : tree.frames()) {
+    ViewedFrame viewed = {ViewedFrame::Kind::link, frame.name, frame.index, tree.link_of(frame), -1};
+    if (frame.kind == model::Frame::Kind::joint) {
+      viewed.kind = ViewedFrame::Kind::joint;
+      viewed.index = joints.at(tree.joints[static_cast<std::size_t>(frame.index)].name);
+    } else if (frame.kind == model::Frame::Kind::user) {
+      viewed.kind = ViewedFrame::Kind::user;
+      viewed.index = users++;
+    }
+    if (const auto f = functions.find(frame.name); f != functions.end()) viewed.function = f->second;
+    result.push_back(std::move(viewed));
+  }
+  return result;
+}
+
+symbolic::Arrays<double> arguments(
+    const symbolic::Program& program,
+    const std::vector<double>& q,
+    const std::vector<double>& parameters) {
+  symbolic::Arrays<double> inputs;
+  for (const symbolic::InputArray& input : program.inputs)
+    inputs[input.name] = input.role == Role::parameters ? parameters : q;
+  return inputs;
+}
+
+}  // namespace
+
+bool ViewedRobot::has_function(const std::string& name) const {
+  return std::any_of(
+      library.functions.begin(), library.functions.end(), [&](const backend::Function& f) { return f.name == name; });
+}
+
+ViewedRobot viewed(const driver::Model& model) {
+  driver::require_traceable(model);
+  const driver::Model robot = held(model);
+  const model::KinematicTree& tree = robot.robot()->tree;
+  std::vector<std::string> groups;
+  for (const std::string& group : kGroups)
+    if (algorithm::is_available(tree, group)) groups.push_back(group);
+  driver::LibraryOptions options = {.names = {"robot"}, .groups = groups};
+  options.steps.effort = 0;  // a picture is wanted at once
+  ViewedRobot result;
+  result.library = driver::library(robot, options);
+  std::vector<backend::Function>& functions = result.library.functions;
+  std::erase_if(functions, [](const backend::Function& f) { return !is_shown(f); });
+  if (!tree.parameters.empty()) {
+    functions.push_back(numbers("numbers", algorithm::model_numbers(tree), "The numbers of links, joints and frames."));
+    if (!tree.couplings.empty())
+      functions.push_back(
+          numbers("coupling_numbers", algorithm::coupling_numbers(tree), "Factors and offset of each coupled joint."));
+  }
+  result.frames = frames_of(tree, result.library);
+  result.floats = model.robot()->tree.floating_base;
+  return result;
+}
+
+Posture posture(const ViewedRobot& robot, const std::vector<double>& q, const std::vector<double>& parameters) {
+  const std::vector<backend::Function>& functions = robot.library.functions;
+  Posture result;
+  for (const ViewedFrame& frame : robot.frames) {
+    Pose pose = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    if (frame.function >= 0) {
+      const symbolic::Program& program = functions[static_cast<std::size_t>(frame.function)].program;
+      const auto results = symbolic::interpret<double>(program, arguments(program, q, parameters));
+      const std::vector<double>& values = results.at(program.outputs.front().name);
+      for (std::size_t k = 0; k < 16; ++k) pose[k % 4][k / 4] = values[k];
+    }
+    result.frames.push_back(pose);
+  }
+  std::vector<backend::LinkData> links = robot.library.links;
+  for (const backend::Function& f : functions) {
+    if (f.name != "numbers") continue;
+    const auto results = symbolic::interpret<double>(f.program, arguments(f.program, q, parameters));
+    for (std::size_t l = 0; l < links.size(); ++l) {
+      const double* column = results.at("links").data() + l * kNumbersOfLink;
+      links[l].mass = column[0];
+      links[l].com = {column[1], column[2], column[3]};
+    }
+  }
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    const Pose& pose = result.frames[l];
+    std::array<double, 3> centre{};
+    for (std::size_t i = 0; i < 3; ++i)
+      centre[i] =
+          pose[i][3] + pose[i][0] * links[l].com[0] + pose[i][1] * links[l].com[1] + pose[i][2] * links[l].com[2];
+    result.masses.push_back(links[l].mass);
+    result.centres.push_back(centre);
+  }
+  return result;
+}
+
+}  // namespace robcogen::view
