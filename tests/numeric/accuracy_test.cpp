@@ -132,6 +132,21 @@ std::map<std::string, long double> least_scales(const std::vector<State>& states
   return squares;
 }
 
+bool is_derivative(const std::string& array) {
+  return array.rfind("d_", 0) == 0 || array.find("_d_") != std::string::npos;
+}
+
+// Of what is differentiated: a derivative by an angle that is smaller than a rounding of this has no digits, not even
+// in the reference.
+long double scale_of_values(const std::string& program, const Arrays<long double>& results) {
+  long double largest = 0;
+  if (!is_derivative(program)) return largest;
+  for (const auto& [name, values] : results)
+    for (const long double x : values)
+      if (!is_derivative(name)) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
 // By output array.
 template <class Real>
 std::map<std::string, Error> errors_of(const Program& program, const std::vector<State>& states) {
@@ -139,9 +154,10 @@ std::map<std::string, Error> errors_of(const Program& program, const std::vector
   std::map<std::string, Error> errors;
   for (const State& state : states) {
     const Arrays<Real> found = symbolic::interpret<Real>(program, cast<Real>(state.inputs));
+    const long double of_values = scale_of_values(program.name, state.results);
     for (const auto& [name, expected] : state.results) {
       const auto usual = least.find(name);
-      long double scale = usual == least.end() ? 0 : usual->second, error = 0;
+      long double scale = std::max(of_values, usual == least.end() ? 0 : usual->second), error = 0;
       bool is_finite = true;
       for (std::size_t k = 0; k < expected.size(); ++k) {
         const auto value = static_cast<long double>(found.at(name)[k]);
