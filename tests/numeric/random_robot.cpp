@@ -280,6 +280,8 @@ std::string describe_type(const Joint& joint) {
       return "p_joint";
     case JointType::helical:
       return "h_joint of pitch " + model::print(joint.pitch, {});
+    case JointType::spherical:
+      return "component of s_joint";
   }
   return "r_joint";
 }

@@ -70,6 +70,8 @@ JointType type_of(model::JointType type) {
       return JointType::prismatic;
     case model::JointType::helical:
       return JointType::helical;
+    case model::JointType::spherical:
+      return JointType::spherical;
   }
   return JointType::revolute;
 }

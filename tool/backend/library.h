@@ -34,14 +34,23 @@ struct DriveData {
   int rotor_carrier = -1;
 };
 
-// Of one coordinate, as robcogen::JointType of the runtime.
-enum class JointType { revolute, prismatic, helical };
+// As robcogen::JointType of the runtime: of one coordinate, or spherical.
+enum class JointType { revolute, prismatic, helical, spherical };
 
-// Whether the position is an angle; else it is a length.
+// Elements of q, and of qd.
+constexpr int positions_of(JointType type) {
+  return type == JointType::spherical ? 4 : 1;
+}
+constexpr int velocities_of(JointType type) {
+  return type == JointType::spherical ? 3 : 1;
+}
+
+// Whether the joint turns; else its position is a length.
 inline bool turns(JointType type) {
   switch (type) {
     case JointType::revolute:
     case JointType::helical:
+    case JointType::spherical:
       return true;
     case JointType::prismatic:
       break;
@@ -147,6 +156,7 @@ struct Features {
       false;                 // functions read values that depend on parameters alone from a cache: Library::updates
   bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
   bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
+  bool has_spherical_joints = false;  // positions may be unit quaternions
 };
 
 struct Library {

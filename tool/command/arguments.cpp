@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithm/dynamics/dynamics.h"
 #include "support/diagnostics.h"
@@ -127,9 +128,28 @@ void append_numbers(
   }
 }
 
+// Of unit length, if they nearly were.
+void normalise(const JsonValue& value, const Argument& a, std::vector<double>& numbers) {
+  constexpr double kNearly = 1e-6;
+  for (const int first : a.quaternions) {
+    double* q = &numbers[static_cast<std::size_t>(first)];
+    const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (!(std::abs(norm - 1.0) <= kNearly))
+      refuse_input(
+          value.values()[static_cast<std::size_t>(first)].line,
+          fmt::format(
+              "'{}': elements {} to {} ({}, …) are not a unit quaternion: their norm is {} [quaternion-norm]\nhint: "
+              "the "
+              "order is w, x, y, z",
+              a.name, first, first + 3, a.elements[static_cast<std::size_t>(first)], norm));
+    for (int i = 0; i < 4; ++i) q[i] /= norm;
+  }
+}
+
 std::vector<double> vector_from(const JsonValue& value, const Argument& a) {
   std::vector<double> numbers;
   append_numbers(value, a.name, a.length, shape_text(a), numbers);
+  normalise(value, a, numbers);
   return numbers;
 }
 
@@ -201,7 +221,8 @@ Argument parameters_argument(const std::vector<model::Parameter>& parameters) {
 
 Argument external_argument(const InputArray& array, const model::KinematicTree& tree) {
   Argument a{array.name, Shape::vectors_by_name, meaning_of(array.role), {}, 6, zeros(array.elements.size())};
-  for (const model::Link& link : tree.links) a.elements.push_back(link.name);
+  for (const model::Link& link : tree.links)
+    if (!link.is_repeated) a.elements.push_back(link.name);
   return a;
 }
 
@@ -211,7 +232,9 @@ Argument array_argument(const InputArray& array) {
     const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(size))));
     return {array.name, Shape::square, meaning_of(array.role), {}, n, {}};
   }
-  return {array.name, Shape::vector, meaning_of(array.role), array.elements, size, {}};
+  std::string meaning = meaning_of(array.role);
+  if (!array.quaternions.empty()) meaning += "; of spherical joints unit quaternions, scalar part first";
+  return {array.name, Shape::vector, std::move(meaning), array.elements, size, {}, array.quaternions};
 }
 
 bool takes(const symbolic::Program& program, const std::string& name) {

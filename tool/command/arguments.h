@@ -27,6 +27,7 @@ struct Argument {
   // The default of each number; nullopt when the state must give it. A state gives vectors and squares as a whole or
   // not at all.
   std::vector<std::optional<double>> defaults;
+  std::vector<int> quaternions = {};  // of a vector: where four numbers begin that are a unit quaternion
 
   bool is_required() const;
 };
@@ -47,8 +48,8 @@ Signature signature_of(
     const symbolic::Program& program,
     const model::CoordinateTransforms& document);
 
-// The inputs of the function from an object of arguments. Throws the Failure of refuse_input for an unknown
-// or missing argument and for a wrong shape.
+// The inputs of the function from an object of arguments. Quaternions whose norm is within 1e-6 of one are normalised.
+// Throws the Failure of refuse_input for an unknown or missing argument, for a wrong shape, and for other quaternions.
 symbolic::Arrays<double> arguments_from(const JsonValue& object, const Signature& signature);
 
 }  // namespace robcogen::command

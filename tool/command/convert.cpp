@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "command/output.h"
+#include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "export/frames.h"
@@ -75,10 +76,18 @@ void require_mimics(const driver::Model& model, const Robot& robot) {
   }
 }
 
-void require_urdf_types(const driver::Model& model, const Robot& robot) {
-  std::vector<std::string> helical;
+std::vector<std::string> names_of(const Robot& robot, model::JointType type) {
+  std::vector<std::string> names;
   for (const model::Joint& joint : robot.tree.joints)
-    if (joint.type == model::JointType::helical) helical.push_back(fmt::format("'{}'", joint.name));
+    if (joint.type == type && joint.is_first()) names.push_back(fmt::format("'{}'", joint.declared_name()));
+  return names;
+}
+
+void require_urdf_types(const driver::Model& model, const Robot& robot) {
+  refuse_spherical_joints(
+      robot.tree, "URDF has no spherical joints",
+      "three continuous joints in a row with massless links between them have the same motions, but for their poles");
+  const std::vector<std::string> helical = names_of(robot, model::JointType::helical);
   if (helical.empty()) return;
   throw Failure{
       wrong_input, fmt::format(
@@ -128,8 +137,11 @@ void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagno
   if (std::is_sorted(order.begin(), order.end())) return;
   std::vector<std::string> written, declared;
   for (const int j : order)
-    if (robot.tree.coupling_of(j) == nullptr) written.push_back(robot.tree.joints[static_cast<std::size_t>(j)].name);
-  for (const int j : robot.tree.coordinates()) declared.push_back(robot.tree.joints[static_cast<std::size_t>(j)].name);
+    if (robot.tree.coupling_of(j) == nullptr && robot.tree.joints[static_cast<std::size_t>(j)].is_first())
+      written.push_back(robot.tree.joints[static_cast<std::size_t>(j)].declared_name());
+  for (const int j : robot.tree.coordinates())
+    if (robot.tree.joints[static_cast<std::size_t>(j)].is_first())
+      declared.push_back(robot.tree.joints[static_cast<std::size_t>(j)].declared_name());
   const model::Joint& first = robot.tree.joints.front();
   diagnostics
       .note(
@@ -208,10 +220,12 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
       return text;
     }
     case Language::motions:
+      refuse_spherical_joints(robot.tree, "documents of motions have no spherical joints");
       return motion_document(options, model::motions_over_coordinates(robot.tree));
     default:
       break;
   }
+  refuse_spherical_joints(robot.tree, "documents of transforms have no spherical joints");
   std::vector<model::FrameNames> pairs;
   for (const model::FramePair& pair : robot.desired.transforms) pairs.emplace_back(pair.left.name, pair.right.name);
   return transforms_document(options, model::motions_over_coordinates(robot.tree), pairs);

@@ -6,6 +6,7 @@
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "command/output.h"
+#include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/derivatives.h"
 #include "driver/documents.h"
@@ -118,7 +119,16 @@ void write(const fs::path& path, const std::string& text) {
   if (!file) throw Failure{wrong_usage, fmt::format("robcogen: error: cannot write '{}'", path.string())};
 }
 
+// Fails where the robot has spherical joints that a language has none of.
+void require_spherical_joints(const driver::Model& model, const backend::Language& language) {
+  if (!model.robot() || language.features.has_spherical_joints) return;
+  refuse_spherical_joints(
+      model.robot()->tree, fmt::format("--language {} has no spherical joints", language.name),
+      "robcogen eval, ops and print --program have them");
+}
+
 Status write_libraries(const GenerateOptions& options, const driver::Model& model) {
+  for (const backend::Language* language : languages_of(options)) require_spherical_joints(model, *language);
   std::vector<OutputFile> files;
   std::vector<Listed> lists;
   std::string hash;

@@ -34,10 +34,10 @@ std::string limits_text(const model::KinematicTree& tree) {
   std::string text;
   for (const model::Joint& joint : tree.joints) {
     const model::JointLimits& l = joint.limits;
-    if (l == model::JointLimits()) continue;
+    if (l == model::JointLimits() || !joint.is_first()) continue;
     text += fmt::format(
-        "{} {} {} {} {}\n", joint.name, print_double(l.lower), print_double(l.upper), print_double(l.velocity),
-        print_double(l.effort));
+        "{} {} {} {} {}\n", joint.declared_name(), print_double(l.lower), print_double(l.upper),
+        print_double(l.velocity), print_double(l.effort));
   }
   return text;
 }

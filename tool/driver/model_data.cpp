@@ -21,6 +21,8 @@ backend::JointType type_of(model::JointType type) {
       return backend::JointType::prismatic;
     case model::JointType::helical:
       return backend::JointType::helical;
+    case model::JointType::spherical:
+      return backend::JointType::spherical;
   }
   return backend::JointType::revolute;
 }
@@ -50,12 +52,15 @@ class Constants {
     return data;
   }
 
-  backend::JointData of(const model::Joint& joint) const {
+  // Of a joint by its first component, if there are several.
+  backend::JointData of_joint(int index) const {
+    const model::Joint& joint = tree_.joints[at(index)];
+    const model::Joint& last = tree_.joints[at(joint.spherical.empty() ? index : index + 2)];
     return {
-        joint.name,
+        joint.declared_name(),
         type_of(joint.type),
         joint.parent,
-        joint.child,
+        last.child,
         values(joint.placement.translation),
         values(joint.placement.rotation),
         {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
@@ -83,8 +88,9 @@ class Constants {
   }
 
   backend::CoupledJointData of(const model::Coupling& coupling) const {
-    backend::CoupledJointData data = {of(tree_.joints[at(coupling.joint)]), {}, value(coupling.offset)};
+    backend::CoupledJointData data = {of_joint(coupling.joint), {}, value(coupling.offset)};
     for (const int j : tree_.coordinates()) {
+      if (!tree_.joints[at(j)].is_first()) continue;
       const auto term = std::find_if(
           coupling.terms.begin(), coupling.terms.end(), [&](const auto& candidate) { return candidate.joint == j; });
       data.factors.push_back(term == coupling.terms.end() ? 0.0 : value(term->factor));
@@ -119,12 +125,14 @@ class Constants {
 
 void add_model(const model::KinematicTree& tree, backend::Library& library) {
   const Constants constants(tree);
-  for (const model::Link& link : tree.links) library.links.push_back(constants.of(link));
-  for (const int j : tree.coordinates()) library.joints.push_back(constants.of(tree.joints[at(j)]));
+  for (const model::Link& link : tree.links)
+    if (!link.is_repeated) library.links.push_back(constants.of(link));
+  const std::vector<int> order = model::declared_joints_first(tree);
+  for (const int j : order)
+    if (tree.coupling_of(j) == nullptr) library.joints.push_back(constants.of_joint(j));
   for (const model::Coupling& coupling : tree.couplings) library.coupled.push_back(constants.of(coupling));
-  const std::vector<int> order = model::independent_joints_first(tree);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    library.links[at(tree.joints[at(order[k])].child)].parent_joint = static_cast<int>(k);
+  const std::vector<backend::JointData> joints = library.all_joints();
+  for (std::size_t k = 0; k < joints.size(); ++k) library.links[at(joints[k].child)].parent_joint = static_cast<int>(k);
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
   for (const model::Parameter& p : tree.parameters) {
     backend::ParameterData data = {p.name};

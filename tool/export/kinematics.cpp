@@ -35,6 +35,8 @@ kinematics::Joint::Type type_of(model::JointType type) {
       return kinematics::Joint::Type::prismatic;
     case model::JointType::helical:
       return kinematics::Joint::Type::helical;
+    case model::JointType::spherical:
+      return kinematics::Joint::Type::spherical;
   }
   return kinematics::Joint::Type::revolute;
 }
@@ -49,8 +51,10 @@ class Writer {
   kinematics::Document document() const {
     kinematics::Document document;
     document.robot.text = tree_.name;
-    for (std::size_t i = 0; i < tree_.links.size(); ++i) document.links.push_back(link(i));
-    for (const model::Joint& joint : tree_.joints) document.joints.push_back(write(joint));
+    for (std::size_t i = 0; i < tree_.links.size(); ++i)
+      if (!tree_.links[i].is_repeated) document.links.push_back(link(i));
+    for (const model::Joint& joint : tree_.joints)
+      if (joint.is_first()) document.joints.push_back(write(joint));
     for (const model::Coupling& coupling : tree_.couplings) document.couplings.push_back(write(coupling));
     return document;
   }
@@ -105,7 +109,7 @@ class Writer {
     for (const int child : from.child_joints) {
       const model::Joint& joint = tree_.joints[static_cast<std::size_t>(child)];
       const model::Link& carried = tree_.links[static_cast<std::size_t>(joint.child)];
-      link.children.push_back({{carried.name, {}}, {joint.name, {}}});
+      link.children.push_back({{carried.name, {}}, {joint.declared_name(), {}}});
     }
     for (const model::UserFrame* frame : frames_[index]) link.frames.push_back(write(*frame));
     return link;
@@ -120,7 +124,7 @@ class Writer {
 
   kinematics::Joint write(const model::Joint& from) const {
     kinematics::Joint joint;
-    joint.name.text = from.name;
+    joint.name.text = from.declared_name();
     joint.type = type_of(from.type);
     if (from.type == model::JointType::helical) joint.pitch = write(from.pitch);
     joint.placement = write(from.placement);
@@ -208,10 +212,15 @@ std::vector<int> joints_parents_first(const model::KinematicTree& tree) {
 kinematics::Document numbered_parents_first(const model::KinematicTree& tree, kinematics::Document document) {
   std::vector<kinematics::Link> links = {std::move(document.links.front())};
   std::vector<kinematics::Joint> joints;
+  std::vector<std::size_t> declared;  // by joint: its place in the document
+  for (const model::Joint& joint : tree.joints)
+    declared.push_back(declared.empty() ? 0 : declared.back() + (joint.is_first() ? 1 : 0));
   for (const int j : joints_parents_first(tree)) {
-    links.push_back(std::move(document.links[at(tree.joints[at(j)].child)]));
+    if (!tree.joints[at(j)].is_first()) continue;
+    const int last = tree.joints[at(j)].spherical.empty() ? j : j + 2;
+    links.push_back(std::move(document.links[at(tree.joints[at(last)].child)]));
     links.back().id = static_cast<int>(joints.size()) + 1;
-    joints.push_back(std::move(document.joints[at(j)]));
+    joints.push_back(std::move(document.joints[declared[at(j)]]));
   }
   document.links = std::move(links);
   document.joints = std::move(joints);

@@ -156,6 +156,8 @@ model::JointType type_of(kinematics::Joint::Type type) {
     case kinematics::Joint::Type::universal:
     case kinematics::Joint::Type::planar:
       throw std::logic_error("a joint of several coordinates has several types");
+    case kinematics::Joint::Type::spherical:
+      return model::JointType::spherical;
   }
   return model::JointType::revolute;
 }
@@ -165,6 +167,7 @@ std::optional<model::CompoundType> compound_type_of(kinematics::Joint::Type type
     case kinematics::Joint::Type::revolute:
     case kinematics::Joint::Type::prismatic:
     case kinematics::Joint::Type::helical:
+    case kinematics::Joint::Type::spherical:
       break;
     case kinematics::Joint::Type::cylindrical:
       return model::CompoundType::cylindrical;

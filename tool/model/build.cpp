@@ -8,6 +8,7 @@
 #include "model/description.h"
 #include "model/name_index.h"
 #include "model/plausibility.h"
+#include "model/spherical_joints.h"
 #include "support/index.h"
 
 namespace robcogen::model {
@@ -91,6 +92,23 @@ void declare_elements(Assembly& a) {
   }
   a.parents.resize(a.tree.links.size());
   a.joint_uses.resize(a.tree.joints.size());
+}
+
+// The components of a spherical joint and the elements of its quaternion have names of their own.
+void check_names_of_components(Assembly& a) {
+  for (const DescribedJoint& joint : a.description.joints) {
+    if (joint.type != JointType::spherical) continue;
+    for (const char* suffix : kQuaternionSuffixes) {
+      const auto other = a.joints.find(joint.name + suffix);
+      if (!other) continue;
+      a.diagnostics
+          .error(
+              "component-name-clash", a.tree.joints[at(*other)].place,
+              fmt::format(
+                  "joint '{}{}' has the name of a coordinate of spherical joint '{}'", joint.name, suffix, joint.name))
+          .notes.push_back({joint.place, "the spherical joint is declared here"});
+    }
+  }
 }
 
 // The owner of the implicit frame of this name: "link 'hip'"; empty when there is no such frame.
@@ -338,6 +356,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   a.tree.parameters = description.parameters;
 
   declare_elements(a);
+  check_names_of_components(a);
   declare_frames(a);
   for (std::size_t i = 0; i < a.link_count(); ++i) resolve_reference(a, i);
   for (std::size_t i = 0; i < a.link_count(); ++i) {
@@ -354,6 +373,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   check_drives(description, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
 
+  expand_spherical_joints(a.tree);
   a.tree.inertia_defects = inertia_defects(a.tree);
   report_inertia_defects(a.tree, diagnostics);
   return std::move(a.tree);

@@ -49,6 +49,23 @@ void check_limits(const DescribedJoint& joint, Diagnostics& diagnostics) {
     check_not_negative(joint, "effort limit", Quantity(limits.effort), places.effort_limit, diagnostics);
 }
 
+// What needs an axis, or a position that is a number.
+void check_spherical(const DescribedJoint& joint, Diagnostics& diagnostics) {
+  const DrivePlaces& places = joint.drive_places;
+  const auto refuse = [&](const char* what, const Place& place) {
+    if (!place.source) return;
+    diagnostics
+        .error(
+            "spherical-joint-drive", place,
+            fmt::format("spherical joint '{}' cannot have {}: it has no axis", joint.name, what))
+        .hint = "it can have damping, armature, and limits of velocity and effort, equal about all axes";
+  };
+  refuse("friction", places.friction);
+  refuse("a spring", places.stiffness);
+  refuse("a rotor", places.rotor);
+  refuse("limits of position", places.position_limits);
+}
+
 }  // namespace
 
 void check_drives(const Description& description, Diagnostics& diagnostics) {
@@ -62,6 +79,7 @@ void check_drives(const Description& description, Diagnostics& diagnostics) {
     check_not_negative(joint, "armature", drive.armature, places.armature, diagnostics);
     check_not_negative(joint, "stiffness of the spring", drive.stiffness, places.stiffness, diagnostics);
     if (drive.rotor) check_rotor(joint, *drive.rotor, diagnostics);
+    if (joint.type == JointType::spherical) check_spherical(joint, diagnostics);
     check_limits(joint, diagnostics);
   }
 }

@@ -13,7 +13,8 @@ namespace {
 // from_X_to of one motion, as primitives whose moved frame is on the right.
 std::vector<PrimitiveTransform> primitives_of(const Motion& motion, MotionConvention convention) {
   std::vector<PrimitiveTransform> primitives;
-  for (const ElementaryMotion& step : motion.steps) primitives.push_back({step.rotation, step.axis, step.amount});
+  for (const ElementaryMotion& step : motion.steps)
+    primitives.push_back({step.rotation, step.axis, step.amount, step.quaternion});
   if (convention == MotionConvention::fixed) {
     // Every step is about axes of the initial frame: translations add up, and the last rotation acts on all before it.
     const auto rotations = std::stable_partition(
@@ -24,6 +25,12 @@ std::vector<PrimitiveTransform> primitives_of(const Motion& motion, MotionConven
 }
 
 }  // namespace
+
+PrimitiveTransform inverse(PrimitiveTransform primitive) {
+  primitive.amount = -primitive.amount;
+  for (std::size_t i = 1; i < primitive.quaternion.size(); ++i) primitive.quaternion[i] = -primitive.quaternion[i];
+  return primitive;
+}
 
 MotionGraph::MotionGraph(const RigidMotions& motions) : convention_(motions.convention) {
   const auto index_of = [&](const std::string& frame) {
@@ -75,8 +82,7 @@ std::optional<CoordinateTransform> MotionGraph::transform_between(
     // Both an inverse and the moved frame on the left negate.
     const bool negate = step.backwards != (position == MovedFramePosition::left);
     for (PrimitiveTransform& primitive : primitives) {
-      if (negate) primitive.amount = -primitive.amount;
-      transform.primitives.push_back(std::move(primitive));
+      transform.primitives.push_back(negate ? inverse(std::move(primitive)) : std::move(primitive));
     }
   }
   // The user's name belongs to the transform of the motion, not to its inverse.
@@ -123,9 +129,10 @@ RigidMotions motions_of(const CoordinateTransforms& transforms) {
     for (const std::string& frame : {transform.left, transform.right})
       if (known.insert(frame).second) motions.frames.push_back(frame);
     Motion motion = {transform.left, transform.right, {}, transform.name};
-    for (const PrimitiveTransform& p : transform.primitives)
-      motion.steps.push_back(
-          {p.rotation, p.axis, transforms.position == MovedFramePosition::left ? -p.amount : p.amount});
+    for (const PrimitiveTransform& p : transform.primitives) {
+      const PrimitiveTransform step = transforms.position == MovedFramePosition::left ? inverse(p) : p;
+      motion.steps.push_back({step.rotation, step.axis, step.amount, step.quaternion});
+    }
     motions.motions.push_back(std::move(motion));
   }
   return motions;

@@ -19,7 +19,10 @@ struct PrimitiveTransform {
   bool rotation = false;
   Axis axis = Axis::x;
   Quantity amount;
+  std::vector<Quantity> quaternion = {};  // as ElementaryMotion has it
 };
+
+PrimitiveTransform inverse(PrimitiveTransform primitive);
 
 // left_X_right = the product of the primitives, first one leftmost; empty is the identity.
 struct CoordinateTransform {

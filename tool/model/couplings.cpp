@@ -81,8 +81,10 @@ class Resolution {
   void declare(const DescribedCoupling& coupling) {
     const auto joint = find(coupling.joint, coupling.place);
     Declared declared = {&coupling, {}};
+    refuse_spherical(joint, coupling.place);
     for (const DescribedCoupling::Term& term : coupling.terms) {
       const auto followed = find(term.joint, term.place);
+      refuse_spherical(followed, term.place);
       declared.joints.push_back(followed.value_or(-1));
       if (joint && followed == joint)
         diagnostics_.error(
@@ -95,6 +97,13 @@ class Resolution {
       return;
     }
     declared_[at(*joint)] = std::move(declared);
+  }
+
+  void refuse_spherical(const std::optional<int>& joint, const Place& place) {
+    if (!joint || description_.joints[at(*joint)].type != JointType::spherical) return;
+    diagnostics_.error(
+        "coupled-spherical-joint", place,
+        fmt::format("spherical joint '{}' cannot be coupled: its position is not a number", name(*joint)));
   }
 
   // Resolves this joint and all that it follows, with an explicit stack: a chain may be deeper than the call stack.

@@ -62,8 +62,10 @@ Matrix6 motion_transform(const Joint& joint, double q, const std::vector<double>
   std::array<double, 3> p{}, sine{}, cosine{};
   for (std::size_t i = 0; i < 3; ++i) {
     p[i] = evaluate(joint.placement.translation[i], parameters);
-    // Turning about z is the last rotation of the placement and that of a joint.
-    const double own = i == 2 && turns(joint.type) ? q : 0.0;
+    // Turning about z is the last rotation of the placement and that of a joint. A spherical joint turns with its first
+    // component, in any way that is not special.
+    const bool is_turn = joint.spherical.empty() ? i == 2 && turns(joint.type) : joint.is_first();
+    const double own = is_turn ? q : 0.0;
     const double angle = evaluate(joint.placement.rotation[i], parameters) + own;
     sine[i] = std::sin(angle), cosine[i] = std::cos(angle);
   }
@@ -150,7 +152,9 @@ double drive_inertia(const Drive& drive, const std::vector<double>& parameters) 
 
 // The motion subspace.
 Vector6 direction_of(const Joint& joint, const std::vector<double>& parameters) {
-  return {0.0, 0.0, turns(joint.type) ? 1.0 : 0.0, 0.0, 0.0, evaluate(slide_of(joint), parameters)};
+  Vector6 S = {0.0, 0.0, 0.0, 0.0, 0.0, evaluate(slide_of(joint), parameters)};
+  if (turns(joint.type)) S[at(joint.axis)] = 1.0;
+  return S;
 }
 
 struct Pivots {
@@ -348,7 +352,16 @@ InertiaDefects inertia_defects(const KinematicTree& tree) {
   const std::vector<int> coordinates = tree.coordinates();
   for (std::size_t k = 0; k < free.joints.size(); ++k) {
     if (!free.joints[k]) continue;
-    defects.joints.push_back({is_matrix_needed(tree) ? coordinates[k] : static_cast<int>(k), locked.joints[k]});
+    const int joint = is_matrix_needed(tree) ? coordinates[k] : static_cast<int>(k);
+    // One of several components stands for all.
+    const std::string& name = tree.joints[at(joint)].declared_name();
+    const auto same = std::find_if(defects.joints.begin(), defects.joints.end(), [&](const auto& known) {
+      return tree.joints[at(known.joint)].declared_name() == name;
+    });
+    if (same == defects.joints.end())
+      defects.joints.push_back({joint, locked.joints[k]});
+    else
+      same->locked = same->locked || locked.joints[k];
   }
   defects.free_base = any(free.base);
   defects.locked_base = any(locked.base);

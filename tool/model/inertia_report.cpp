@@ -23,6 +23,8 @@ const char* missing_inertia(JointType type) {
       return "mass";
     case JointType::helical:
       return "mass or inertia about its axis";
+    case JointType::spherical:
+      return "inertia about every axis through its centre";
   }
   return "inertia about its axis";
 }
@@ -30,8 +32,9 @@ const char* missing_inertia(JointType type) {
 std::string reason(const KinematicTree& tree, const InertiaDefects::FreeJoint& free) {
   const Joint& joint = tree.joints[at(free.joint)];
   const char* missing = missing_inertia(joint.type);
-  return free.locked ? fmt::format("nothing that joint '{}' moves has {}", joint.name, missing)
-                     : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.name);
+  return free.locked
+             ? fmt::format("nothing that joint '{}' moves has {}", joint.declared_name(), missing)
+             : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.declared_name());
 }
 
 std::string reason_of_base(const KinematicTree& tree) {
@@ -44,7 +47,7 @@ std::string subject(const KinematicTree& tree) {
   const InertiaDefects& defects = tree.inertia_defects;
   std::vector<std::string> names;
   for (const InertiaDefects::FreeJoint& free : defects.joints)
-    if (names.size() < kMaxNamed) names.push_back(fmt::format("'{}'", tree.joints[at(free.joint)].name));
+    if (names.size() < kMaxNamed) names.push_back(fmt::format("'{}'", tree.joints[at(free.joint)].declared_name()));
   if (defects.joints.size() > kMaxNamed) names.push_back(fmt::format("{} more", defects.joints.size() - kMaxNamed));
   std::string text;
   if (!names.empty()) text = fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));

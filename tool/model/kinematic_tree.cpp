@@ -24,6 +24,7 @@ bool turns(JointType type) {
   switch (type) {
     case JointType::revolute:
     case JointType::helical:
+    case JointType::spherical:
       return true;
     case JointType::prismatic:
       break;
@@ -34,6 +35,7 @@ bool turns(JointType type) {
 Quantity slide_of(const Joint& joint) {
   switch (joint.type) {
     case JointType::revolute:
+    case JointType::spherical:
       break;
     case JointType::prismatic:
       return Quantity(1.0);
@@ -101,12 +103,43 @@ std::vector<int> independent_joints_first(const KinematicTree& tree) {
   return joints;
 }
 
+std::vector<int> declared_joints_first(const KinematicTree& tree) {
+  std::vector<int> joints = independent_joints_first(tree);
+  std::erase_if(joints, [&](int joint) { return !tree.joints[at(joint)].is_first(); });
+  return joints;
+}
+
+std::vector<int> KinematicTree::spherical_joints() const {
+  std::vector<int> first;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (!joints[j].spherical.empty() && joints[j].is_first()) first.push_back(static_cast<int>(j));
+  return first;
+}
+
+std::vector<int> KinematicTree::position_elements() const {
+  std::vector<int> elements(joints.size(), -1);
+  int next = 0;
+  for (const int joint : coordinates()) {
+    const Joint& own = joints[at(joint)];
+    if (!own.spherical.empty() && own.is_first()) ++next;
+    elements[at(joint)] = next++;
+  }
+  return elements;
+}
+
+int KinematicTree::link_count() const {
+  return static_cast<int>(
+      std::count_if(links.begin(), links.end(), [](const Link& link) { return !link.is_repeated; }));
+}
+
 std::vector<Frame> KinematicTree::frames() const {
   std::vector<Frame> all;
   all.reserve(links.size() + joints.size() + user_frames.size());
-  for (std::size_t i = 0; i < links.size(); ++i) all.push_back(link_frame(*this, static_cast<int>(i)));
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (!links[i].is_repeated) all.push_back(link_frame(*this, static_cast<int>(i)));
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    all.push_back({Frame::Kind::joint, static_cast<int>(i), implicit_frame_name(joints[i].name)});
+    if (!joints[i].is_first()) continue;
+    all.push_back({Frame::Kind::joint, static_cast<int>(i), implicit_frame_name(joints[i].declared_name())});
   }
   for (std::size_t i = 0; i < user_frames.size(); ++i) {
     if (!user_frames[i].hidden) all.push_back({Frame::Kind::user, static_cast<int>(i), user_frames[i].name});
@@ -128,13 +161,15 @@ std::optional<Frame> KinematicTree::find_frame(const std::string& frame_name) co
 }
 
 std::optional<int> KinematicTree::find_link(const std::string& link_name) const {
-  const auto found = std::find_if(links.begin(), links.end(), [&](const Link& l) { return l.name == link_name; });
+  const auto found =
+      std::find_if(links.begin(), links.end(), [&](const Link& l) { return l.name == link_name && !l.is_repeated; });
   if (found == links.end()) return std::nullopt;
   return static_cast<int>(found - links.begin());
 }
 
 std::optional<int> KinematicTree::find_joint(const std::string& joint_name) const {
-  const auto found = std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == joint_name; });
+  const auto found = std::find_if(
+      joints.begin(), joints.end(), [&](const Joint& j) { return j.declared_name() == joint_name && j.is_first(); });
   if (found == joints.end()) return std::nullopt;
   return static_cast<int>(found - joints.begin());
 }

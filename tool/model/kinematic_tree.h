@@ -16,7 +16,9 @@ namespace robcogen::model {
 
 // Of one coordinate: a turn about the z axis of the joint frame (rad), a slide along it (m), or a screw motion: a turn
 // (rad) that slides in proportion.
-enum class JointType { revolute, prismatic, helical };
+// A spherical joint has three joints here, its components: the angular velocity of the child relative to the parent
+// about the child's x, y and z axis (rad/s). Their positions are the last elements of one unit quaternion.
+enum class JointType { revolute, prismatic, helical, spherical };
 
 // Whether the coordinate is an angle; else it is a length.
 bool turns(JointType type);
@@ -59,6 +61,8 @@ struct Link {
   std::vector<int> child_joints;   // indices, in the order of the document's `children`
   Place place;
   bool is_virtual = false;  // between the joints of a joint with several coordinates: no body
+  // The frame of the link of this name again, massless: between two components of the spherical joint that carries it.
+  bool is_repeated = false;
 };
 
 struct Joint {
@@ -71,6 +75,15 @@ struct Joint {
   JointLimits limits = {};  // infinite when the document has none
   Drive drive = {};
   Quantity pitch = {};  // of a helical joint: m a radian
+  // Of a component of a spherical joint: the name of that joint, and the axis of the child, 0, 1 or 2. The first one
+  // has the placement, the others stay where it is; all three have the same drive and limits.
+  std::string spherical = {};
+  int axis = 2;
+
+  // As the document has it.
+  const std::string& declared_name() const { return spherical.empty() ? name : spherical; }
+  // False for components that only follow the first one of their joint.
+  bool is_first() const { return spherical.empty() || axis == 0; }
 };
 
 // How far the child slides along z per unit of the coordinate: 0, 1, or the pitch.
@@ -138,11 +151,21 @@ class KinematicTree {
   std::vector<Parameter> parameters;
   InertiaDefects inertia_defects = {};
 
-  // Independent coordinates: what q, qd, tau, … have elements of.
+  // Independent coordinates: what qd, tau, … have elements of.
   int dof() const { return static_cast<int>(joints.size() - couplings.size()); }
-  // The independent joints: coordinate k is the position of joint coordinates()[k].
+  // First components of spherical joints.
+  std::vector<int> spherical_joints() const;
+  // Elements of q: coordinates, but four of a spherical joint: w, x, y, z of the unit quaternion that rotates
+  // coordinates of the child to those of the joint frame.
+  int position_count() const { return dof() + static_cast<int>(spherical_joints().size()); }
+  // By joint: its element of q; -1 for a coupled joint. The scalar part of a quaternion is in front of its first
+  // component.
+  std::vector<int> position_elements() const;
+  // The links of the document: those whose frame is not repeated.
+  int link_count() const;
+  // The independent joints: coordinate k is the velocity of joint coordinates()[k].
   std::vector<int> coordinates() const;
-  // The coordinate that an independent joint is the position of.
+  // The coordinate that an independent joint is the velocity of.
   int coordinate_of(int joint) const;
   // Whether a joint has anything of a drive; whether one has a rotor.
   bool has_drives() const;
@@ -161,6 +184,7 @@ class KinematicTree {
   std::vector<Frame> frames() const;
   std::optional<Frame> find_frame(const std::string& name) const;
   std::optional<int> find_link(const std::string& name) const;
+  // By the declared name; of a spherical joint the first component.
   std::optional<int> find_joint(const std::string& name) const;
   // The link that a frame moves with: a joint frame is fixed to the parent link of its joint.
   int link_of(const Frame& frame) const;
@@ -168,6 +192,11 @@ class KinematicTree {
 
 // All joints: those of coordinates, then coupled ones.
 std::vector<int> independent_joints_first(const KinematicTree& tree);
+// The same without the components that only follow the first one of their joint: the joints of the document.
+std::vector<int> declared_joints_first(const KinematicTree& tree);
+
+// The suffixes of the names of a spherical joint's positions, scalar first; of its velocities the last three.
+inline constexpr std::array<const char*, 4> kQuaternionSuffixes = {"_w", "_x", "_y", "_z"};
 
 struct FramePair {
   Frame left;

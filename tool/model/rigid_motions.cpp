@@ -23,8 +23,8 @@ std::vector<ElementaryMotion> steps_of(const Placement& placement) {
 }
 
 // A name different from those of all parameters.
-std::string variable_name(const KinematicTree& tree, const Joint& joint) {
-  std::string name = "q_" + joint.name;
+std::string variable_name(const KinematicTree& tree, const std::string& joint) {
+  std::string name = "q_" + joint;
   const auto is_taken = [&] {
     return std::any_of(
         tree.parameters.begin(), tree.parameters.end(), [&](const Parameter& p) { return p.name == name; });
@@ -55,11 +55,14 @@ RigidMotions motions_of(
   for (const Frame& frame : tree.frames()) motions.frames.push_back(frame.name);
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     const Joint& joint = tree.joints[i];
-    const std::string joint_frame = implicit_frame_name(joint.name);
+    if (!joint.is_first()) continue;
+    const std::string joint_frame = implicit_frame_name(joint.declared_name());
+    const std::vector<ElementaryMotion> travel = joint.spherical.empty()
+                                                     ? travel_of(joint, positions[i])
+                                                     : std::vector{spherical_motion(tree, static_cast<int>(i))};
     motions.motions.push_back(
         {implicit_frame_name(tree.links[at(joint.parent)].name), joint_frame, steps_of(joint.placement), ""});
-    motions.motions.push_back(
-        {joint_frame, implicit_frame_name(tree.links[at(joint.child)].name), travel_of(joint, positions[i]), ""});
+    motions.motions.push_back({joint_frame, implicit_frame_name(tree.links[at(joint.child)].name), travel, ""});
   }
   for (const UserFrame& frame : tree.user_frames) {
     if (frame.hidden) continue;
@@ -71,13 +74,23 @@ RigidMotions motions_of(
 
 }  // namespace
 
+ElementaryMotion spherical_motion(const KinematicTree& tree, int joint) {
+  const std::vector<int> all = tree.spherical_joints();
+  const auto number = static_cast<int>(std::find(all.begin(), all.end(), joint) - all.begin());
+  const auto element = [](int index) { return Quantity::variable(index); };
+  const Quantity scalar = element(static_cast<int>(tree.joints.size()) + number);
+  return {true, Axis::z, {}, {scalar, element(joint), element(joint + 1), element(joint + 2)}};
+}
+
 RigidMotions motions_of(const KinematicTree& tree) {
   std::vector<Quantity> positions;
   std::vector<std::string> names;
   for (const Joint& joint : tree.joints) {
     positions.push_back(Quantity::variable(static_cast<int>(names.size())));
-    names.push_back(variable_name(tree, joint));
+    names.push_back(variable_name(tree, joint.name));
   }
+  for (const int joint : tree.spherical_joints())
+    names.push_back(variable_name(tree, tree.joints[at(joint)].spherical + kQuaternionSuffixes[0]));
   return motions_of(tree, positions, std::move(names));
 }
 
@@ -86,7 +99,7 @@ RigidMotions motions_over_coordinates(const KinematicTree& tree) {
   std::vector<std::string> names;
   for (const int joint : tree.coordinates()) {
     positions[at(joint)] = Quantity::variable(static_cast<int>(names.size()));
-    names.push_back(variable_name(tree, tree.joints[at(joint)]));
+    names.push_back(variable_name(tree, tree.joints[at(joint)].name));
   }
   for (const Coupling& coupling : tree.couplings) {
     Quantity& position = positions[at(coupling.joint)];

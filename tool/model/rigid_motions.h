@@ -10,11 +10,12 @@ namespace robcogen::model {
 
 enum class Axis { x = 0, y = 1, z = 2 };
 
-// A translation along, or a rotation about, one coordinate axis.
+// A translation along, or a rotation about, one coordinate axis; or any rotation, by a unit quaternion.
 struct ElementaryMotion {
   bool rotation = false;
   Axis axis = Axis::x;
-  Quantity amount;  // m or rad
+  Quantity amount;                        // m or rad
+  std::vector<Quantity> quaternion = {};  // w, x, y, z of a rotation, in place of axis and amount; or empty
 };
 
 // local: each step is about the axes of the frame reached so far. fixed: axes stay parallel to the initial frame,
@@ -40,10 +41,14 @@ struct RigidMotions {
 };
 
 // The poses of all joint frames, link frames and visible user frames of a robot. Variable i is the position of joint i,
-// named `q_<joint>`. (`fr_<parent> -> fr_<joint>`, `fr_<joint> -> fr_<child>`, `fr_<link> -> <frame>`.)
+// named `q_<joint>`; behind them are the scalar parts of the quaternions, in the order of spherical_joints().
+// (`fr_<parent> -> fr_<joint>`, `fr_<joint> -> fr_<child>`, `fr_<link> -> <frame>`.)
 RigidMotions motions_of(const KinematicTree& tree);
 
-// The same over independent joints: coupled ones follow them.
+// The step of a spherical joint, by its first component, over these variables.
+ElementaryMotion spherical_motion(const KinematicTree& tree, int joint);
+
+// The same over independent joints: coupled ones follow them. Of a robot without spherical joints.
 RigidMotions motions_over_coordinates(const KinematicTree& tree);
 
 }  // namespace robcogen::model

@@ -103,12 +103,27 @@ double number_of(const std::string& array, std::size_t element, std::size_t stat
   return static_cast<double>(static_cast<std::int64_t>(bits >> 47) - (1 << 16)) / kScale;
 }
 
+// As numbers of a float, whose norm is one but for their rounding.
+std::array<double, 4> unit_quaternion(const std::string& array, std::size_t first, std::size_t state) {
+  std::array<double, 4> q{};
+  double square = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    q[i] = number_of(array, first + i, state) + (i == 0 ? 0.125 : 0.0);
+    square += q[i] * q[i];
+  }
+  for (double& e : q) e = static_cast<double>(static_cast<float>(e / std::sqrt(square)));
+  return q;
+}
+
 double input_of(
     const InputArray& array,
     std::size_t element,
     std::size_t state,
     const std::vector<double>& parameters) {
   const double x = number_of(array.name, element, state);
+  for (const int first : array.quaternions)
+    if (const int i = static_cast<int>(element) - first; i >= 0 && i < 4)
+      return unit_quaternion(array.name, at(first), state)[at(i)];
   switch (array.role) {
     case Role::parameters:
       return element < parameters.size() ? parameters[element] : 1.0 + 0.25 * x;

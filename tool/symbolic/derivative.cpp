@@ -157,6 +157,33 @@ std::vector<Expression> signed_values(const std::vector<Expression>& by_node, co
   return result;
 }
 
+// A turn by the small vector t takes the quaternion q to q (1, t / 2).
+std::vector<Expression> by_turns(
+    const InputArray& array,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& d) {
+  std::vector<Expression> result;
+  for (std::size_t k = 0; k < d.size(); ++k) {
+    if (std::find(array.quaternions.begin(), array.quaternions.end(), static_cast<int>(k)) == array.quaternions.end()) {
+      result.push_back(d[k]);
+      continue;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t x = k + 1 + axis, y = k + 1 + (axis + 1) % 3, z = k + 1 + (axis + 2) % 3;
+      const Expression first = q[k] * d[x] - q[x] * d[k];
+      const Expression second = q[z] * d[y] - q[y] * d[z];
+      result.push_back(0.5 * (first + second));
+    }
+    k += 3;
+  }
+  return result;
+}
+
+const InputArray& array_of(const Program& program, const std::string& input) {
+  return *std::find_if(
+      program.inputs.begin(), program.inputs.end(), [&](const InputArray& array) { return array.name == input; });
+}
+
 }  // namespace
 
 Expression derivative(const Expression& of, const Expression& by) {
@@ -204,6 +231,22 @@ Blocks reverse_blocks(Differentiated& d, const Indices& outputs, const std::vect
   return blocks;
 }
 
+// The same of a matrix, column by column.
+std::vector<Expression> columns_by_turns(
+    const InputArray& array,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& columns) {
+  const std::size_t rows = columns.size() / q.size(), kept = q.size() - array.quaternions.size();
+  std::vector<Expression> result(rows * kept);
+  for (std::size_t r = 0; r < rows; ++r) {
+    std::vector<Expression> row;
+    for (std::size_t c = 0; c < q.size(); ++c) row.push_back(columns[r + c * rows]);
+    const std::vector<Expression> turned = by_turns(array, q, row);
+    for (std::size_t c = 0; c < kept; ++c) result[r + c * rows] = turned[c];
+  }
+  return result;
+}
+
 std::string name_of_block(const Program& program, const OutputArray& of, const std::string& input) {
   const std::string name = "d_" + input;
   return program.outputs.size() == 1 && of.name != name ? name : of.name + "_" + name;
@@ -225,13 +268,15 @@ std::optional<Program> differentiated(
     const std::vector<Expression> variables = d.input(input);
     d.graph().begin_section("derivatives by " + input, "d_" + input);
     const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
-    const Blocks columns = blocks(d, all, variables);
+    Blocks columns = blocks(d, all, variables);
     if (d.is_full()) return std::nullopt;
+    const std::size_t count = variables.size() - array_of(program, input).quaternions.size();
+    for (std::size_t k = 0; k < columns.size() && count < variables.size(); ++k)
+      columns[k] = columns_by_turns(array_of(program, input), variables, columns[k]);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
       d.add_output(
-          name_of_block(program, of, input), Role::matrix, of.rows * of.columns, static_cast<int>(variables.size()),
-          columns[k]);
+          name_of_block(program, of, input), Role::matrix, of.rows * of.columns, static_cast<int>(count), columns[k]);
     }
   }
   return d.finish();
@@ -279,9 +324,15 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
     d.graph().begin_section("derivatives of the gradient by " + of + " and " + by, "d_" + of + "_" + by);
     const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
     std::vector<Expression> block = blocks(d, {place_of_output(gradient, "d_" + of)}, variables).front();
-    if (of == by) make_symmetric(block, variables.size());
+    const InputArray& array = array_of(gradient, by);
     const std::size_t rows = variables.empty() ? 0 : block.size() / variables.size();
-    d.add_output("d_" + of + "_" + by, Role::matrix, static_cast<int>(rows), static_cast<int>(variables.size()), block);
+    const std::size_t columns = variables.size() - array.quaternions.size();
+    // Turns about two axes do not commute.
+    if (columns < variables.size())
+      block = columns_by_turns(array, variables, block);
+    else if (of == by)
+      make_symmetric(block, columns);
+    d.add_output("d_" + of + "_" + by, Role::matrix, static_cast<int>(rows), static_cast<int>(columns), block);
   }
   return d.finish();
 }
@@ -320,7 +371,9 @@ Program with_gradient(
   const std::vector<Expression> adjoints = d.adjoints(results, d.added());
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);
-    d.add_output("d_" + input, Role::value, static_cast<int>(variables.size()), 1, signed_values(adjoints, variables));
+    const std::vector<Expression> gradient =
+        by_turns(array_of(program, input), variables, signed_values(adjoints, variables));
+    d.add_output("d_" + input, Role::value, static_cast<int>(gradient.size()), 1, gradient);
   }
   return d.finish();
 }

@@ -30,6 +30,8 @@ enum class DerivativeMode { forward, cheaper };
 // The program, with the derivatives of its outputs by each element of these inputs as further outputs. Those of `y` by
 // `q` are the array `y_d_q`, or `d_q` where the program has one output that is not called so itself: a row for each
 // element of y, a column for each of q. Of programs without lanes.
+// In place of the four columns of a unit quaternion stand three, by a turn (rad) about each axis of the frame that it
+// turns.
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs);
 
 // The same in this mode; in the other one where that would take more than `most` expressions. nullopt where both would.
@@ -41,7 +43,8 @@ std::optional<Program> with_derivatives(
 
 // Reverse mode: the program, with the gradient of the product of `weights` and the elements of these outputs, one after
 // the other. Weights are a further input, in front of the input array `place`. The derivatives by an input `q` are the
-// array `d_q`. Costs a small multiple of the program, however many inputs there are.
+// array `d_q`. Costs a small multiple of the program, however many inputs there are. In place of the four derivatives
+// by a unit quaternion stand three, as above.
 Program with_gradient(
     const Program& program,
     const std::vector<std::string>& outputs,

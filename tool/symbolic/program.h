@@ -126,6 +126,7 @@ struct InputArray {
   std::string name;
   Role role = Role::value;
   std::vector<std::string> elements;  // a label for each element: the joint's name, `wx`, …
+  std::vector<int> quaternions = {};  // the elements that begin unit quaternions: w, x, y, z
 };
 
 struct OutputArray {

@@ -78,7 +78,7 @@ TEST_P(JointTypes, VelocityOfAChild) {
   const Motion parent = motion();
   const double rate = n.real();
   const Vector6d expected = test::motion_transform(random.transform.inverse()) * value(n, parent) + S * rate;
-  EXPECT_TRUE(value(n, across_joint(joint, random.pose, parent, n.expression(rate))).isApprox(expected, 1e-12));
+  EXPECT_TRUE(value(n, across_joint(joint, random.pose, parent, {n.expression(rate)})).isApprox(expected, 1e-12));
 }
 
 // Accelerations of a point of the parent in moving axes.
@@ -93,7 +93,7 @@ TEST_P(JointTypes, MotionOfAChild) {
   const Vector3d z = Vector3d::UnitZ(), along = random.transform.linear() * z;
   const Vector3d carried = a + wd.cross(p) + w.cross(w.cross(p));
 
-  const LinkMotion child = across_joint(joint, random.pose, parent, qd, qdd);
+  const LinkMotion child = across_joint(joint, random.pose, parent, {qd}, {qdd});
   const Vector3d turning = turn * rate * z;
   EXPECT_TRUE(n.value(child.angular.w).isApprox(r * w + turning, kTolerance));
   const Vector3d turned = turn * (w.cross(rate * along) + acceleration * along);

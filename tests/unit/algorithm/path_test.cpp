@@ -80,23 +80,23 @@ TEST_F(Paths, AreCutBehindEachJoint) {
   const char* const joints[] = {"tilt", "turn", "slide"};
   for (std::size_t k = 0; k < 3; ++k) {
     const PathSegment& segment = path[k];
-    ASSERT_TRUE(segment.joint);
+    ASSERT_EQ(segment.joints.size(), 1U);
     EXPECT_EQ(segment.subject, joints[k]);
     EXPECT_EQ(segment.passed, std::string("joint ") + joints[k]);
-    EXPECT_EQ(tree.joints[static_cast<std::size_t>(segment.joint->joint)].name, joints[k]);
-    EXPECT_EQ(segment.joint->backward, k == 0);
+    EXPECT_EQ(tree.joints[static_cast<std::size_t>(segment.joints.front().joint)].name, joints[k]);
+    EXPECT_EQ(segment.joints.front().backward, k == 0);
     for (const model::PrimitiveTransform& p : segment.primitives)
       EXPECT_EQ(p.amount.is_constant(), &p != &segment.primitives.back());
   }
   EXPECT_TRUE(path[3].subject.empty());
-  EXPECT_FALSE(path[3].joint);
+  EXPECT_TRUE(path[3].joints.empty());
   for (const model::PrimitiveTransform& p : path[3].primitives) EXPECT_TRUE(p.amount.is_constant());
 }
 
 TEST_F(Paths, OfFramesOfOneLinkHaveOneSegment) {
   const Path fixed = path_between(tree, pair("fr_hand", "tip"));
   ASSERT_EQ(fixed.size(), 1U);
-  EXPECT_FALSE(fixed[0].joint);
+  EXPECT_TRUE(fixed[0].joints.empty());
 }
 
 TEST_F(Paths, LeadPastEachJoint) {
@@ -129,8 +129,8 @@ TEST_F(Paths, LeadBackToo) {
   const Path back = path_between(tree, pair("tip", "fr_leg"));
   ASSERT_EQ(back.size(), 4U);
   for (std::size_t k = 0; k < 3; ++k) {
-    ASSERT_TRUE(back[k].joint);
-    EXPECT_EQ(back[k].joint->backward, back[k].subject != "tilt");
+    ASSERT_EQ(back[k].joints.size(), 1U);
+    EXPECT_EQ(back[k].joints.front().backward, back[k].subject != "tilt");
   }
   EXPECT_TRUE(transform(back, TransformForm::homogeneous).isApprox(to_tip.inverse().matrix(), kPoses));
 }

@@ -325,5 +325,40 @@ TEST_F(Eval, VelocitiesAndAccelerationsAgreeWithJacobians) {
   EXPECT_NEAR(Jd[5], 0.5 * std::sin(0.3) * 0.7, kRounding * 10);
 }
 
+// The same rod on a ball, whose frame is turned as that of the hinge.
+TEST_F(Eval, QuaternionsOfSphericalJoints) {
+  write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
+  // Turned by a about z: as the hinge at that angle; about all axes through the point mass it takes no moment along
+  // them.
+  const double a = 0.3;
+  json state = {{"q", {std::cos(a / 2), 0, 0, std::sin(a / 2)}}, {"qd", {0, 0, 7}}, {"qdd", {0, 0, 1.5}}};
+  const json tau = eval("inverse_dynamics", state)["tau"];
+  ASSERT_EQ(tau.size(), 3);
+  EXPECT_NEAR(tau[0], 0, kRounding * 10);
+  EXPECT_NEAR(tau[1], 0, kRounding * 10);
+  EXPECT_NEAR(tau[2], 2.0 * 0.25 * 1.5 - 2.0 * 9.81 * 0.5 * std::cos(a), kRounding * 10);
+  // Normalised within 1e-6.
+  json longer = state;
+  for (auto& e : longer["q"]) e = static_cast<double>(e) * (1 + 5e-7);
+  EXPECT_NEAR(eval("inverse_dynamics", longer)["tau"][2], tau[2], kRounding * 10);
+  for (auto& e : longer["q"]) e = static_cast<double>(e) * (1 + 1e-6);
+  const Outcome refused = run("inverse_dynamics", longer.dump());
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("<standard input>:1: error: 'q': elements 0 to 3 (hinge_w"), std::string::npos)
+      << refused.errors;
+  EXPECT_NE(refused.errors.find("[quaternion-norm]"), std::string::npos);
+  // By turns about the child's axes: three columns.
+  EXPECT_EQ(eval("inverse_dynamics_derivatives", state)["d_q"][0].size(), 3);
+}
+
+TEST_F(Eval, GenerateRefusesSphericalJoints) {
+  write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
+  const Outcome refused =
+      run_tool("generate " + quoted(model_) + " -o " + quoted(scratch_.path / "out") + " --name p", "");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("[spherical-joint]"), std::string::npos) << refused.errors;
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path / "out"));
+}
+
 }  // namespace
 }  // namespace robcogen::test

@@ -20,6 +20,7 @@ enum Needs : unsigned {
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
   kFewElements = 1 << 5,     // a matrix has ten columns a link
+  kNoSphericalJoints = 1 << 6,
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -65,10 +66,10 @@ constexpr std::array kGroups = {
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
     Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
     Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
-    Group{"regressor", false, kFewElements, regressor_functions, nullptr},
-    Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr},
-    Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr},
-    Group{"slotine_li_regressor", false, kFewElements, slotine_li_regressor_functions, nullptr},
+    Group{"regressor", false, kFewElements | kNoSphericalJoints, regressor_functions, nullptr},
+    Group{"base_regressor", false, kFewElements | kNoSphericalJoints, base_regressor_functions, nullptr},
+    Group{"energy_regressor", false, kNoSphericalJoints, energy_regressor_functions, nullptr},
+    Group{"slotine_li_regressor", false, kFewElements | kNoSphericalJoints, slotine_li_regressor_functions, nullptr},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
@@ -140,10 +141,22 @@ constexpr std::array kRequirements = {
         "with so many joints its code without loops would outgrow the caches of processors"},
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
-        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"}};
+        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"},
+    Requirement{
+        kNoSphericalJoints, [](const KinematicTree& tree) { return tree.spherical_joints().empty(); },
+        "it has a spherical joint"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);
+}
+
+// Of derivatives by positions that are quaternions.
+void add_turns_remark(std::vector<RobotFunction>& list) {
+  for (RobotFunction& f : list) {
+    const auto& outputs = f.program.outputs;
+    if (std::any_of(outputs.begin(), outputs.end(), [](const auto& of) { return of.name == "d_q"; }))
+      f.summary.emplace_back("By positions of a spherical joint: by a turn (rad) about each axis of its child.");
+  }
 }
 
 bool is_available(const Group& group, const KinematicTree& tree) {
@@ -213,7 +226,9 @@ std::vector<RobotFunction> functions(
     FormulationChoices& choices) {
   const Group* found = group_of(group);
   if (!found || !is_available(*found, tree)) return {};
-  return found->functions(tree, desired, choices);
+  std::vector<RobotFunction> list = found->functions(tree, desired, choices);
+  if (!tree.spherical_joints().empty()) add_turns_remark(list);
+  return list;
 }
 
 std::vector<symbolic::Program> plain_programs(

@@ -32,10 +32,14 @@ void add_gravity_forces_derivative(
   const Formulation formulation = choices.cheaper_for([&](const Formulation& f) {
     return gravity_forces_derivative(tree, "gravity_forces_derivative", Loads::gravity, f);
   });
+  const bool is_symmetric = tree.spherical_joints().empty();
   std::vector<std::string> summary = {
       "Partial derivatives of the generalised forces that hold the robot at rest against gravity: a column for each "
       "joint's position" +
-      std::string(tree.floating_base ? " (d_q)." : "; symmetric.")};
+      std::string(
+          tree.floating_base ? " (d_q)."
+          : is_symmetric     ? "; symmetric."
+                             : ".")};
   if (tree.floating_base) add_base(summary, "the base wrench", "");
   add_overloads(
       list, tree, "inverse_dynamics_derivatives", "gravity_forces_derivative", summary,
@@ -125,8 +129,9 @@ std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
       "The gradient of `weights` times the joint forces tau (N m, N), and its derivatives: what second-order methods "
       "of "
       "optimal control take of inverse dynamics.",
-      "Rows by the first input of their names, columns by the second; d_q_q and d_qd_qd are symmetric. Accelerations "
-      "enter linearly: all other blocks are zero."};
+      "Rows by the first input of their names, columns by the second; " +
+          std::string(tree.spherical_joints().empty() ? "d_q_q and d_qd_qd are" : "d_qd_qd is") +
+          " symmetric. Accelerations enter linearly: all other blocks are zero."};
   if (tree.floating_base)
     summary.emplace_back(
         "`weights` are those of the base wrench, then of the joints. All that concerns the base is in base "

@@ -61,11 +61,12 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
   Trace trace(tree);
   std::vector<Expression> links, joints, frames;
   for (const model::Link& link : tree.links) {
+    if (link.is_repeated) continue;
     trace.section(link.name, "link " + link.name);
     add_link({trace, links}, link);
   }
   const bool has_drives = tree.has_drives(), has_pitches = tree.has_pitches();
-  for (const int j : model::independent_joints_first(tree)) {
+  for (const int j : model::declared_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint " + joint.name);
     add_placement({trace, joints}, joint.placement);

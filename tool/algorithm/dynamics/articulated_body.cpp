@@ -33,7 +33,7 @@ void describe_inertia(const SpatialInertia& x, const std::string& link, const st
 class ArticulatedBodies {
  public:
   ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
-      : robot_(robot), in_(in), load_(load), joints_(in.tau.size()) {}
+      : robot_(robot), in_(in), load_(load), joints_(in.tau.size()), zeros_(in.tau.size()) {}
 
   // Down with velocities, up with inertias and bias wrenches, of one link and all beyond it.
   void collect(int link, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
@@ -87,6 +87,7 @@ class ArticulatedBodies {
   const StateInputs& in_;
   const LoadInputs& load_;
   std::vector<JointState> joints_;
+  std::vector<Expression> zeros_;
 
   Graph& graph() { return robot_.trace.graph; }
   bool has_drive_inertia(const Joint& joint) const { return robot_.tree().joints[at(joint.index)].drive.has_inertia(); }
@@ -128,7 +129,7 @@ class ArticulatedBodies {
     const Pose& X_PC = robot_.pose(joint.index);
     const std::string& name = robot_.link_name(joint.child);
     robot_.trace.section(name, "link " + name + ": velocity and bias acceleration");
-    LinkMotion child = across_joint(joint, X_PC, motion, in_.qd[at(joint.index)], Expression());
+    LinkMotion child = across_joint(joint, X_PC, motion, in_.qd, zeros_);
     if (robot_.trace.graph.keeps_names()) child.angular.link = name;
     algorithm::name(graph(), child.angular.w, name + "_w");
     algorithm::name(graph(), child.angular.wd, name + "_wd");

@@ -40,7 +40,7 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
       trace.section(child, "link " + child + ": velocity and energy");
-      const Motion moved = across_joint(joint, robot.pose(joint.index), twist, in.qd[at(joint.index)]);
+      const Motion moved = across_joint(joint, robot.pose(joint.index), twist, in.qd);
       algorithm::name(trace.graph, moved.angular, child + "_w");
       algorithm::name(trace.graph, moved.linear, child + "_v");
       twice += drive_inertia(trace, joint.index) * (in.qd[at(joint.index)] * in.qd[at(joint.index)]);

@@ -24,7 +24,8 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// How accelerations change per unit of a joint's position, in axes that move with its link.
+// How accelerations change per unit of a joint's position, in axes that move with its link; of a turn about its axis of
+// a spherical joint, whose axes move with the link too, from the motion of the link as if that joint stood still.
 FieldChange by_position(const Motion& S, const LinkMotion& motion) {
   const AngularState& angular = motion.angular;
   const Vector3 turning = cross(angular.w, S.angular);
@@ -33,9 +34,10 @@ FieldChange by_position(const Motion& S, const LinkMotion& motion) {
   return {turning + turning, rate};
 }
 
-// Half of how they change per unit of its velocity.
-FieldChange by_velocity(const Motion& S, const LinkMotion& motion) {
-  return change_of_field(motion.angular.w, S);
+// Half of how they change per unit of its velocity; of a spherical joint w is the mean of what it would be if that
+// joint stood still, and of what it is, since the rates about two axes have no such product.
+FieldChange by_velocity(const Motion& S, const Vector3& w) {
+  return change_of_field(w, S);
 }
 
 // How they change per unit of the base's angular velocity about an axis of it.
@@ -66,6 +68,7 @@ class JointWalks {
         forces_(forces),
         bodies_(robot, in.qd, in.base_velocity.angular),
         spin_(spins(robot, in.qd)),
+        in_(in),
         names_(joint_names(robot.tree())),
         base_(robot.floating() ? 6 : 0) {
     const std::size_t rows = names_.size(), joints = rows - at(base_);
@@ -90,12 +93,16 @@ class JointWalks {
     const Spread& spread = bodies_.spread[link];
     ChangeOfMotion row = row_of_joint(body, spread, joint, S);
     Walk walk{
-        index, wrench_of(body, spread, by_velocity(S, forces_.motions[link])),
-        wrench_of(body, spread, by_position(S, forces_.motions[link]))};
+        index, wrench_of(body, spread, by_velocity(S, mean_velocity(joint))),
+        wrench_of(body, spread, by_position(S, felt_motion(joint)))};
     if (!spin_.empty()) add_rotors_beyond(joint, S, walk, row);
     set_columns(walk, row, joint);
-    walk.by_position += cross(S, forces_.wrenches[link]);
+    bool is_in_own_axes = true;
     while (robot_.parent_matters(joint.child)) {
+      if (is_in_own_axes && !has_axes_of_child(joint)) {
+        walk.by_position += cross(S, forces_.wrenches[link]);
+        is_in_own_axes = false;
+      }
       describe_walk(walk, row, robot_.link_name(joint.child));
       const Pose& X_PC = robot_.pose(joint.index);
       walk.by_velocity = to_parent(X_PC, walk.by_velocity);
@@ -176,9 +183,28 @@ class JointWalks {
   const Forces& forces_;
   SpreadBodies bodies_;
   std::vector<Vector3> spin_;  // by link: momentum of the rotors on it and beyond; empty without rotors
+  const StateInputs& in_;
   Expression half_ = robot_.trace.graph.constant(0.5);
   std::vector<std::string> names_;  // of rows, a joint each
   int base_;                        // rows of the base
+
+  // Whether the joint behind it towards the base has its motion subspace in the same axes.
+  static bool has_axes_of_child(const Joint& joint) { return joint.is_spherical() && joint.axis > 0; }
+
+  // Of the link of a joint; of a spherical one if that stood still.
+  LinkMotion felt_motion(Joint joint) const {
+    if (!joint.is_spherical()) return forces_.motions[at(joint.child)];
+    joint = robot_.joint(joint.index - joint.axis);
+    const int parent = robot_.tree().joints[at(joint.index)].parent;
+    return carried_motion(robot_.pose(joint.index), forces_.motions[at(parent)]);
+  }
+
+  Vector3 mean_velocity(const Joint& joint) const {
+    const Vector3& w = forces_.motions[at(joint.child)].angular.w;
+    if (!joint.is_spherical()) return w;
+    const std::size_t first = at(joint.index - joint.axis);
+    return w - half_ * Vector3{in_.qd[first], in_.qd[first + 1], in_.qd[first + 2]};
+  }
 
   Vector3 unit(std::size_t k) const { return unit_vector(robot_.trace.graph, k); }
 
@@ -193,7 +219,7 @@ class JointWalks {
   void add_rotors_beyond(const Joint& joint, const Motion& S, Walk& walk, ChangeOfMotion& row) const {
     const Vector3 &spin = spin_[at(joint.child)], &s = S.angular;
     walk.by_velocity.moment += half_ * cross(s, spin);
-    walk.by_position.moment += cross(cross(forces_.motions[at(joint.child)].angular.w, s), spin);
+    walk.by_position.moment += cross(cross(felt_motion(joint).angular.w, s), spin);
     row.e += half_ * cross(spin, s);
   }
 
@@ -228,12 +254,11 @@ class JointWalks {
 
   // And the other way round.
   void set_row(const Walk& walk, const ChangeOfMotion& row, const Joint& below) {
-    const LinkMotion& motion = forces_.motions[at(below.child)];
     const Motion S = subspace(below, robot_.trace.graph);
-    const Expression half = dot(row, by_velocity(S, motion));
+    const Expression half = dot(row, by_velocity(S, mean_velocity(below)));
     set(result.qdd, "dqdd", walk.joint, below.index, project(below, row.Q));
     set(result.qd, "dqd", walk.joint, below.index, half + half);
-    set(result.q, "dq", walk.joint, below.index, dot(row, by_position(S, motion)));
+    set(result.q, "dq", walk.joint, below.index, dot(row, by_position(S, felt_motion(below))));
   }
 
   void fill_base_of_joint(const Walk& walk, const ChangeOfMotion& row, const Vector3& base_v) {

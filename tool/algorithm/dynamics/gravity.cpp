@@ -79,6 +79,15 @@ Program gravity_forces(
   return trace.program(name);
 }
 
+namespace {
+
+// Turns about two axes of a spherical joint do not.
+bool commute(const model::KinematicTree& tree, int a, int b) {
+  return a == b || tree.joints[at(a)].spherical.empty() || tree.joints[at(a)].spherical != tree.joints[at(b)].spherical;
+}
+
+}  // namespace
+
 // The potential is minus gravity times the first moment of all, which changes per unit of a joint's position by f, the
 // force of the joint's unit acceleration: so tau = f lift, and the rest follows from how lift turns.
 Program gravity_forces_derivative(
@@ -99,10 +108,17 @@ Program gravity_forces_derivative(
     Joint joint = robot.joint(j);
     trace.section(robot.link_name(joint.child), "derivatives of joint " + tree.joints[column].name);
     const PointMass& body = held.body[at(joint.child)];
-    Vector3 f = times_subspace(MassProperties{body.mass, body.moment, {}}, joint).linear;
+    const auto force_of = [&](const Joint& moving) {
+      return times_subspace(MassProperties{body.mass, body.moment, {}}, moving).linear;
+    };
+    const auto slip_of = [&](const Joint& moving) {
+      return cross(held.lift[at(moving.child)], subspace(moving, trace.graph).angular);
+    };
+    const Joint own = joint;
+    Vector3 f = force_of(own);
     while (true) {
-      const Vector3 slip = cross(held.lift[at(joint.child)], subspace(joint, trace.graph).angular);
-      d_q[column][at(base + joint.index)] = d_q[at(joint.index)][at(base + j)] = dot(f, slip);
+      d_q[column][at(base + joint.index)] = d_q[at(joint.index)][at(base + j)] = dot(f, slip_of(joint));
+      if (!commute(tree, joint.index, j)) d_q[column][at(base + joint.index)] = dot(force_of(joint), slip_of(own));
       if (!robot.parent_matters(joint.child)) break;
       f = to_parent(robot.pose(joint.index).rotation, f);
       const int parent = tree.parent_joint_of(joint.index);
@@ -115,9 +131,11 @@ Program gravity_forces_derivative(
   }
   const int rows = base + tree.dof();
   d_q = by_coordinate(trace, d_q, base);
+  const std::vector<int> coordinates = tree.coordinates();
   // Sums of couplings in another order would round otherwise.
   for (int r = 0; r < tree.dof(); ++r)
-    for (int c = r + 1; c < tree.dof(); ++c) d_q[at(c)][at(base + r)] = d_q[at(r)][at(base + c)];
+    for (int c = r + 1; c < tree.dof(); ++c)
+      if (commute(tree, coordinates[at(r)], coordinates[at(c)])) d_q[at(c)][at(base + r)] = d_q[at(r)][at(base + c)];
   trace.output("d_q", Role::matrix, rows, d_q);
   if (!tree.floating_base) return trace.program(name);
   for (std::size_t k = 0; k < 3; ++k) {

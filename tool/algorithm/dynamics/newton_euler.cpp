@@ -38,7 +38,7 @@ class Recursion {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link " + name + ": velocity and acceleration");
-      LinkMotion child = across_joint(joint, X_PC, motion, qd_[at(joint.index)], qdd_[at(joint.index)]);
+      LinkMotion child = across_joint(joint, X_PC, motion, qd_, qdd_);
       if (robot_.trace.graph.keeps_names()) child.angular.link = name;
       name_motion(name, child);
       const Force wrench = wrench_of(joint.child, child);

@@ -71,7 +71,7 @@ void SpreadBodies::collect(int link, const Vector3& velocity) {
     robot_.trace.section(name, "link " + name + ": velocity and spread");
     const Pose& X_PC = robot_.pose(joint.index);
     Vector3 turning = to_child(X_PC.rotation, velocity), sliding;
-    add_rate(joint, qd_[at(joint.index)], turning, sliding);
+    add_rates(joint, qd_, turning, sliding);
     algorithm::name(robot_.trace.graph, turning, name + "_w");
     OriginRate& rate = rates[at(joint.index)];
     rate = {cross(velocity, X_PC.offset), X_PC.slide * rate_of_z(turning) + sliding};
@@ -87,10 +87,6 @@ void SpreadBodies::collect(int link, const Vector3& velocity) {
   }
   describe(spread[at(link)].l, robot_.link_name(link) + "_l");
   describe(spread[at(link)].K, robot_.link_name(link) + "_K");
-}
-
-Matrix3 transposed(const Matrix3& m) {
-  return {{Vector3{m[0][0], m[1][0], m[2][0]}, Vector3{m[0][1], m[1][1], m[2][1]}, Vector3{m[0][2], m[1][2], m[2][2]}}};
 }
 
 Vector3 multiply_by_spread(const Matrix3& K, const Vector3& v) {

@@ -64,7 +64,6 @@ Force on_fields_of_link(const ChangeOfMotion& x, const Vector3& w);
 
 // (tr(K) 1 - K) v.
 Vector3 multiply_by_spread(const Matrix3& K, const Vector3& v);
-Matrix3 transposed(const Matrix3& m);
 
 // w x z, the rate of a link's z axis.
 Vector3 rate_of_z(const Vector3& w);

@@ -37,6 +37,20 @@ MassProperties take_revolute(Trace& trace, const Pose& pose, MassProperties& chi
   return share;
 }
 
+// A spherical joint does not feel where the mass of its child acts: at its centre. The child keeps its moments about
+// it.
+MassProperties take_spherical(const Pose& pose, MassProperties& child) {
+  const Vector3& p = pose.offset;
+  MassProperties share;
+  share.mass = child.mass;
+  share.first_moment = child.mass * p;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      share.pseudo_inertia[i][j] = share.pseudo_inertia[j][i] = share.first_moment[i] * p[j];
+  child.mass = Expression();
+  return share;
+}
+
 // A slide moves the mass: the second moment along the axis stays.
 MassProperties take_helical(Trace& trace, const Pose& pose, MassProperties& child) {
   const Expression zero;
@@ -61,6 +75,8 @@ MassProperties take(Trace& trace, model::JointType type, const Pose& pose, MassP
       return take_prismatic(pose, child);
     case model::JointType::helical:
       return take_helical(trace, pose, child);
+    case model::JointType::spherical:
+      return take_spherical(pose, child);
   }
   return take_revolute(trace, pose, child);
 }
@@ -76,10 +92,13 @@ std::vector<MassProperties> regrouped(
   std::reverse(from_leaves.begin(), from_leaves.end());
   for (int j : from_leaves) {
     const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+    if (!joint.is_first()) continue;
     const Pose& pose = poses[static_cast<std::size_t>(j)];
     const std::string& name = tree.links[static_cast<std::size_t>(joint.child)].name;
     trace.section(name, "link " + name + ": mass properties that matter");
-    MassProperties& child = masses[static_cast<std::size_t>(joint.child)];
+    // Of a spherical joint behind the last component.
+    const int link = joint.spherical.empty() ? joint.child : tree.joints[static_cast<std::size_t>(j) + 2].child;
+    MassProperties& child = masses[static_cast<std::size_t>(link)];
     const MassProperties share = take(trace, joint.type, pose, child);
     if (joint.parent == 0 && !tree.floating_base) continue;
     MassProperties& parent = masses[static_cast<std::size_t>(joint.parent)];

@@ -40,16 +40,26 @@ std::vector<std::vector<int>> limb_inputs(
     const LimbsInLanes& limbs,
     const symbolic::Program& program) {
   constexpr int kWrench = 6;
+  const std::vector<int> positions = tree.position_elements();
   std::vector<std::vector<int>> tuples;
   int begin = 0;
   for (const symbolic::InputArray& array : program.inputs) {
     const auto size = static_cast<int>(array.elements.size());
     for (const std::vector<int>& joints : limbs.joints) {
-      if (is_by_joint(array.role) && size == tree.dof()) {
+      if (array.role == Role::joint_position) {
+        // Of a quaternion first the scalar part.
+        const model::Joint& first = tree.joints[static_cast<std::size_t>(joints.front())];
+        for (int offset = !first.spherical.empty() && first.is_first() ? -1 : 0; offset <= 0; ++offset) {
+          std::vector<int>& tuple = tuples.emplace_back();
+          for (const int joint : joints) tuple.push_back(begin + positions[static_cast<std::size_t>(joint)] + offset);
+        }
+      } else if (is_by_joint(array.role) && size == tree.dof()) {
         std::vector<int>& tuple = tuples.emplace_back();
         for (const int joint : joints) tuple.push_back(begin + tree.coordinate_of(joint));
       }
       if (array.role != Role::link_wrenches) continue;
+      const int first_child = tree.joints[static_cast<std::size_t>(joints.front())].child;
+      if (tree.links[static_cast<std::size_t>(first_child)].is_repeated) continue;
       for (int k = 0; k < kWrench; ++k) {
         std::vector<int>& tuple = tuples.emplace_back();
         for (const int joint : joints)

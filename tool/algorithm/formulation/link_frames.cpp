@@ -212,6 +212,12 @@ class LinkFrameBuilder {
     return list;
   }
 
+  // Of a spherical joint, by its first component.
+  PrimitiveTransform quaternion_of(int joint) const {
+    const model::ElementaryMotion turn = model::spherical_motion(trace_.tree, joint);
+    return {turn.rotation, turn.axis, turn.amount, turn.quaternion};
+  }
+
   MassProperties placed(const Pose& model, const LinkFrame& frame, const MassProperties& mass) {
     if (frame.turn.is_zero() && frame.slide.is_zero()) return mass;
     MassProperties result = to_parent(model, mass);
@@ -240,7 +246,11 @@ class LinkFrameBuilder {
     std::vector<PrimitiveTransform> list;
     if (parent_joint >= 0) list = model_in_frame(frames_[at(parent_joint)]);
     list.insert(list.end(), placement.to_axis.begin(), placement.to_axis.end());
-    if (turns) append(list, true, Axis::z, Quantity::variable(j));
+    if (!joint.spherical.empty()) {
+      if (joint.is_first()) list.push_back(quaternion_of(j));
+    } else if (turns) {
+      append(list, true, Axis::z, Quantity::variable(j));
+    }
     append(list, true, Axis::z, frame.turn);
     append(list, false, Axis::z, placement.along + frame.slide);
     append(list, false, Axis::z, slide);
@@ -302,7 +312,13 @@ AxisPlacement axis_placement(const Placement& placement) {
 
 std::vector<AxisPlacement> axis_placements(const model::KinematicTree& tree) {
   std::vector<AxisPlacement> placements;
-  for (const model::Joint& joint : tree.joints) placements.push_back(axis_placement(joint.placement));
+  for (const model::Joint& joint : tree.joints) {
+    const model::Placement& placement = joint.placement;
+    if (joint.spherical.empty())
+      placements.push_back(axis_placement(placement));
+    else
+      placements.push_back({primitives_of(placement.translation, placement.rotation), Quantity()});
+  }
   return placements;
 }
 

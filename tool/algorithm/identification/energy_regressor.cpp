@@ -60,7 +60,7 @@ Program energy_regressor(
       const std::string& child = robot.link_name(joint.child);
       trace.section(child, "link " + child + ": velocity, gravity and energies");
       const Pose& X_PC = robot.pose(joint.index);
-      const Motion moved = across_joint(joint, X_PC, twist, in.qd[at(joint.index)]);
+      const Motion moved = across_joint(joint, X_PC, twist, in.qd);
       algorithm::name(trace.graph, moved.angular, child + "_w");
       algorithm::name(trace.graph, moved.linear, child + "_v");
       const Lift lifted = to_child(X_PC, lift);

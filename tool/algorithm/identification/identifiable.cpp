@@ -159,6 +159,8 @@ Twist twist_of(const model::KinematicTree& tree, int joint, const std::vector<do
       return {0, 0, 0, 0, 0, 1};
     case model::JointType::helical:
       return {0, 0, 1, 0, 0, evaluate(of_model.pitch, values) / unit};
+    case model::JointType::spherical:
+      break;  // no regressor of such robots
   }
   return {0, 0, 1, 0, 0, 0};
 }

@@ -105,6 +105,8 @@ std::vector<std::vector<std::size_t>> carried_by_parent(model::JointType type, M
     case model::JointType::helical:
       if (moments == Moments::of_mass) return {{Place::Izz}};
       return {{Place::Ixx, Place::Iyy}};
+    case model::JointType::spherical:
+      break;  // no regressor of such robots
   }
   return {};
 }

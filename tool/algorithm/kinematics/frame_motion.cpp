@@ -31,6 +31,15 @@ struct Seen {
   Vector3 w, wd;
 };
 
+// A spherical joint, of which this is the rate.
+void add_rotation(Seen& target, const Vector3& rate) {
+  const Vector3 velocity = cross(rate, target.position);
+  target.acceleration += cross(rate, target.velocity + target.velocity + velocity);
+  target.velocity += velocity;
+  target.wd += cross(rate, target.w);
+  target.w += rate;
+}
+
 void add_joint(Seen& target, const Joint& joint, const Expression& rate, Graph& graph) {
   const auto [axis, slide] = subspace(joint, graph);
   if (!is_zero(axis)) {
@@ -42,6 +51,13 @@ void add_joint(Seen& target, const Joint& joint, const Expression& rate, Graph& 
     target.w += rate * axis;
   }
   target.velocity += rate * slide;
+}
+
+// Of a spherical joint.
+Vector3 rotation_along(const std::vector<JointOnPath>& components, const std::vector<Expression>& qd) {
+  Vector3 rate;
+  for (std::size_t axis = 0; axis < 3; ++axis) rate[axis] = along(components[axis], qd);
+  return rate;
 }
 
 void step_back(Seen& target, const Pose& pose) {
@@ -68,7 +84,7 @@ Program frame_velocity(const model::KinematicTree& tree, const model::FramePair&
   Motion twist;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
-    if (segment.joint) add_rate(joint_of(trace, segment.joint->joint), along(*segment.joint, qd), twist);
+    for (const JointOnPath& passed : segment.joints) add_rate(joint_of(trace, passed.joint), along(passed, qd), twist);
     twist = to_parent(pose, twist);
   }
   trace.output("V", Role::frame_velocity, twist);
@@ -84,11 +100,12 @@ Program frame_acceleration(const model::KinematicTree& tree, const model::FrameP
   Motion twist, acceleration;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
-    if (const auto& passed = segment.joint) {
-      const Joint joint = joint_of(trace, passed->joint);
-      const Expression rate = along(*passed, qd);
-      acceleration += rate * cross_subspace(joint, twist);
-      add_rate(joint, along(*passed, qdd), acceleration);
+    const Motion beyond = twist;
+    for (const JointOnPath& passed : segment.joints) {
+      const Joint joint = joint_of(trace, passed.joint);
+      const Expression rate = along(passed, qd);
+      acceleration += rate * cross_subspace(joint, beyond);
+      add_rate(joint, along(passed, qdd), acceleration);
       add_rate(joint, rate, twist);
     }
     twist = to_parent(pose, twist);
@@ -109,7 +126,11 @@ Program jacobian_derivative_times_velocity(
   Seen target;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
-    if (segment.joint) add_joint(target, joint_of(trace, segment.joint->joint), along(*segment.joint, qd), trace.graph);
+    if (segment.joints.size() > 1)
+      add_rotation(target, rotation_along(segment.joints, qd));
+    else
+      for (const JointOnPath& passed : segment.joints)
+        add_joint(target, joint_of(trace, passed.joint), along(passed, qd), trace.graph);
     step_back(target, pose);
   }
   trace.output("a", Role::frame_bias_acceleration, Motion{target.wd, target.acceleration});
@@ -127,13 +148,23 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
   const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
     velocity += cross(w, here.position - last);
     last = here.position;
-    const auto& [joint, backward] = *segment.joint;
-    joints.push_back(joint);
-    const Motion S = in_axes(here.rotation, subspace(joint_of(trace, joint), trace.graph), backward);
-    columns.push_back({S, last, w, velocity});
-    const Expression& rate = qd[at(joint)];
-    w += rate * S.angular;
-    velocity += rate * S.linear;
+    std::vector<Motion> own;
+    for (const auto& [joint, backward] : segment.joints) {
+      joints.push_back(joint);
+      own.push_back(in_axes(here.rotation, subspace(joint_of(trace, joint), trace.graph), backward));
+    }
+    // Axes of a spherical joint turn with its child, which is the frame reached once it has turned, or until then.
+    const bool turn_with_reached = own.size() > 1 && !segment.joints.front().backward;
+    const auto add_columns = [&] {
+      for (const Motion& S : own) columns.push_back({S, last, w, velocity});
+    };
+    if (!turn_with_reached) add_columns();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const Expression& rate = qd[at(segment.joints[k].joint)];
+      w += rate * own[k].angular;
+      velocity += rate * own[k].linear;
+    }
+    if (turn_with_reached) add_columns();
   });
   velocity += cross(w, end.position - last);
   std::vector<Motion> by_joint;

@@ -48,10 +48,13 @@ ChainColumns chain_columns(
   std::vector<Column> columns;
   ChainColumns result;
   const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
-    const bool negated = segment.joint->backward != back;
-    result.joints.push_back(segment.joint->joint);
-    const Motion S = subspace(joint_of(trace, segment.joint->joint), trace.graph);
-    columns.push_back({in_axes(here.rotation, S, negated), here.position});
+    std::vector<JointOnPath> passed = segment.joints;
+    if (back) std::reverse(passed.begin(), passed.end());
+    for (const auto& [joint, backward] : passed) {
+      result.joints.push_back(joint);
+      const Motion S = subspace(joint_of(trace, joint), trace.graph);
+      columns.push_back({in_axes(here.rotation, S, backward != back), here.position});
+    }
   });
   if (back) {
     std::reverse(columns.begin(), columns.end());
@@ -124,7 +127,7 @@ void output_columns(
 std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model::FramePair& frames) {
   std::vector<int> joints;
   for (const PathSegment& segment : path_between(tree, frames))
-    if (segment.joint) joints.push_back(segment.joint->joint);
+    for (const JointOnPath& passed : segment.joints) joints.push_back(passed.joint);
   return coordinates_of(tree, joints);
 }
 

@@ -1,6 +1,7 @@
 #include "algorithm/kinematics/path.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "model/rigid_motions.h"
 
@@ -10,13 +11,15 @@ namespace {
 using model::PrimitiveTransform;
 
 // A helical joint is where it turns; its slide is a length like others.
-std::optional<JointOnPath> joint_of(const model::KinematicTree& tree, const PrimitiveTransform& primitive) {
-  const bool backward = primitive.amount.op() == model::Quantity::Op::negate;
-  const model::Quantity& position = backward ? primitive.amount.left() : primitive.amount;
-  if (position.op() != model::Quantity::Op::variable) return std::nullopt;
+std::vector<JointOnPath> joints_of(const model::KinematicTree& tree, const PrimitiveTransform& primitive) {
+  const model::Quantity& amount = primitive.quaternion.empty() ? primitive.amount : primitive.quaternion[1];
+  const bool backward = amount.op() == model::Quantity::Op::negate;
+  const model::Quantity& position = backward ? amount.left() : amount;
+  if (position.op() != model::Quantity::Op::variable) return {};
   const int joint = position.index();
-  if (primitive.rotation != model::turns(tree.joints[at(joint)].type)) return std::nullopt;
-  return JointOnPath{joint, backward};
+  if (primitive.rotation != model::turns(tree.joints[at(joint)].type)) return {};
+  if (primitive.quaternion.empty()) return {{joint, backward}};
+  return {{joint, backward}, {joint + 1, backward}, {joint + 2, backward}};
 }
 
 }  // namespace
@@ -31,12 +34,15 @@ Path path_between(const model::KinematicTree& tree, const model::MotionGraph& mo
   if (!transform) throw std::logic_error("the motions of a robot do not connect its frames");
   Path path(1);
   for (const PrimitiveTransform& primitive : transform->primitives) {
-    path.back().primitives.push_back(primitive);
-    path.back().joint = joint_of(tree, primitive);
-    if (!path.back().joint) continue;
-    path.back().subject = tree.joints[at(path.back().joint->joint)].name;
+    std::vector<JointOnPath> joints = joints_of(tree, primitive);
+    const bool begins_next = joints.size() > 1 && joints.front().backward;
+    if (!begins_next) path.back().primitives.push_back(primitive);
+    if (joints.empty()) continue;
+    path.back().subject = tree.joints[at(joints.front().joint)].declared_name();
     path.back().passed = "joint " + path.back().subject;
+    path.back().joints = std::move(joints);
     path.emplace_back();
+    if (begins_next) path.back().primitives.push_back(primitive);
   }
   return path;
 }

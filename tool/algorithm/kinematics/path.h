@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +17,13 @@ struct JointOnPath {
 };
 
 // The last primitive of a segment is the one that is not constant, so that the others merge with it and it costs one
-// sine and cosine. The last segment has constants alone.
+// sine and cosine. The last segment has constants alone. A spherical joint that is passed backward begins the next
+// segment: at the end of each segment are the child's axes, or the axis, of its joint.
 struct PathSegment {
   std::vector<model::PrimitiveTransform> primitives;
-  std::string subject;               // names the values behind it; empty: the last segment
-  std::string passed;                // what it leads past: `joint KFE`, `Rx(a - b)`
-  std::optional<JointOnPath> joint;  // of a robot, but for the last segment
+  std::string subject;              // names the values behind it; empty: the last segment
+  std::string passed;               // what it leads past: `joint KFE`, `Rx(a - b)`
+  std::vector<JointOnPath> joints;  // of a robot, but for the last segment: one, or the components of a spherical one
 };
 using Path = std::vector<PathSegment>;
 
@@ -40,7 +40,7 @@ int behind_last_turn(const Path& path);
 Pose pose_of(ProgramTrace& trace, const PathSegment& segment, const std::vector<Expression>& variables);
 
 // Follows the whole path and returns its end. Calls behind(segment, here) after each but the last; where a segment ends
-// at a joint, the z axis there is the joint's axis.
+// at a joint, its motion subspace is constant in the axes there.
 Reached walk(
     ProgramTrace& trace,
     const Path& path,

@@ -12,6 +12,10 @@ using symbolic::Program;
 using symbolic::Role;
 
 void turn(Matrix3& m, const PlaneRotation& plane) {
+  if (plane.matrix) {
+    m = m * *plane.matrix;
+    return;
+  }
   const auto i = static_cast<std::size_t>((plane.axis + 1) % 3), j = static_cast<std::size_t>((plane.axis + 2) % 3);
   for (std::size_t r = 0; r < 3; ++r) {
     const Expression a = m[r][i], b = m[r][j];
@@ -111,6 +115,13 @@ PlaneRotation sum(const Reached& here, const PlaneRotation& a, const PlaneRotati
 }
 
 void turn(Reached& here, const PlaneRotation& plane) {
+  if (plane.matrix) {
+    // What is in front of it stays a product of its own.
+    turn(here.rotation, plane);
+    here.before.clear();
+    here.planes.clear();
+    return;
+  }
   here.angles.push_back(plane.angle);
   if (here.planes.empty() || here.planes.back().axis != plane.axis) {
     here.before.push_back(here.rotation);

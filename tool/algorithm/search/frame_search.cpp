@@ -207,6 +207,7 @@ class Search {
 
   // Turns, then slides at the best turn; each with and without the joint's turning.
   void improve(int joint) {
+    if (tree_.joints[at(joint)].type == model::JointType::spherical) return;  // it has no axis to turn or slide about
     const symbolic::Program start = traced(joint, frames_);
     int best = symbolic::work(start);
     double& most = views_[at(joint)].largest_constant;

@@ -3,6 +3,9 @@
 // All that the recursions know of joint types is here. The motion subspace S of a joint is constant in the axes of the
 // child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) of a revolute joint, (0 0 0 0 0 1) of a
 // prismatic one, (0 0 1 0 0 p) of a helical one of pitch p (Featherstone 2008, table 4.1).
+//
+// The components of a spherical joint are three joints in a row with the same child frame, about its x, y and z axis:
+// the child turns with the rates of all three. So motions pass the first component whole, and the others not at all.
 #pragma once
 
 #include "algorithm/spatial/link_motion.h"
@@ -15,6 +18,9 @@ struct Joint {
   int child = 0;  // link
   model::JointType type = model::JointType::revolute;
   Expression pitch = {};  // of a helical joint, m a radian
+  int axis = 2;           // of a component of a spherical joint
+
+  bool is_spherical() const { return type == model::JointType::spherical; }
 };
 
 Joint joint_of(Trace& trace, int index);
@@ -27,6 +33,9 @@ Motion subspace(const Joint& joint, Graph& graph);
 void add_rate(const Joint& joint, const Expression& rate, Motion& V_C);
 // The same of its two parts.
 void add_rate(const Joint& joint, const Expression& rate, Vector3& w, Vector3& v);
+// What the joint adds to the motion of its child: S qd; of the components of a spherical joint the first one adds it
+// for all. `qd` by joint.
+void add_rates(const Joint& joint, const std::vector<Expression>& qd, Vector3& w, Vector3& v);
 // S' F_C: the joint force.
 Expression project(const Joint& joint, const Force& F_C);
 // Changes F_C so that S' F_C is `value`.
@@ -38,15 +47,17 @@ Motion cross_subspace(const Joint& joint, const Motion& V_C);
 // Whether the joint feels only the moment about z of a force on its child.
 bool feels_only_moment(const Joint& joint);
 
-// ---- Across the joint, from the parent P to the child C.
+// ---- Across the joint, from the parent P to the child C. Rates and accelerations by joint.
 
-Motion across_joint(const Joint& joint, const Pose& X_PC, const Motion& V_P, const Expression& qd);
+Motion across_joint(const Joint& joint, const Pose& X_PC, const Motion& V_P, const std::vector<Expression>& qd);
 LinkMotion across_joint(
     const Joint& joint,
     const Pose& X_PC,
     const LinkMotion& parent,
-    const Expression& qd,
-    const Expression& qdd);
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& qdd);
+// The motion of the child's frame if the joint stood still.
+LinkMotion carried_motion(const Pose& X_PC, const LinkMotion& parent);
 
 // ---- Inertias.
 

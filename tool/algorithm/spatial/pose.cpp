@@ -61,7 +61,9 @@ class RotationBuilder {
     }
   }
 
-  bool empty() const { return planes_.empty(); }
+  void append(Graph& graph, const std::array<Expression, 4>& quaternion) {
+    planes_.push_back({PlaneRotation::kAnyAxis, {}, rotation_by_quaternion(graph, quaternion).matrix});
+  }
 
   // The z axis of the rotated frame as ± an axis of the parent frame: {axis, sign}; {-1, 0} when it is none.
   std::pair<int, int> aligned_z() const {
@@ -74,8 +76,12 @@ class RotationBuilder {
 
   Rotation finish() const {
     Rotation r{quarter_, {}};
-    for (const Plane& plane : planes_)
-      r.planes.push_back({plane.axis, cos(plane.angle), sin(plane.angle), plane.angle});
+    for (const Plane& plane : planes_) {
+      if (plane.matrix)
+        r.planes.push_back({plane.axis, {}, {}, {}, plane.matrix});
+      else
+        r.planes.push_back({plane.axis, cos(plane.angle), sin(plane.angle), plane.angle});
+    }
     return r;
   }
 
@@ -83,6 +89,7 @@ class RotationBuilder {
   struct Plane {
     int axis;
     Expression angle;
+    std::optional<Matrix3> matrix = {};
   };
 
   // P r1 … rk Q = (P Q) (Q' r1 Q) … : each rotation keeps its angle and turns its axis by Q'.
@@ -90,6 +97,7 @@ class RotationBuilder {
     quarter_ = quarter_ * turn;
     const QuarterTurns back = inverse(turn);
     for (Plane& plane : planes_) {
+      if (plane.matrix) plane.matrix = conjugate(back, *plane.matrix);
       for (int i = 0; i < 3; ++i) {
         if (back.image[static_cast<std::size_t>(i)] != plane.axis) continue;
         if (back.sign[static_cast<std::size_t>(i)] < 0) plane.angle = -plane.angle;
@@ -102,6 +110,15 @@ class RotationBuilder {
   QuarterTurns quarter_;
   std::vector<Plane> planes_;
 };
+
+std::array<Expression, 4> lifted(
+    ProgramTrace& trace,
+    const std::vector<Quantity>& quaternion,
+    const std::vector<Expression>& positions) {
+  std::array<Expression, 4> result;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = trace.lift(quaternion.at(i), positions);
+  return result;
+}
 
 }  // namespace
 
@@ -120,7 +137,10 @@ Pose pose_of(
         pose.offset += to_parent(rotation.finish(), {Expression(), Expression(), pose.slide});
         pose.slide = Expression();
       }
-      rotation.append(axis, angle_of(trace, primitive.amount, positions));
+      if (primitive.quaternion.empty())
+        rotation.append(axis, angle_of(trace, primitive.amount, positions));
+      else
+        rotation.append(trace.graph, lifted(trace, primitive.quaternion, positions));
       rotated = true;
       continue;
     }

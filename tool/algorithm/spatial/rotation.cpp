@@ -8,6 +8,7 @@ Expression signed_by(int sign, const Expression& e) {
 }
 
 Vector3 rotate(const PlaneRotation& r, const Vector3& v, bool transposed) {
+  if (r.matrix) return multiply(transposed ? algorithm::transposed(*r.matrix) : *r.matrix, v);
   const auto i = static_cast<std::size_t>((r.axis + 1) % 3), j = static_cast<std::size_t>((r.axis + 2) % 3);
   const Expression s = transposed ? -r.s : r.s;
   Vector3 result = v;
@@ -16,9 +17,25 @@ Vector3 rotate(const PlaneRotation& r, const Vector3& v, bool transposed) {
   return result;
 }
 
+// R m R' of a symmetric m. As R is orthogonal, so is m - m_zz 1 in place of m, with one element less.
+Matrix3 symmetric_product(const Matrix3& R, const Matrix3& m) {
+  Matrix3 rest = m;
+  for (std::size_t i = 0; i < 3; ++i) rest[i][i] = i == 2 ? Expression() : m[i][i] - m[2][2];
+  const Matrix3 half = R * rest;
+  Matrix3 result;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = r; c < 3; ++c) {
+      result[r][c] = dot(half[r], R[c]);
+      if (r == c) result[r][c] += m[2][2];
+      result[c][r] = result[r][c];
+    }
+  return result;
+}
+
 // Conjugation by a plane rotation acts on the 2 x 2 block of its plane by double angles, on the rest as on vectors:
 // with w = s^2, u = s c, e = xx - yy: k = e w + 2 u xy; xx' = xx - k; yy' = yy + k; xy' = xy (1 - 2 w) + e u.
 Matrix3 conjugate_symmetric(const PlaneRotation& r, const Matrix3& m) {
+  if (r.matrix) return symmetric_product(*r.matrix, m);
   const auto a = static_cast<std::size_t>(r.axis), i = (a + 1) % 3, j = (a + 2) % 3;
   Matrix3 result = m;
   const Expression e = m[i][i] - m[j][j];
@@ -41,6 +58,7 @@ Matrix3 conjugate_symmetric(const PlaneRotation& r, const Matrix3& m) {
 
 // The same for a general matrix, with e = xx - yy, f = xy + yx: k = e w + f u, l = e u - f w.
 Matrix3 conjugate_general(const PlaneRotation& r, const Matrix3& m) {
+  if (r.matrix) return *r.matrix * (m * transposed(*r.matrix));
   const auto a = static_cast<std::size_t>(r.axis), i = (a + 1) % 3, j = (a + 2) % 3;
   Matrix3 result = m;
   const Expression e = m[i][i] - m[j][j], f = m[i][j] + m[j][i];
@@ -65,6 +83,23 @@ Vector3 turn(const QuarterTurns& q, const Vector3& v) {
   return result;
 }
 
+}  // namespace
+
+PlaneRotation rotation_by_quaternion(Graph& graph, const std::array<Expression, 4>& q) {
+  const auto& [w, x, y, z] = q;
+  const Expression X = x + x, Y = y + y, Z = z + z;
+  const Expression xX = x * X, yY = y * Y, zZ = z * Z;
+  const Expression xY = x * Y, xZ = x * Z, yZ = y * Z;
+  const Expression wX = w * X, wY = w * Y, wZ = w * Z;
+  const Expression one = graph.one();
+  PlaneRotation rotation;
+  rotation.axis = PlaneRotation::kAnyAxis;
+  rotation.matrix = Matrix3{
+      {Vector3{one - (yY + zZ), xY - wZ, xZ + wY}, Vector3{xY + wZ, one - (xX + zZ), yZ - wX},
+       Vector3{xZ - wY, yZ + wX, one - (xX + yY)}}};
+  return rotation;
+}
+
 Matrix3 conjugate(const QuarterTurns& q, const Matrix3& m) {
   Matrix3 result;
   for (std::size_t i = 0; i < 3; ++i)
@@ -73,8 +108,6 @@ Matrix3 conjugate(const QuarterTurns& q, const Matrix3& m) {
           q.sign[i] * q.sign[j], m[static_cast<std::size_t>(q.image[i])][static_cast<std::size_t>(q.image[j])]);
   return result;
 }
-
-}  // namespace
 
 QuarterTurns quarter_turn(int axis, int turns) {
   QuarterTurns one;

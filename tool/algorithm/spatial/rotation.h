@@ -3,19 +3,26 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "algorithm/spatial/vectors.h"
 
 namespace robcogen::algorithm {
 
-// Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions for a vector.
+// Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions for a vector. Or any rotation, as
+// a matrix: 9 and 6.
 struct PlaneRotation {
-  int axis = 2;           // 0, 1, 2
-  Expression c;           // cosine
-  Expression s;           // sine
-  Expression angle = {};  // rad, where it matters
+  int axis = 2;                        // 0, 1, 2; kAnyAxis with a matrix
+  Expression c;                        // cosine
+  Expression s;                        // sine
+  Expression angle = {};               // rad, where it matters
+  std::optional<Matrix3> matrix = {};  // in place of the others
+  static constexpr int kAnyAxis = -1;
 };
+
+// Of the unit quaternion w, x, y, z: the matrix is quadratic in its elements (Featherstone 2008, eq. 4.12).
+PlaneRotation rotation_by_quaternion(Graph& graph, const std::array<Expression, 4>& q);
 
 // A rotation by a multiple of 90 degrees: image[i] is the axis that row i picks, sign[i] its sign. (P v)_i =
 // sign[i] v_image[i]. Free.
@@ -26,6 +33,8 @@ struct QuarterTurns {
 QuarterTurns quarter_turn(int axis, int turns);
 QuarterTurns operator*(const QuarterTurns& a, const QuarterTurns& b);
 QuarterTurns inverse(const QuarterTurns& q);
+// Q m Q'.
+Matrix3 conjugate(const QuarterTurns& q, const Matrix3& m);
 
 // R = quarter * planes[0] * planes[1] * …: coordinates in the rotated (child) frame to those in the parent frame.
 struct Rotation {

@@ -55,8 +55,29 @@ std::vector<Expression> Trace::coordinate_input(const std::string& name, Role ro
   return input(name, role, std::move(names));
 }
 
+std::vector<Expression> Trace::position_input(const std::string& name) {
+  std::vector<std::string> names;
+  std::vector<int> quaternions;
+  const std::vector<int> elements = tree.position_elements();
+  for (const int joint : tree.coordinates()) {
+    const model::Joint& own = tree.joints[at(joint)];
+    if (at(elements[at(joint)]) > names.size()) {
+      quaternions.push_back(static_cast<int>(names.size()));
+      names.push_back(own.spherical + model::kQuaternionSuffixes[0]);
+    }
+    names.push_back(own.name);
+  }
+  const std::vector<Expression> given = input(name, Role::joint_position, std::move(names));
+  inputs_.back().quaternions = quaternions;
+  std::vector<Expression> positions;
+  for (const int joint : tree.coordinates()) positions.push_back(given[at(elements[at(joint)])]);
+  for (const int scalar : quaternions) positions.push_back(given[at(scalar)]);
+  return positions;
+}
+
 std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
-  return by_joint(name, role, coordinate_input(name, role));
+  return by_joint(
+      name, role, role == Role::joint_position ? position_input(name) : coordinate_input(name, role));
 }
 
 std::vector<Expression> Trace::by_joint(
@@ -67,6 +88,7 @@ std::vector<Expression> Trace::by_joint(
   std::vector<Expression> joints(tree.joints.size());
   const std::vector<int> independent = tree.coordinates();
   for (std::size_t k = 0; k < independent.size(); ++k) joints[at(independent[k])] = coordinates[k];
+  joints.insert(joints.end(), coordinates.begin() + static_cast<std::ptrdiff_t>(independent.size()), coordinates.end());
   for (const model::Coupling& coupling : tree.couplings) {
     const std::string& follower = tree.joints[at(coupling.joint)].name;
     section(follower, "joint " + follower + ": " + name);
@@ -90,13 +112,19 @@ Motion Trace::motion_input(const std::string& name, Role role) {
 
 std::vector<Force> Trace::link_wrench_input() {
   std::vector<std::string> names;
-  for (const model::Link& link : tree.links)
+  for (const model::Link& link : tree.links) {
+    if (link.is_repeated) continue;
     for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_"))
       names.push_back(std::move(element));
+  }
   const std::vector<Expression> v = input("external", Role::link_wrenches, std::move(names));
-  std::vector<Force> wrenches;
-  for (std::size_t i = 0; i < v.size(); i += 6)
-    wrenches.push_back(Force{Vector3{v[i], v[i + 1], v[i + 2]}, Vector3{v[i + 3], v[i + 4], v[i + 5]}});
+  std::vector<Force> wrenches(tree.links.size());
+  std::size_t i = 0;
+  for (std::size_t link = 0; link < wrenches.size(); ++link) {
+    if (tree.links[link].is_repeated) continue;
+    wrenches[link] = {Vector3{v[i], v[i + 1], v[i + 2]}, Vector3{v[i + 3], v[i + 4], v[i + 5]}};
+    i += 6;
+  }
   return wrenches;
 }
 

@@ -42,9 +42,11 @@ class ProgramTrace {
 
   symbolic::Program program(const std::string& name) const;
 
+ protected:
+  std::vector<symbolic::InputArray> inputs_;
+
  private:
   std::vector<Expression> parameters_;
-  std::vector<symbolic::InputArray> inputs_;
   std::vector<symbolic::OutputArray> shapes_;
   std::vector<std::vector<Expression>> outputs_;
   int input_elements_ = 0;
@@ -63,7 +65,8 @@ class Trace : public ProgramTrace {
 
   // One element a coordinate.
   std::vector<Expression> coordinate_input(const std::string& name, symbolic::Role role);
-  // Positions, velocities or accelerations of all joints, from an input of those of the coordinates.
+  // Positions, velocities or accelerations of all joints, from an input of those of the coordinates. Behind positions
+  // are the scalar parts of the quaternions of spherical joints, whose components have the other parts.
   std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
   // The same of all joints, from values of the coordinates.
   std::vector<Expression> by_joint(
@@ -72,8 +75,12 @@ class Trace : public ProgramTrace {
       const std::vector<Expression>& coordinates);
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);
-  // One wrench a link, base first, in link coordinates about the link's origin.
+  // One wrench a link, base first, in link coordinates about the link's origin; zero for repeated links.
   std::vector<Force> link_wrench_input();
+
+ private:
+  // By coordinate, then the scalar parts of quaternions.
+  std::vector<Expression> position_input(const std::string& name);
 };
 
 }  // namespace robcogen::algorithm

@@ -54,6 +54,18 @@ Expression difference_of_products(const Expression& a, const Expression& b, cons
   return first - c * d;
 }
 
+Matrix3 operator*(const Matrix3& a, const Matrix3& b) {
+  const Matrix3 columns = transposed(b);
+  Matrix3 m;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) m[r][c] = dot(a[r], columns[c]);
+  return m;
+}
+
+Matrix3 transposed(const Matrix3& m) {
+  return {{Vector3{m[0][0], m[1][0], m[2][0]}, Vector3{m[0][1], m[1][1], m[2][1]}, Vector3{m[0][2], m[1][2], m[2][2]}}};
+}
+
 Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }

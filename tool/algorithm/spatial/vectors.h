@@ -40,6 +40,8 @@ bool is_zero(const Vector3& v);
 // [p]x with [p]x v = p x v.
 Matrix3 skew(const Vector3& p);
 Matrix3 operator+(const Matrix3& a, const Matrix3& b);
+Matrix3 operator*(const Matrix3& a, const Matrix3& b);
+Matrix3 transposed(const Matrix3& m);
 
 // a b + c d, a b - c d. C++ leaves open which operand of an operator is evaluated first, and the order in which nodes
 // are created decides how equal programs are spelled: these go from left to right with every compiler.

@@ -222,6 +222,8 @@ std::string joint_type(JointType type) {
       return scope + "prismatic";
     case JointType::helical:
       return scope + "helical";
+    case JointType::spherical:
+      return scope + "spherical";
   }
   return scope + "revolute";
 }

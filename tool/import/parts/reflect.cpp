@@ -30,6 +30,7 @@ Image image_of(Joint::Type type, bool same_sense) {
     case Joint::Type::cylindrical:
     case Joint::Type::universal:
     case Joint::Type::planar:
+    case Joint::Type::spherical:
       break;  // refused
   }
   return {reversed(1), 1};
@@ -178,7 +179,7 @@ void reflect(
     }
   }
   for (const kinematics::Joint& joint : assembly.body.joints)
-    if (!kinematics::coordinate_words(joint.type).empty())
+    if (joint.type == Joint::Type::spherical || !kinematics::coordinate_words(joint.type).empty())
       diagnostics.error(
           "mirrored-coordinates", {source, joint.name.span},
           fmt::format("joint '{}' has several coordinates: a part with it cannot be mirrored", joint.name.text));

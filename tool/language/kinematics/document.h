@@ -122,7 +122,7 @@ struct Coordinate {
 };
 
 struct Joint {
-  enum class Type { revolute, prismatic, helical, cylindrical, universal, planar };
+  enum class Type { revolute, prismatic, helical, cylindrical, universal, planar, spherical };
   Name name;
   Type type = Type::revolute;
   std::optional<int> id;

@@ -376,7 +376,7 @@ class Parser : private BlockParser {
 
   static Joint::Type type_of(std::string_view word) {
     using enum Joint::Type;
-    for (const Joint::Type type : {prismatic, helical, cylindrical, universal, planar})
+    for (const Joint::Type type : {prismatic, helical, cylindrical, universal, planar, spherical})
       if (word == word_of(type)) return type;
     return revolute;
   }
@@ -385,6 +385,7 @@ class Parser : private BlockParser {
     switch (type) {
       case Joint::Type::revolute:
       case Joint::Type::prismatic:
+      case Joint::Type::spherical:
         break;
       case Joint::Type::helical:
         return kHelicalItems;

@@ -315,6 +315,8 @@ std::string_view word_of(Joint::Type type) {
       return "u_joint";
     case Joint::Type::planar:
       return "planar_joint";
+    case Joint::Type::spherical:
+      return "s_joint";
   }
   return "r_joint";
 }
@@ -326,6 +328,7 @@ std::span<const std::string_view> coordinate_words(Joint::Type type) {
     case Joint::Type::revolute:
     case Joint::Type::prismatic:
     case Joint::Type::helical:
+    case Joint::Type::spherical:
       break;
     case Joint::Type::cylindrical:
       return kCylindrical;
