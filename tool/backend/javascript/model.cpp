@@ -33,9 +33,11 @@ std::string type_of(const JointData& joint) {
     case JointType::prismatic:
       return "prismatic";
     case JointType::helical:
+      return "helical";
+    case JointType::spherical:
       break;
   }
-  return "helical";
+  return "spherical";
 }
 
 std::vector<std::string> joint_members(const JointData& j) {
