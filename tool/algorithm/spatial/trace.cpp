@@ -76,8 +76,7 @@ std::vector<Expression> Trace::position_input(const std::string& name) {
 }
 
 std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
-  return by_joint(
-      name, role, role == Role::joint_position ? position_input(name) : coordinate_input(name, role));
+  return by_joint(name, role, role == Role::joint_position ? position_input(name) : coordinate_input(name, role));
 }
 
 std::vector<Expression> Trace::by_joint(
