@@ -193,7 +193,7 @@ Action declare_generate(CLI::App& application) {
   declare_model(*subcommand, options->model)->required(false);
   options->model.lists_parameters = true;
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
-  subcommand->add_option("--name", options->names.name, "Folder and namespace of the code")->required();
+  subcommand->add_option("--name", options->names.name, "Folder and namespace of the code; default: the stem of MODEL");
   subcommand->add_option(
       "--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
   const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));

@@ -23,6 +23,16 @@ bool is_identifier(const std::string& name) {
          std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
+std::string name_after(const std::string& file) {
+  const std::string stem = fs::path(file).stem().string();
+  if (is_identifier(stem)) return stem;
+  throw Failure{
+      wrong_usage, fmt::format(
+                       "robcogen: error: '{}' cannot name the code, as '{}' is not a valid identifier\nhint: "
+                       "'--name NAME' gives another name",
+                       file, stem)};
+}
+
 void check_names(const driver::LibraryNames& names) {
   if (!is_identifier(names.name))
     throw Failure{wrong_usage, fmt::format("robcogen: error: --name '{}' is not a valid identifier", names.name)};
@@ -198,10 +208,15 @@ Status list_outputs(const GenerateOptions& options) {
 
 }  // namespace
 
-Status generate(const GenerateOptions& options) {
+Status generate(GenerateOptions options) {
+  const std::string& file = options.model.file;
+  if (options.names.name.empty()) {
+    if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
+    options.names.name = name_after(file);
+  }
   check_names(options.names);
   if (options.list_outputs) return list_outputs(options);
-  if (options.model.file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
+  if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};
   if (is_transforms(options)) require_options_of_transforms(options);
   const std::optional<driver::Model> model = options.model.load(options.groups);

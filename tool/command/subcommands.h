@@ -22,7 +22,8 @@ struct GenerateOptions {
   std::vector<std::string> processors;  // levels that kernels of one state are compiled for
   bool list_outputs = false;
 };
-Status generate(const GenerateOptions& options);
+// Without a name, the code is called after the file of the model.
+Status generate(GenerateOptions options);
 
 struct CheckOptions {
   std::vector<std::string> files;

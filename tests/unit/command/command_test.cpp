@@ -30,13 +30,25 @@ TEST(Command, SaysItsVersionAndHelp) {
 TEST(Command, UsageFaultsExitWithTwo) {
   for (const char* arguments :
        {"", "no-such-command", "check", "generate --name x", "ops no-such-file.kindsl", "generate a b c",
-        "print --error-format pretty x.kindsl", "generate m.kindsl -o d --name 1x",
+        "print --error-format pretty x.kindsl", "generate m.kindsl -o d --name 1x", "generate --list-outputs",
         "generate m.kindsl -o d --name x --namespace 'a:b'", "generate m.kindsl -o d --name x --algorithms nonsense"}) {
     const Outcome run = run_tool(arguments);
     EXPECT_EQ(run.status, 2) << arguments << "\n" << run.errors;
     EXPECT_NE(run.errors.find("error"), std::string::npos) << arguments;
     EXPECT_EQ(run.output, "") << arguments;
   }
+}
+
+TEST(Command, CodeIsCalledAfterTheModel) {
+  const Scratch scratch("called");
+  const std::string options = " --algorithms joint_space_inertia -o " + quoted(scratch.path / "out");
+  const Outcome run = run_tool("generate " + quoted(robot("hyl")) + options);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_TRUE(fs::exists(scratch.path / "out" / "hyl" / "hyl.h"));
+  fs::copy_file(robot("hyl"), scratch.path / "hyl-2.kindsl");
+  const Outcome refused = run_tool("generate " + quoted(scratch.path / "hyl-2.kindsl") + options);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("'hyl-2' is not a valid identifier"), std::string::npos) << refused.errors;
 }
 
 TEST(Command, WrongInputExitsWithOneAndWritesNothing) {
