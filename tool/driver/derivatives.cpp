@@ -178,8 +178,8 @@ std::vector<RobotFunction> derivative_functions(
           derivative, "functions of a factor take an object, not numbers",
           "joint_space_inertia and forward_dynamics have derivatives");
     require_inputs(derivative, programs_of(found.overloads));
-    for (RobotFunction& f :
-         algorithm::functions(robot.tree, {{first.frames}, {first.frames}}, first.group, formulations)) {
+    for (RobotFunction& f : algorithm::functions(
+             robot.tree, {{first.frames}, {first.frames}, robot.desired.contacts}, first.group, formulations)) {
       if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
       f.group = kDerivativesGroup;
       list.push_back(differentiated(std::move(f), derivative, mode));

@@ -1,0 +1,42 @@
+// A quadruped trots at a constant speed: the second of the two design studies of Frigerio et al., JOSER 7(1), 2016, 7.5
+// (Fig. 14b).
+//
+// The motion is given: the trunk does not accelerate, diagonal pairs of feet take turns on the ground. Inverse dynamics
+// with the smallest forces of the ground gives the torques.
+#pragma once
+
+#include "posture.h"
+
+namespace design {
+
+struct Trot {
+  double speed;             // m/s
+  double height = 0.6;      // m, of the trunk's origin above the ground: the hips are 0.08 m below
+  double period = 0.5;      // s, of a step of all legs
+  double clearance = 0.08;  // m, of the swinging feet
+};
+
+// Feet in trunk axes, at this share of the period.
+struct FeetMotion {
+  Feet positions, velocities, accelerations;
+  Eigen::Vector4d on_ground;  // 1 or 0
+};
+FeetMotion trotting_feet(const Trot& trot, double phase);
+
+// What joints and motors take, mean over a step, for a leg.
+struct Power {
+  double value;                                   // W
+  Eigen::Matrix<double, kParameters, 1> gradient;  // W, in the order of kParameterNames
+};
+
+// |torque times velocity| of hip and knee.
+Power mechanical_power(const ParameterArray& parameters, const Trot& trot);
+
+// With electric motors, what their windings and bearings lose as well.
+Power electric_power(const ParameterArray& parameters, const Trot& trot);
+
+// The value alone.
+double mechanical_power_value(const ParameterArray& parameters, const Trot& trot);
+double electric_power_value(const ParameterArray& parameters, const Trot& trot);
+
+}  // namespace design
