@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A fresh machine: installs what is missing, configures, builds, and runs.
 #
-#     cmake/bootstrap.sh demo              builds two robots and runs programs that use them
+#     cmake/bootstrap.sh demo              builds some robots and runs programs that use them
 #     cmake/bootstrap.sh install PREFIX    builds the generator and installs it with its CMake package
 #     cmake/bootstrap.sh test              builds everything and runs the whole test suite
 #
@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev)
 test_packages=(make ccache clang-14 clang-format-14 libgtest-dev librapidcheck-dev libbenchmark-dev
-  liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev octave maxima nodejs)
+  libnlopt-dev liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev octave maxima nodejs)
 
 usage() {
   sed -n '2,9s/^# \{0,1\}//p' cmake/bootstrap.sh

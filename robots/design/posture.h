@@ -32,8 +32,8 @@ Feet feet_positions(const Parameters& parameters, const JointState& q);
 // Front and hind knees point inwards.
 JointState bent_knees();
 
-// Joint positions (rad) with the feet there, by Newton's method from a guess. Throws std::domain_error where the legs do
-// not reach.
+// Joint positions (rad) with the feet there, by Newton's method from a guess. Throws std::domain_error where the legs
+// do not reach.
 JointState posture(const Parameters& parameters, const Feet& feet, const JointState& guess);
 
 struct Motion {

@@ -23,7 +23,7 @@ constexpr double kFriction = 0.8;
 constexpr double kSlipVelocity = 0.05;  // m/s, where friction reaches 0.7 of its limit
 
 // Controller of the trunk.
-constexpr double kPush = 2.5;  // times the weight
+constexpr double kPush = 2.5;                                  // times the weight
 constexpr double kLevelStiffness = 3000, kLevelDamping = 200;  // N m/rad, N m s/rad
 constexpr double kDriftDamping = 500;                          // N s/m, forwards and sideways
 // Legs are held as they are in the air.
@@ -35,11 +35,12 @@ constexpr int kStepsPerInstant = 20;
 constexpr double kFlightTimeStep = 5e-4;  // s: without the ground nothing is stiff
 constexpr double kMaxPushTime = 1, kMaxFlightTime = 2;
 
-// Motors: 5 N m with a rotor of 1e-4 kg m^2, and so on; 400 rad/s without load.
+// Motors: 5 N m with a rotor of 1e-4 kg m^2, and so on; 800 rad/s without load.
 constexpr double kTorquePerInertia = 5e4;
-constexpr double kNoLoadVelocity = 400;
+constexpr double kNoLoadVelocity = 800;
 
-// The sum of what acts on the base when the robot stands still: minus its weight and the moment of that, about the base.
+// The sum of what acts on the base when the robot stands still: minus its weight and the moment of that, about the
+// base.
 Eigen::Matrix<double, 6, 1> standing_wrench(const Parameters& parameters, const JointState& q) {
   const JointState zero = JointState::Zero();
   const auto standing = constrained_inverse_dynamics(
@@ -163,9 +164,9 @@ Jump squat_jump(const Parameters& parameters, double start, const Actuators& act
     const double before = depth;
     const Feet forces = ground_forces(state, positions, J * velocity, depth);
     if (i % kStepsPerInstant == 0) jump.feet.push_back(positions);
-    if (depth <= 0) {
+    if (depth <= 0 && vertical_speed(state) > 0) {
       // Between the last two steps.
-      const double share = before / (before - depth);
+      const double share = before > 0 ? before / (before - depth) : 1;
       const double lift_off = height + share * (state.pose.position().z() - height);
       jump.lift_off_time = (i - 1 + share) * kTimeStep;
       jump.lift_off_speed = vertical_speed(state);
@@ -173,6 +174,7 @@ Jump squat_jump(const Parameters& parameters, double start, const Actuators& act
       return jump;
     }
     height = state.pose.position().z();
+    if (height < start / 2) throw std::domain_error("the legs are too weak for the robot");
     if (i % kStepsPerControl == 0) tau = limited(push(state, J, weight), actuators(state.qd));
     state = integrate(
         state,

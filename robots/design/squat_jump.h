@@ -26,9 +26,9 @@ Actuators constant_limit(double torque);
 Actuators motors(const ParameterArray& parameters);
 
 struct Jump {
-  double rise;           // m, of the trunk from lift-off to the apex
-  double lift_off_time;  // s
-  double lift_off_speed;  // m/s, of the trunk, upwards
+  double rise;             // m, of the trunk from lift-off to the apex
+  double lift_off_time;    // s
+  double lift_off_speed;   // m/s, of the trunk, upwards
   std::vector<Feet> feet;  // in trunk axes, each millisecond until lift-off
 };
 

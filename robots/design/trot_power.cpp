@@ -11,13 +11,15 @@ using Gradient = Eigen::Matrix<double, kParameters, 1>;
 constexpr int kRotor = static_cast<int>(index_of("rotor_inertia")), kGear = static_cast<int>(index_of("gear_ratio"));
 
 constexpr int kInstants = 100;  // of a step
-// Two feet cannot hold the moment about the line through them; the smallest forces are those of the nearest wrench.
+// Two vertical forces cannot hold the moment about the line through the feet, and swinging legs pull the trunk back and
+// forth: the forces are those of the nearest wrench.
 constexpr double kRegularization = 1e-6;
 
-// Motors, all of one diameter: in proportion to their length (and so to the inertia of their rotors) grows the square of the torque that
-// they have for a watt of heat, 0.06 (N m)^2/W with a rotor of 1e-4 kg m^2. What gears and bearings lose depends on the speed alone.
+// Motors, all of one diameter: in proportion to their length (and so to the inertia of their rotors) grows the square
+// of the torque that they have for a watt of heat, 0.06 (N m)^2/W with a rotor of 1e-4 kg m^2. What gears and bearings
+// lose depends on the speed alone.
 constexpr double kMotorConstant = 600;  // (N m)^2/W for each kg m^2
-constexpr double kMotorDrag = 5e-5;     // N m s/rad
+constexpr double kMotorDrag = 2e-4;     // N m s/rad
 
 // A polynomial from -1 to 1 with the slope `slope` and no curvature at its ends, for s from 0 to 1; and derivatives.
 struct Swing {
@@ -43,9 +45,10 @@ struct Forces {
   Eigen::Matrix<double, 12, kParameters> tau_by_parameters;
 };
 
-Eigen::Matrix<double, 12, 1> weights_of(const FeetMotion& feet) {
-  Eigen::Matrix<double, 12, 1> weights;
-  for (int foot = 0; foot < 4; ++foot) weights.segment<3>(3 * foot).setConstant(feet.on_ground[foot]);
+// Feet carry by vertical forces.
+Feet weights_of(const FeetMotion& feet) {
+  Feet weights = Feet::Zero();
+  for (int foot = 0; foot < 4; ++foot) weights[3 * foot + 2] = feet.on_ground[foot];
   return weights;
 }
 

@@ -1,8 +1,8 @@
 // A quadruped trots at a constant speed: the second of the two design studies of Frigerio et al., JOSER 7(1), 2016, 7.5
 // (Fig. 14b).
 //
-// The motion is given: the trunk does not accelerate, diagonal pairs of feet take turns on the ground. Inverse dynamics
-// with the smallest forces of the ground gives the torques.
+// The motion is given: the trunk does not accelerate, and diagonal pairs of feet take turns on the ground, which pushes
+// them vertically. Inverse dynamics gives the torques.
 #pragma once
 
 #include "posture.h"
@@ -12,7 +12,7 @@ namespace design {
 struct Trot {
   double speed;             // m/s
   double height = 0.6;      // m, of the trunk's origin above the ground: the hips are 0.08 m below
-  double period = 0.5;      // s, of a step of all legs
+  double period = 0.6;      // s, of a step of all legs
   double clearance = 0.08;  // m, of the swinging feet
 };
 
@@ -25,7 +25,7 @@ FeetMotion trotting_feet(const Trot& trot, double phase);
 
 // What joints and motors take, mean over a step, for a leg.
 struct Power {
-  double value;                                   // W
+  double value;                                    // W
   Eigen::Matrix<double, kParameters, 1> gradient;  // W, in the order of kParameterNames
 };
 

@@ -1,4 +1,4 @@
-// The examples of runtime/README.md compile.
+// The examples of the guides compile.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -35,32 +35,55 @@ std::string program(const std::vector<CodeBlock>& blocks) {
   return includes + templates + functions;
 }
 
+const std::string robots = ROBCOGEN_SOURCE_DIR "/robots/";
+
+// Into a folder that is new.
+void generate(const fs::path& folder, const std::string& arguments) {
+  int status = 0;
+  const std::string output =
+      output_of("'" ROBCOGEN_TOOL "' generate -o '" + folder.string() + "' " + arguments, status);
+  ASSERT_EQ(status, 0) << output;
+}
+
+void expect_to_compile(const fs::path& folder, const std::string& text, const std::string& options = "") {
+  std::ofstream(folder / "examples.cpp") << text;
+  int status = 0;
+  const std::string output = output_of(
+      "'" ROBCOGEN_CXX "' -std=c++20 -fsyntax-only -I '" + folder.string() +
+          "' -I '" ROBCOGEN_SOURCE_DIR "/runtime/include' -isystem '" ROBCOGEN_EIGEN "' " + options + " '" +
+          (folder / "examples.cpp").string() + "'",
+      status);
+  EXPECT_EQ(status, 0) << output;
+}
+
 TEST(Examples, OfTheGeneratedCodeCompile) {
   const fs::path folder = scratch("examples");
   fs::remove_all(folder);
-  const std::string robots = ROBCOGEN_SOURCE_DIR "/robots/";
   fs::create_directories(folder);
   for (const CodeBlock& block : code_blocks(read_text(source_folder() / "tool/language/README.md")))
     if (block.language == "motdsl") std::ofstream(folder / "crane.motdsl") << block.text;
   for (const std::string& arguments :
        {robots + "hyl/hyl.kindsl --name hyl --batch --algorithms all --desired " + robots + "hyl/hyl.dtdsl",
         robots + "hyl_parametric/hyl_parametric.kindsl --name hyl_parametric",
-        robots + "quadruped/quadruped.kindsl --name quadruped", (folder / "crane.motdsl").string() + " --name crane"}) {
-    int status = 0;
-    const std::string output =
-        output_of("'" ROBCOGEN_TOOL "' generate -o '" + folder.string() + "' " + arguments, status);
-    ASSERT_EQ(status, 0) << output;
-  }
+        robots + "quadruped/quadruped.kindsl --name quadruped", (folder / "crane.motdsl").string() + " --name crane"})
+    generate(folder, arguments);
   const std::string text = program(code_blocks(read_text(source_folder() / "runtime/README.md")));
-  std::ofstream(folder / "examples.cpp") << text;
-  int status = 0;
-  const std::string output = output_of(
-      "'" ROBCOGEN_CXX "' -std=c++20 -fsyntax-only -I '" + folder.string() +
-          "' -I '" ROBCOGEN_SOURCE_DIR "/runtime/include' -isystem '" ROBCOGEN_EIGEN "' '" +
-          (folder / "examples.cpp").string() + "'",
-      status);
-  EXPECT_EQ(status, 0) << output;
+  expect_to_compile(folder, text);
   EXPECT_NE(text.find("section_9"), std::string::npos) << "too few sections have examples";
+  if (!testing::Test::HasFailure()) fs::remove_all(folder);
+}
+
+TEST(Examples, OfDesignStudiesCompile) {
+  const fs::path folder = scratch("design_examples");
+  fs::remove_all(folder);
+  const std::string design = robots + "design/", name = design + "quadruped_parametric";
+  generate(
+      folder, name + ".kindsl --name quadruped_parametric --effort 0 --desired " + name +
+                  ".dtdsl --algorithms forward_dynamics transforms contacts");
+  const std::string text = program(code_blocks(read_text(source_folder() / "robots/design/README.md")));
+  // Aliases of namespaces stand in functions, too.
+  expect_to_compile(folder, text, "-I '" + design + "'");
+  EXPECT_NE(text.find("section_4"), std::string::npos) << "too few sections have examples";
   if (!testing::Test::HasFailure()) fs::remove_all(folder);
 }
 

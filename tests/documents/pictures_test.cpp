@@ -44,6 +44,17 @@ std::pair<std::vector<double>, std::string> numbers(const std::string& text) {
   return result;
 }
 
+void expect_same(const std::string& drawing, const std::string& name, std::size_t least_count) {
+  const auto [drawn, drawn_text] = numbers(drawing);
+  const auto [shown, shown_text] = numbers(read_text(source_folder() / name));
+  ASSERT_EQ(drawn.size(), shown.size()) << name << " is not the program's: build the target update_documents";
+  ASSERT_GT(drawn.size(), least_count) << name;
+  EXPECT_EQ(drawn_text, shown_text) << name;
+  double most = 0;
+  for (std::size_t i = 0; i < drawn.size(); ++i) most = std::max(most, std::abs(drawn[i] - shown[i]));
+  EXPECT_LE(most, kPixels) << name;
+}
+
 TEST(Pictures, ChartIsThatOfTheTables) {
   const std::string drawing = draw("'" ROBCOGEN_DRAW_CHART "' '" ROBCOGEN_SOURCE_DIR "/bench/README.md'");
   EXPECT_NE(drawing.find("MuJoCo, Humanoid"), std::string::npos);
@@ -52,14 +63,12 @@ TEST(Pictures, ChartIsThatOfTheTables) {
 }
 
 TEST(Pictures, HopIsThatOfTheDemo) {
-  const auto [drawn, drawn_text] = numbers(draw("'" ROBCOGEN_HOP "'"));
-  const auto [shown, shown_text] = numbers(read_text(source_folder() / "robots/demo/hop.svg"));
-  ASSERT_EQ(drawn.size(), shown.size()) << "robots/demo/hop.svg is not the demo's: build the target update_documents";
-  ASSERT_GT(drawn.size(), 1000);
-  EXPECT_EQ(drawn_text, shown_text);
-  double most = 0;
-  for (std::size_t i = 0; i < drawn.size(); ++i) most = std::max(most, std::abs(drawn[i] - shown[i]));
-  EXPECT_LE(most, kPixels);
+  expect_same(draw("'" ROBCOGEN_HOP "'"), "robots/demo/hop.svg", 1000);
+}
+
+TEST(Pictures, DesignsAreThoseOfTheStudies) {
+  expect_same(draw("'" ROBCOGEN_SQUAT_JUMP "'"), "robots/design/squat_jump.svg", 300);
+  expect_same(draw("'" ROBCOGEN_TROT_POWER "'"), "robots/design/trot_power.svg", 300);
 }
 
 }  // namespace

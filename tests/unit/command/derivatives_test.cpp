@@ -90,6 +90,31 @@ TEST(Derivatives, ByPositionsAndByParameters) {
   EXPECT_NEAR(largest, 1.0, 0.3);  // of a lever arm, by a length: a cosine or a sine
 }
 
+// The contact frames are those of the desired transforms.
+TEST(Derivatives, OfContacts) {
+  const std::string contacts = " --contacts fr_foot:point";
+  const json state = {
+      {"q", {0.1, 0.4, -0.9}}, {"qd", {0.5, -1, 2}}, {"qdd", {1, 2, 3}}, {"parameters", parameters_of_leg()}};
+  const auto velocity = [&](double step) {
+    json moved_state = moved(state, "q", 1, step);
+    moved_state.erase("qdd");
+    return results_of(kLeg, "contact_velocity", contacts, moved_state)["velocity"].get<std::vector<double>>();
+  };
+  json still = state;
+  still.erase("qdd");
+  const json found =
+      results_of(kLeg, "contact_velocity_d_q", contacts + " --derivatives contact_velocity:q", still)["d_q"];
+  ASSERT_EQ(found.size(), 3U);
+  const std::vector<double> after = velocity(1e-5), before = velocity(-1e-5);
+  for (std::size_t row = 0; row < 3; ++row)
+    EXPECT_NEAR(found[row][1].get<double>(), (after[row] - before[row]) / 2e-5, 1e-7) << row;
+  const Outcome ops = run_tool(
+      "ops " + quoted(kLeg) + " --json --effort 0 --algorithms contacts --derivatives contact_jacobian:parameters" +
+          contacts,
+      "");
+  EXPECT_NE(ops.output.find("\"contact_jacobian_d_parameters\""), std::string::npos) << ops.errors;
+}
+
 TEST(Derivatives, OfTransforms) {
   expect_derivatives(
       kEuler, "transforms.motion.S_X_zyx", "variables", "X", {"a", "b", "c"},
