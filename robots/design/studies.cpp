@@ -99,7 +99,7 @@ Problem jump_of_lengths_and_motors() {
     return -rise_or_nothing(parameters_of(x), motors(parameters_of(x)));
   };
   // A jump takes milliseconds, and the four variables have a long and flat ridge.
-  return {{kLeg, {0.26, 0.46, 0.33}, {4, 40, 12}, {2e-5, 2e-3, 5e-4}}, rise, limit_on_length(1, kLongest), 1e-5, 400};
+  return {{kLeg, {0.26, 0.46, 0.33}, {4, 40, 12}, {2e-5, 2e-3, 5e-4}}, rise, limit_on_length(1, kLongest), 1e-5, 200};
 }
 
 Problem trot_of_lengths(double speed) {
