@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/plausibility.h"
+#include "model/principal_moments.h"
 
 namespace robcogen::model {
 
@@ -18,7 +19,7 @@ constexpr double kMomentTolerance = 1e-6;
 // the moment of the link's mass at its reach. Point masses have no other scale.
 constexpr double kNoise = 1e-12;
 
-using Matrix = std::array<std::array<double, 3>, 3>;
+using Matrix = SymmetricMatrix;
 
 bool is_constant(const Inertia& i) {
   const auto all = {&i.mass, &i.com[0], &i.com[1], &i.com[2], &i.ixx, &i.iyy, &i.izz, &i.ixy, &i.ixz, &i.iyz};
@@ -44,30 +45,6 @@ Matrix central_tensor(const Inertia& i) {
     tensor[k][j] += m * c[j] * c[k];
   }
   return tensor;
-}
-
-// Eigenvalues of a symmetric matrix in ascending order, by cyclic Jacobi rotations (Golub and Van Loan, 8.5).
-std::array<double, 3> eigenvalues(Matrix a) {
-  constexpr int kSweeps = 12;  // quadratic convergence: five are enough for doubles
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
-      if (a[p][q] == 0.0) continue;
-      const double tau = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-      const double t = std::copysign(1.0, tau) / (std::abs(tau) + std::hypot(1.0, tau));
-      const double c = 1.0 / std::hypot(1.0, t), s = t * c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double kp = a[k][p], kq = a[k][q];
-        a[k][p] = c * kp - s * kq, a[k][q] = s * kp + c * kq;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double pk = a[p][k], qk = a[q][k];
-        a[p][k] = c * pk - s * qk, a[q][k] = s * pk + c * qk;
-      }
-    }
-  }
-  std::array<double, 3> values = {a[0][0], a[1][1], a[2][2]};
-  std::sort(values.begin(), values.end());
-  return values;
 }
 
 void check_mass(const DescribedLink& link, Diagnostics& diagnostics) {
@@ -118,8 +95,8 @@ void check_moments(const DescribedLink& link, double reach, Diagnostics& diagnos
   const Inertia& inertia = *link.inertia;
   const double mass = is_constant(inertia) ? evaluate(inertia.mass) : -1.0;
   if (mass < 0.0) return;
-  const std::array<double, 3> given = eigenvalues(given_tensor(inertia));
-  const std::array<double, 3> central = eigenvalues(central_tensor(inertia));
+  const std::array<double, 3> given = principal_moments(given_tensor(inertia));
+  const std::array<double, 3> central = principal_moments(central_tensor(inertia));
   const double noise = kNoise * (std::abs(given[2]) + mass * reach * reach);
   const Verdict verdict = judge(central, noise);
   if (verdict == Verdict::plausible) return;

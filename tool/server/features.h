@@ -2,8 +2,10 @@
 // not open, or where there is nothing to say, the result is null or an empty list.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "model/kinematic_tree.h"
 #include "server/json.h"
 #include "server/workspace.h"
 
@@ -13,6 +15,18 @@ inline std::string uri_in(const Json& parameters) {
   return parameters.at("textDocument").at("uri").get<std::string>();
 }
 
+// The robot that a document of this path describes, also a URDF; nullopt where it has errors.
+std::optional<model::KinematicTree> tree_of(Workspace& workspace, const std::filesystem::path& path);
+
 Json code_actions(Workspace& workspace, const Json& parameters);
+Json definition(Workspace& workspace, const Json& parameters);
+Json document_symbols(Workspace& workspace, const Json& parameters);
+Json folding_ranges(Workspace& workspace, const Json& parameters);
+Json highlights(Workspace& workspace, const Json& parameters);
+Json hover(Workspace& workspace, const Json& parameters);
+Json prepare_rename(Workspace& workspace, const Json& parameters);
+Json references(Workspace& workspace, const Json& parameters);
+// RequestError for a name that is not valid, or that makes a document wrong.
+Json rename(Workspace& workspace, const Json& parameters);
 
 }  // namespace robcogen::server

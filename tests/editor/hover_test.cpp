@@ -1,0 +1,127 @@
+// Hover texts: numbers against hand calculation, and against what the generator computes.
+#include <regex>
+
+#include "client.h"
+#include "run_tool.h"
+
+namespace robcogen::test {
+namespace {
+
+std::string hover(Client& client, const std::string& uri, const std::string& word) {
+  const Json answer = client.ask_at("textDocument/hover", uri, word);
+  return answer.is_null() ? "" : answer.at("contents").at("value").get<std::string>();
+}
+
+const std::string kArm = R"(Robot Arm {
+    RobotBase base { children { upper via shoulder } }
+    link upper {
+        id = 1
+        inertia_params {
+            mass = 2.0  CoM = (0.5, 0.0, 0.0)
+            Ix = 0.1  Iy = 0.8  Iz = 0.9  Ixy = 0.0  Ixz = 0.0  Iyz = 0.0
+        }
+        children { lower via elbow }
+        frames { tip { translation = (1.0, 0.0, 0.0)  rotation = (0.0, 0.0, PI/4.0) } }
+    }
+    link lower {
+        id = 2
+        inertia_params {
+            mass = 1.0  CoM = (0.0, 0.0, half[0.25])
+            Ix = 0.1  Iy = 0.1  Iz = 0.05  Ixy = 0.0  Ixz = 0.0  Iyz = 0.0
+        }
+        children {}
+    }
+    r_joint shoulder {
+        ref_frame { translation = (0.0, 0.0, 1.0)  rotation = (-PI/2.0, 0.0, 0.0) }
+        limits { position = (-1.5, 2.0)  effort = 30.0 }
+    }
+    p_joint elbow { ref_frame { translation = (0.7/2.0, length[0.3], 0.0)  rotation = (0.0, 0.3, 0.0) } }
+}
+)";
+
+TEST(Hover, SaysWhatElementsAre) {
+  Client client;
+  const std::string uri = "file:///arm.kindsl";
+  client.open(uri, kArm);
+  // The parallel axis: 0.8 - 2 * 0.25 = 0.3, 0.9 - 0.5 = 0.4. The lower link is at (0.35 + 0.25 sin 0.3, 0.3, 0.25 cos
+  // 0.3) in the upper one, whose y points down and whose z is the y of the base.
+  EXPECT_EQ(
+      hover(client, uri, "link up|per"),
+      "**link** `upper`, child of `base` via `shoulder`\n\n- mass 2 kg\n- centre of mass (0.5, 0, 0) m, in the link "
+      "frame\n- principal moments (0.1, 0.3, 0.4) kg m², about the centre of mass\n- with all it carries: 3 kg, centre "
+      "of mass (0.474627, 0.0796114, 0.9) m in the base at q = 0");
+  // The rotation of -90 degrees about x maps z to y.
+  EXPECT_EQ(
+      hover(client, uri, "r_joint should|er"),
+      "**revolute joint** `shoulder`, from `base` to `upper`\n\n- axis (0, 1, 0) in the base at q = 0\n- limits -1.5 "
+      "to "
+      "2 rad\n- effort up to 30 N m");
+  EXPECT_EQ(
+      hover(client, uri, "t|ip {"),
+      "**frame** `tip` of link `upper`\n\n- origin (1, 0, 1) m in the base at q = 0\n- rotation (-90, 0, 45)° about x, "
+      "y', z''");
+  EXPECT_EQ(
+      hover(client, uri, "len|gth"), "**parameter** `length`, a length (m)\n\n- default 0.3\n- 1 use in this document");
+  EXPECT_EQ(
+      hover(client, uri, "ha|lf"), "**parameter** `half`, of dynamics\n\n- default 0.25\n- 1 use in this document");
+  EXPECT_EQ(hover(client, uri, "-PI/|2.0"), "`-PI/2.0` is -90°, -1.5707963267948966 rad");
+  EXPECT_EQ(hover(client, uri, "0.7/|2.0"), "`0.7/2.0` is 0.35");
+  EXPECT_EQ(hover(client, uri, "0.|3, 0.0) }"), "`0.3` is 17.1887°, 0.3 rad");
+  EXPECT_EQ(hover(client, uri, "inertia_par|ams"), "");
+}
+
+TEST(Hover, OfAPartIsThatOfAnInstance) {
+  Client client;
+  const std::string uri = "file:///robot.kindsl";
+  client.open(
+      uri,
+      "Part Leg(thigh) {\n root hip via HAA\n link hip { inertia_params { mass = 3.0 CoM = (thigh, 0.0, 0.0) Ix = 1.0 "
+      "Iy "
+      "= 2.0 Iz = 2.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }\n r_joint HAA { ref_frame { translation = (0.0, "
+      "0.0, "
+      "0.0) rotation = (0.0, PI/2.0, 0.0) } }\n}\nRobot R { RobotBase b { children { Leg left(thigh = 0.4) } } }\n");
+  const std::string text = hover(client, uri, "link h|ip");
+  EXPECT_NE(text.find("`left_hip`"), std::string::npos) << text;
+  EXPECT_NE(text.find("centre of mass (0.4, 0, 0) m"), std::string::npos) << text;
+  EXPECT_NE(hover(client, uri, "r_joint HA|A").find("axis (1, 0, 0)"), std::string::npos);
+}
+
+// Against the programs of the generator, in the interpreter: the origins of all frames, and the centre of mass.
+TEST(Hover, HasTheNumbersOfTheGenerator) {
+  for (const char* name : {"tree5", "iiwa14", "gripper", "scara", "wrist"}) {
+    Client client;
+    const std::string uri = file_uri(robot(name)), text = contents(robot(name));
+    client.open(uri, text);
+    const std::string list = "file:///list.dtdsl";
+    const std::regex link(R"((?:^|\n)\s*(?:link|RobotBase) +(\w+))"), robot_name(R"((?:^|\n)Robot (\w+))");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(text, match, robot_name));
+    const std::string owner = match[1];
+    std::vector<std::string> links;
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) links.push_back((*it)[1]);
+    ASSERT_GT(links.size(), 3U);
+    for (std::size_t i = 1; i < links.size(); i += 4) {
+      client.open(list, "Robot " + owner + "\nFrames { fr_" + links[i] + " }\nTransforms {}\n");
+      const std::string shown = hover(client, list, "fr_" + links[i]);
+      std::smatch numbers;
+      ASSERT_TRUE(std::regex_search(shown, numbers, std::regex(R"(origin \((.*), (.*), (.*)\) m)"))) << name << " " << links[i] << shown;
+      const std::string function = "transforms.homogeneous.fr_" + links[0] + "_X_fr_" + links[i];
+      const std::string none = std::string("{\"q\": [") + [&] {
+        std::string zeros;
+        const Outcome ops = run_tool("ops --algorithms inverse_dynamics '" + robot(name).string() + "'");
+        std::smatch count;
+        EXPECT_TRUE(std::regex_search(ops.output, count, std::regex(R"(: (\d+) )")));
+        for (int k = 0; k < std::stoi(count[1]); ++k) zeros += k == 0 ? "0" : ", 0";
+        return zeros;
+      }() + "]}";
+      const Outcome run = run_tool("eval --quiet '" + robot(name).string() + "' " + function, none);
+      ASSERT_EQ(run.status, 0) << run.errors;
+      const Json pose = Json::parse(run.output).at("X");
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(std::stod(numbers[k + 1]), pose[k][3].get<double>(), 1e-5) << name << " " << links[i];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::test

@@ -1,0 +1,13 @@
+// Principal moments of inertia.
+#pragma once
+
+#include <array>
+
+namespace robcogen::model {
+
+using SymmetricMatrix = std::array<std::array<double, 3>, 3>;
+
+// The eigenvalues of a tensor of inertia, in ascending order.
+std::array<double, 3> principal_moments(SymmetricMatrix tensor);
+
+}  // namespace robcogen::model

@@ -1,0 +1,12 @@
+// The names in a document of each language.
+#pragma once
+
+#include <vector>
+
+#include "server/names.h"
+
+namespace robcogen::server {
+
+std::vector<Occurrence> collect_names(const Parsed& document, Names& names);
+
+}  // namespace robcogen::server

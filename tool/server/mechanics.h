@@ -1,0 +1,53 @@
+// Numbers of a robot at q = 0, for hover texts. Parameters have their default values; what depends on a parameter
+// without one is NaN. SI units.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::server {
+
+using Vector3 = std::array<double, 3>;
+
+// base_X_frame: the pose of a frame in the base.
+struct BasePose {
+  std::array<Vector3, 3> rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // row by row
+  Vector3 translation = {};
+};
+
+// Angles about the intrinsic axes x, y', z'' (R = Rx Ry Rz), rad.
+Vector3 angles_of(const BasePose& pose);
+
+struct Carried {
+  double mass = 0.0;
+  Vector3 com = {};  // of base coordinates; NaN where the mass is zero
+};
+
+class RestingRobot {
+ public:
+  // Independent joints are at zero, coupled ones where the couplings put them.
+  explicit RestingRobot(const model::KinematicTree& tree);
+
+  const BasePose& link(int link) const { return links_[static_cast<std::size_t>(link)]; }
+  BasePose frame(const model::Frame& frame) const;
+  // The link with all beyond it.
+  const Carried& carried(int link) const { return carried_[static_cast<std::size_t>(link)]; }
+  double mass(int link) const;
+  Vector3 com(int link) const;                // in the link's frame
+  Vector3 principal_moments(int link) const;  // about the centre of mass, in ascending order
+  Vector3 axis(int joint) const;              // of motion, in base coordinates
+  double value(const model::Quantity& q) const;
+
+ private:
+  const model::KinematicTree& tree_;
+  std::vector<double> parameters_;
+  std::vector<BasePose> links_;
+  std::vector<Carried> carried_;
+
+  BasePose placed(const BasePose& parent, const model::Placement& placement) const;
+  BasePose moved(const BasePose& frame, int joint) const;
+};
+
+}  // namespace robcogen::server

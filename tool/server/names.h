@@ -1,0 +1,89 @@
+// Where the names of a document stand, and what each stands for, also across documents: frames of a list of desired
+// transforms are those of its robot, and `left_foot` is the frame `foot` of the part that is attached as `left`.
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "server/parsed.h"
+#include "server/robots.h"
+
+namespace robcogen::server {
+
+enum class NameKind { robot, part, instance, link, joint, frame, parameter, constant, group, transform };
+
+std::string describe(NameKind kind);
+
+// What a name stands for.
+struct Symbol {
+  std::filesystem::path document;  // that declares it
+  std::string scope;               // the part, or the group of a parameter; empty for the document itself
+  NameKind kind = NameKind::link;
+  std::string name;
+
+  auto operator<=>(const Symbol&) const = default;
+};
+
+// A place of a name: a word, or a piece of one.
+struct Occurrence {
+  Span span;
+  Symbol symbol;
+  bool is_declaration = false;
+};
+
+// A robot or a part.
+struct Scope {
+  const Parsed* document = nullptr;
+  const language::kinematics::Part* part = nullptr;  // none: the robot
+
+  const language::kinematics::Body& body() const {
+    return part != nullptr ? static_cast<const language::kinematics::Body&>(*part) : *document->robot();
+  }
+  std::string name() const { return part != nullptr ? part->name.text : ""; }
+};
+
+class Names {
+ public:
+  Names(ParsedDocuments& documents, RobotFinder& robots) : documents_(documents), robots_(robots) {}
+
+  // Those of the document, in the order of the text. A word of several pieces has an occurrence for each.
+  std::vector<Occurrence> occurrences(const Parsed& document);
+  // The document that a list is about.
+  const Parsed* model_of(const Parsed& list);
+
+  // A piece of a name from its beginning, and what it stands for.
+  struct Piece {
+    Span span;
+    Symbol symbol;
+  };
+  // The pieces of the name of a link or joint, or of a frame, of a robot or part: its own, or those of instances in it.
+  // Empty for a name that it does not have.
+  std::vector<Piece> element(const Scope& scope, std::string_view name, std::size_t depth = 0);
+  std::vector<Piece> frame(const Scope& scope, std::string_view name, std::size_t depth = 0);
+  // A part, or a robot as a part, by the name that a document knows it by.
+  std::optional<Scope> part(const Parsed& document, const std::string& name);
+
+ private:
+  struct Elements {
+    std::set<std::string, std::less<>> links, frames;
+    std::map<std::string, const language::kinematics::Joint*, std::less<>> joints;
+    std::vector<const language::kinematics::Instance*> instances;
+  };
+
+  ParsedDocuments& documents_;
+  RobotFinder& robots_;
+  std::map<const language::kinematics::Body*, Elements> elements_;
+  std::map<const Parsed*, std::map<std::string, Scope>> parts_;
+
+  const Elements& elements(const Scope& scope);
+  const std::map<std::string, Scope>& parts(const Parsed& document);
+  std::vector<Piece> in_instances(const Scope& scope, std::string_view name, bool is_frame, std::size_t depth);
+};
+
+// That ends last before the place, or holds it: an editor's cursor may be behind a name. nullptr where there is none.
+const Occurrence* occurrence_at(const std::vector<Occurrence>& occurrences, std::size_t offset);
+
+}  // namespace robcogen::server

@@ -1,0 +1,60 @@
+// Documents as their parsers read them, sound or not: what requests about names look at.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "language/common/lexer.h"
+#include "language/desired/document.h"
+#include "language/kinematics/document.h"
+#include "language/motion/document.h"
+#include "language/transforms/document.h"
+#include "server/documents.h"
+
+namespace robcogen::server {
+
+struct Parsed {
+  std::filesystem::path path;
+  driver::Language language = driver::Language::robot;
+  std::shared_ptr<const Source> source;
+  // None: a URDF.
+  std::variant<
+      std::monostate,
+      language::kinematics::Document,
+      language::desired::Document,
+      language::motion::Document,
+      language::transforms::Document>
+      document;
+  language::TokenList tokens;
+  bool has_errors = false;  // of syntax: the document may be incomplete
+
+  const language::kinematics::Document* robot() const { return std::get_if<language::kinematics::Document>(&document); }
+  const language::desired::Document* desired() const { return std::get_if<language::desired::Document>(&document); }
+  const language::motion::Document* motions() const { return std::get_if<language::motion::Document>(&document); }
+  const language::transforms::Document* transforms() const {
+    return std::get_if<language::transforms::Document>(&document);
+  }
+};
+
+Parsed parsed(const OpenDocument& document);
+
+// Parses each document once: open ones, and those in files.
+class ParsedDocuments {
+ public:
+  explicit ParsedDocuments(const Documents& documents) : documents_(documents) {}
+  // nullptr where there is no such file, or none of our languages.
+  const Parsed* operator()(const std::filesystem::path& path);
+  // The document that an import names.
+  const Parsed* imported(const Parsed& from, const language::kinematics::Import& import);
+  const Documents& open() const { return documents_; }
+
+ private:
+  const Documents& documents_;
+  std::map<std::filesystem::path, std::unique_ptr<const Parsed>> known_;
+};
+
+}  // namespace robcogen::server

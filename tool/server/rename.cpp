@@ -1,0 +1,126 @@
+// A new name for an element, everywhere: also in lists of desired transforms, in parts and in what names their
+// instances.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "language/desired/keywords.h"
+#include "language/kinematics/keywords.h"
+#include "server/features.h"
+#include "server/lookup.h"
+#include "server/session.h"
+
+namespace robcogen::server {
+namespace {
+
+constexpr std::size_t kMaxName = 255;
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw RequestError{ErrorCode::request_failed, why};
+}
+
+bool is_identifier(const std::string& name) {
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  return !name.empty() && name.size() <= kMaxName && std::all_of(name.begin(), name.end(), is_word) &&
+         std::isdigit(static_cast<unsigned char>(name[0])) == 0 && static_cast<unsigned char>(name[0]) < 0x80;
+}
+
+const std::vector<std::string>& keywords_of(driver::Language language) {
+  switch (language) {
+    case driver::Language::desired:
+      return language::desired::keywords();
+    case driver::Language::motions:
+      return language::motion::keywords();
+    case driver::Language::transforms:
+      return language::transforms::keywords();
+    default:
+      return language::kinematics::keywords();
+  }
+}
+
+// The text with another word at these places, which are in order.
+std::string with_word(std::string_view text, const std::vector<Span>& places, const std::string& word) {
+  std::string result;
+  std::size_t at = 0;
+  for (const Span& place : places) {
+    result += text.substr(at, place.begin - at);
+    result += word;
+    at = place.end;
+  }
+  return result + std::string(text.substr(at));
+}
+
+using Places = std::map<const Parsed*, std::vector<Span>>;
+
+// Messages of each code, over the documents that change. All are open in the copy.
+std::map<std::string, int> messages(
+    Documents& documents,
+    const std::vector<std::filesystem::path>& folders,
+    const Places& places) {
+  RobotFinder robots(documents);
+  robots.set_folders(folders);
+  std::map<std::string, int> counts;
+  for (const auto& [parsed, spans] : places) {
+    const OpenDocument* document = documents.find(parsed->path);
+    if (document == nullptr) continue;
+    const auto analysis = analyse(*document, documents, robots);
+    for (const Diagnostic& d : analysis->diagnostics.all()) ++counts[d.code];
+  }
+  return counts;
+}
+
+// Refuses a name that makes a document worse: it may be taken.
+void require_no_harm(Workspace& workspace, const Places& places, const std::string& name) {
+  Documents before = workspace.documents(), after = workspace.documents();
+  for (const auto& [parsed, spans] : places) {
+    const std::string uri = workspace.documents().uri(parsed->path);
+    if (before.find(parsed->path) == nullptr) before.open(uri, "", 0, std::string(parsed->source->text()));
+    after.open(uri, "", 0, with_word(parsed->source->text(), spans, name));
+  }
+  const auto old_counts = messages(before, workspace.robots().folders(), places);
+  std::map<std::string, int> counts = messages(after, workspace.robots().folders(), places);
+  for (const auto& [code, count] : old_counts) counts[code] -= count;
+  // A name used once may be like another one: that is a matter of taste.
+  counts.erase("similar-name");
+  for (const auto& [code, count] : counts)
+    if (count > 0) refuse(fmt::format("with the name '{}' a document would be wrong ({}): is it taken?", name, code));
+}
+
+}  // namespace
+
+Json prepare_rename(Workspace& workspace, const Json& parameters) {
+  Lookup lookup(workspace, parameters);
+  if (lookup.at_place == nullptr) return nullptr;
+  return {{"range", lookup.here().json(lookup.at_place->span)}, {"placeholder", lookup.at_place->symbol.name}};
+}
+
+Json rename(Workspace& workspace, const Json& parameters) {
+  Lookup lookup(workspace, parameters);
+  const std::string name = parameters.at("newName").get<std::string>();
+  if (lookup.at_place == nullptr) refuse("there is no name that could be changed here");
+  const Symbol symbol = lookup.at_place->symbol;
+  if (!is_identifier(name))
+    refuse(fmt::format("'{}' is not a valid identifier: names consist of A-Z, a-z, 0-9 and '_'", name));
+  Places places;
+  for (const Lookup::Found& found : lookup.everywhere(symbol)) places[found.document].push_back(found.occurrence.span);
+  if (places.empty() || symbol.name == name) return nullptr;
+  for (const auto& [document, spans] : places) {
+    if (document->has_errors)
+      refuse(fmt::format("'{}' has errors of syntax: places of the name may be missed", document->path.string()));
+    const auto& keywords = keywords_of(document->language);
+    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end())
+      refuse(fmt::format("'{}' is a keyword", name));
+  }
+  require_no_harm(workspace, places, name);
+  Json changes = Json::object();
+  for (const auto& [document, spans] : places) {
+    Json& edits = changes[workspace.documents().uri(document->path)] = Json::array();
+    for (const Span& span : spans)
+      edits.push_back({{"range", lookup.positions(document->source).json(span)}, {"newText", name}});
+  }
+  return {{"changes", std::move(changes)}};
+}
+
+}  // namespace robcogen::server
