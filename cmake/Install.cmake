@@ -29,6 +29,7 @@ install(
         ${CMAKE_CURRENT_BINARY_DIR}/robcogenConfigVersion.cmake
         cmake/Robcogen.cmake
         cmake/RobcogenArguments.cmake
+        cmake/RobcogenC.cmake
         cmake/RobcogenProcessors.cmake
         cmake/RobcogenTool.cmake
         cmake/RobcogenComplete.cmake

@@ -30,8 +30,9 @@
 #       [PROCESSORS level…]         # what the functions of one state are compiled for, from baseline, avx2 and avx512; a
 #                                   # program chooses when it starts. The baseline is always included. Without PROCESSORS
 #                                   # or where options of the build choose a processor (-march=…, -mavx2, …): the README
-#       [LANGUAGES cpp matlab maxima javascript]
-#                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>; nothing compiles it
+#       [LANGUAGES cpp c matlab maxima javascript]
+#                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. That in C is the
+#                                   # library <TARGET>_c (RobcogenC.cmake); nothing compiles the rest
 #       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, they get -O2 in
 #                                   # configurations without optimisation, such as Debug or none
@@ -59,6 +60,7 @@ cmake_minimum_required(VERSION 3.25)
 include_guard(GLOBAL)
 
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenC.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
@@ -92,7 +94,8 @@ function(robcogen_add_robot)
   _robcogen_check_elements(ALGORITHMS ${groups} all)
   _robcogen_choose_groups()
   _robcogen_check_derivatives()
-  _robcogen_check_elements(LANGUAGES cpp matlab maxima javascript)
+  _robcogen_check_elements(LANGUAGES cpp c matlab maxima javascript)
+  _robcogen_check_c()
   _robcogen_check_elements(BATCH_LEVELS baseline avx2 avx512)
   if(library_BATCH_LEVELS AND NOT library_BATCH)
     _robcogen_refuse("BATCH_LEVELS needs BATCH")
@@ -108,6 +111,7 @@ function(robcogen_add_robot)
   if(is_xacro)
     _robcogen_expand_xacro()
   endif()
+  _robcogen_c_files("${library_groups}")
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_add_text()
     return()
@@ -129,6 +133,7 @@ function(robcogen_add_robot)
     _robcogen_omit_levels()
   endif()
   _robcogen_add_library(${library_TARGET})
+  _robcogen_add_c_library()
   _robcogen_set_levels(${library_TARGET})
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_selfcheck(${library_TARGET}_selfcheck)
@@ -139,7 +144,7 @@ function(robcogen_add_robot)
     _robcogen_add_bench(${library_TARGET}_bench)
   endif()
   if(library_EXPORT_FILES)
-    set(${library_EXPORT_FILES} ${headers} ${generated_sources} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -258,7 +263,7 @@ function(_robcogen_add_codegen target)
     DEPFILE ${depfile}
     COMMENT "Generating ${library_NAME} from ${document}"
     VERBATIM)
-  set(files ${headers} ${sources})
+  set(files ${headers} ${sources} ${c_headers} ${c_sources})
   file(GENERATE OUTPUT ${library_OUTPUT_DIR}/${stem}.expected CONTENT "${files}")
   list(TRANSFORM generate REPLACE "^robcogen::robcogen$" "$<TARGET_FILE:robcogen::robcogen>")
   add_custom_command(
@@ -332,6 +337,7 @@ function(_robcogen_add_text)
     add_custom_target(${library_TARGET} ALL)
   endif()
   add_dependencies(${library_TARGET} ${library_TARGET}_codegen)
+  _robcogen_add_c_library()
 endfunction()
 
 # Sets `result` to the optimisation of generated units: -O2 in each configuration without optimisation, since a kernel is

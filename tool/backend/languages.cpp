@@ -1,5 +1,6 @@
 #include "backend/languages.h"
 
+#include "backend/c/c.h"
 #include "backend/cpp/cpp.h"
 #include "backend/javascript/javascript.h"
 #include "backend/matlab/matlab.h"
@@ -13,6 +14,7 @@ const std::vector<Language>& languages() {
        .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true},
        .takes_transforms = true,
        .print = cpp::print},
+      {.name = "c", .takes_transforms = true, .print = c::print},
       {.name = "matlab", .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .takes_transforms = true, .print = maxima::print},
       {.name = "javascript", .takes_transforms = true, .print = javascript::print},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "backend/c/c.h"
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "command/output.h"
@@ -190,14 +191,20 @@ void require_options_of_transforms(const GenerateOptions& options) {
               "robcogen: error: --language {} applies to robots only, not to motions and transforms", language->name)};
 }
 
-// The files whose names follow from the options only: those of C++.
+// The files whose names follow from the options only: those of C++ and C.
 Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {
-    if (language->name != "cpp") continue;
+    if (language->name != "cpp" && language->name != "c") continue;
     std::vector<std::string> groups =
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, asked_groups(options));
     if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
+    if (language->name == "c") {
+      for (const std::string& file :
+           backend::c::outputs(backend::c::prefix(options.names.name, options.names.enclosing), groups))
+        print_output("c/{}\n", file);
+      continue;
+    }
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);
     for (const std::string& file :
          backend::cpp::outputs(folder, groups, !transforms, options.has_batches, levels_of(options)))

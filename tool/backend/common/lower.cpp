@@ -83,8 +83,8 @@ class Emission {
       add(std::move(line));
       return;
     }
-    if (angle.sine) define("sin", operand, angle.sine_name);
-    if (angle.cosine) define("cos", operand, angle.cosine_name);
+    if (angle.sine) define(dialect_.sine, operand, angle.sine_name);
+    if (angle.cosine) define(dialect_.cosine, operand, angle.cosine_name);
   }
 
   void define(const std::string& function, const Operand& argument, const std::string& name) {
@@ -194,7 +194,7 @@ class Emission {
       emit_load(load->second);
     }
     if (arranged_.places[i] == Place::nowhere || arranged_.places[i] == Place::loaded) return;
-    if (s.op == Op::square_root) need("sqrt");
+    if (s.op == Op::square_root) need(dialect_.square_root);
     if (arranged_.places[i] == Place::inside) return;
     if (arranged_.places[i] == Place::angle) {
       const AngleKey key = supplier(arranged_, s.a);

@@ -50,7 +50,7 @@ struct Line {
 struct Kernel {
   std::string name;
   std::vector<Parameter> parameters;
-  std::vector<std::string> functions;  // that the lines call, but for Dialect::pairs_angles: cos, sin, sqrt
+  std::vector<std::string> functions;  // that the lines call, but for Dialect::pairs_angles: of sine, cosine, square root
   std::vector<int> widths;             // of values with lanes, ascending
   std::vector<Line> lines;
   std::vector<std::vector<std::string>> results;  // by output: its elements, where Dialect::stores is off
@@ -66,6 +66,8 @@ struct Dialect {
   std::size_t name_limit = 30;
   // One line defines the sine and the cosine of an argument. Otherwise these are two definitions.
   bool pairs_angles = true;
+  // The functions, by the names that they have in the language.
+  std::string sine = "sin", cosine = "cos", square_root = "sqrt";
   // Where that many elements of one input have sines and cosines, these are computed together; 0: never. Elements
   // between them are computed too.
   std::size_t angles_together = 0;

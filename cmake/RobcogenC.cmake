@@ -1,0 +1,65 @@
+# The library of a robot, or of transforms, in C99: LANGUAGES c of robcogen_add_robot and robcogen_add_transforms.
+#
+# Defines, for TARGET hyl, the static library hyl_c; #include <hyl_c/hyl_c.h>. It needs the mathematical functions of C and
+# nothing else. Its names begin with those of NAMESPACE and NAME: `NAME arm NAMESPACE left` is left_arm_inverse_dynamics of
+# <left_arm_c/left_arm_c.h>.
+include_guard(GLOBAL)
+
+# CMake enables a language at the top level of a file only.
+function(_robcogen_check_c)
+  if(NOT "c" IN_LIST library_LANGUAGES)
+    return()
+  endif()
+  get_property(enabled GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(NOT "C" IN_LIST enabled)
+    _robcogen_refuse("LANGUAGES c needs a C compiler: write enable_language(C), or project(… LANGUAGES C CXX), before this call")
+  endif()
+  if(TARGET ${library_TARGET}_c)
+    _robcogen_refuse("LANGUAGES c makes a target '${library_TARGET}_c', which exists already")
+  endif()
+endfunction()
+
+# Sets `result` to the prefix of all names.
+function(_robcogen_c_prefix result)
+  string(REPLACE "::" "_" prefix "${library_NAMESPACE}")
+  if(prefix)
+    string(APPEND prefix _)
+  endif()
+  set(${result} ${prefix}${library_NAME} PARENT_SCOPE)
+endfunction()
+
+# Sets c_headers and c_sources to the files of a library with these groups; to nothing where LANGUAGES has no c.
+function(_robcogen_c_files groups)
+  set(c_headers "")
+  set(c_sources "")
+  if("c" IN_LIST library_LANGUAGES)
+    _robcogen_c_prefix(prefix)
+    set(folder ${library_OUTPUT_DIR}/c/${prefix}_c)
+    set(c_headers ${folder}/${prefix}_c.h ${folder}/model.h)
+    set(c_sources ${folder}/model.c)
+    foreach(group IN LISTS groups)
+      list(APPEND c_headers ${folder}/${group}.h)
+      list(APPEND c_sources ${folder}/${group}.c ${folder}/${group}_f.c)
+    endforeach()
+  endif()
+  return(PROPAGATE c_headers c_sources)
+endfunction()
+
+function(_robcogen_add_c_library)
+  if(NOT "c" IN_LIST library_LANGUAGES)
+    return()
+  endif()
+  set(target ${library_TARGET}_c)
+  _robcogen_exclusion(exclusion)
+  add_library(${target} STATIC ${exclusion} ${c_sources})
+  add_library(${PROJECT_NAME}::${target} ALIAS ${target})
+  add_dependencies(${target} ${library_TARGET}_codegen)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${library_OUTPUT_DIR}/c FILES ${c_headers})
+  target_compile_features(${target} PUBLIC c_std_99)
+  if(UNIX)
+    target_link_libraries(${target} PUBLIC m)
+  endif()
+  _robcogen_optimisation(optimisation)
+  target_compile_options(${target} PRIVATE ${optimisation} ${library_COMPILE_OPTIONS})
+  set_target_properties(${target} PROPERTIES FOLDER robots POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
+endfunction()

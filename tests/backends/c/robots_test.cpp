@@ -1,0 +1,267 @@
+// The text in C of robots and of transforms, compiled without a warning: all functions give what the interpreter gives,
+// in double and in single precision.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "../../unit/command/run_tool.h"
+#include "algorithm/catalogue/catalogue.h"
+#include "backend/c/c.h"
+#include "driver/derivatives.h"
+#include "driver/driver.h"
+#include "symbolic/interpret.h"
+
+namespace robcogen::backend {
+namespace {
+
+const std::filesystem::path kRobots = ROBCOGEN_ROBOTS_DIR;
+constexpr const char* kStrict = "-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror ";
+
+struct Asked {
+  std::vector<std::string> groups = algorithm::groups();
+  std::vector<std::string> derivatives = {};
+  std::vector<std::string> contacts = {};
+};
+
+Library library(const std::filesystem::path& document, const std::string& name, const Asked& asked = {}) {
+  const std::filesystem::path desired = std::filesystem::path(document).replace_extension("dtdsl");
+  driver::LoadOptions options;
+  if (exists(desired)) options.desired = desired;
+  for (const std::string& text : asked.derivatives) options.derivatives.push_back(driver::parse_derivative(text));
+  options.contacts = asked.contacts;
+  Diagnostics diagnostics;
+  const auto model = driver::load(document, options, diagnostics);
+  EXPECT_TRUE(model.has_value()) << document;
+  return model ? driver::library(*model, {.names = {name}, .groups = asked.groups}) : Library();
+}
+
+// The files below the folder, and a unit that has all of them.
+void write(const std::filesystem::path& folder, const Library& library) {
+  std::string all;
+  for (const OutputFile& file : c::print(library)) {
+    create_directories((folder / file.path).parent_path());
+    test::write_text(folder / file.path, file.text);
+    if (file.path.extension() == ".c") all += "#include \"" + file.path.string() + "\"\n";
+  }
+  test::write_text(folder / "all.c", all);
+}
+
+// What the command prints; empty where it succeeds and prints nothing.
+std::string run(const std::filesystem::path& folder, const std::string& command) {
+  const std::filesystem::path log = folder / "log";
+  const int status = std::system(("cd " + folder.string() + " && " + command + " > log 2>&1").c_str());
+  const std::string text = test::read_text(log);
+  return status == 0 || !text.empty() ? text : "failed: " + command;
+}
+
+// A function of the compiled text. All arguments are pointers; those beyond the last are not read.
+void call(void* function, std::vector<void*> a) {
+  using P = void*;
+  using F = void (*)(P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P);
+  ASSERT_LE(a.size(), 24U);
+  a.resize(24, nullptr);
+  reinterpret_cast<F>(function)(
+      a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13], a[14], a[15], a[16],
+      a[17], a[18], a[19], a[20], a[21], a[22], a[23]);
+}
+
+// The same sines and the same order of operations: what is left is how compilers fuse and reorder, which gcc in this
+// mode does not.
+template <class Real>
+constexpr Real kTolerance = 8 * std::numeric_limits<Real>::epsilon();
+
+template <class Real>
+std::vector<Real> random_values(const Library& library, const symbolic::InputArray& input, std::mt19937& dice) {
+  std::vector<Real> values;
+  for (const std::string& element : input.elements) {
+    const auto p = std::find_if(library.parameters.begin(), library.parameters.end(), [&](const ParameterData& data) {
+      return input.role == symbolic::Role::parameters && data.name == element;
+    });
+    const double around = p == library.parameters.end() || std::isnan(p->default_value) ? 0 : p->default_value;
+    const double u = std::uniform_real_distribution<double>(-1, 1)(dice);
+    values.push_back(static_cast<Real>(around == 0 ? 3 * u : around * (1 + u / 5)));
+  }
+  return values;
+}
+
+// A line for each difference between the function and the interpreter.
+template <class Real>
+std::string differences(const Library& library, const c::Callable& c, void* function, std::mt19937& dice) {
+  const symbolic::Program& program = c.function->program;
+  const std::string& name = sizeof(Real) == 4 ? c.name_in_float : c.name;
+  if (!function) return name + " is missing\n";
+  symbolic::Arrays<Real> inputs;
+  std::vector<std::vector<Real>> arrays;
+  for (const symbolic::InputArray& input : program.inputs) {
+    const std::vector<Real>& values = inputs[input.name] = random_values<Real>(library, input, dice);
+    arrays.push_back(values);
+    if (input.role != symbolic::Role::parameters) continue;
+    // The structure has all parameters, also those that the function does not take.
+    std::vector<Real> all;
+    for (const ParameterData& p : library.parameters) {
+      const auto place = std::find(input.elements.begin(), input.elements.end(), p.name);
+      all.push_back(place == input.elements.end() ? Real(-7) : values[std::size_t(place - input.elements.begin())]);
+    }
+    arrays.back() = all;
+  }
+  const std::size_t first = arrays.size();
+  for (const symbolic::OutputArray& output : program.outputs)
+    arrays.emplace_back(output.values.size(), std::numeric_limits<Real>::quiet_NaN());
+  std::vector<void*> arguments;
+  for (std::vector<Real>& array : arrays) arguments.push_back(array.data());
+  call(function, arguments);
+  const symbolic::Arrays<Real> expected = symbolic::interpret<Real>(program, inputs);
+  std::string report;
+  for (std::size_t o = 0; o < program.outputs.size(); ++o) {
+    const std::vector<Real>& wanted = expected.at(program.outputs[o].name);
+    Real largest = 0;
+    for (const Real value : wanted) largest = std::max(largest, std::abs(value));
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      const Real got = arrays[first + o][k];
+      if (std::abs(got - wanted[k]) <= kTolerance<Real> * largest) continue;
+      report += name + ": element " + std::to_string(k) + " of " + program.outputs[o].name + " is " +
+                std::to_string(got) + ", not " + std::to_string(wanted[k]) + "\n";
+      break;
+    }
+  }
+  return report;
+}
+
+std::string differences(const Library& library, const std::filesystem::path& folder) {
+  const std::string errors = run(folder, "gcc " + (kStrict + std::string("-O0 -shared -fPIC -I. all.c -o all.so -lm")));
+  if (!errors.empty()) return errors;
+  void* const loaded = dlopen((folder / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!loaded) return dlerror();
+  std::mt19937 dice(7);
+  std::string report;
+  for (const c::Callable& c : c::callables(library)) {
+    for (int state = 0; state < 3; ++state) {
+      report += differences<double>(library, c, dlsym(loaded, c.name.c_str()), dice);
+      report += differences<float>(library, c, dlsym(loaded, c.name_in_float.c_str()), dice);
+    }
+  }
+  dlclose(loaded);
+  return report;
+}
+
+std::string differences(const Library& library) {
+  const test::Scratch scratch("c-" + library.name);
+  write(scratch.path, library);
+  return differences(library, scratch.path);
+}
+
+class CRobots : public testing::TestWithParam<std::string> {};
+
+TEST_P(CRobots, GiveWhatTheInterpreterGives) {
+  const bool has_all = GetParam() == "hyl" || GetParam() == "hyl_parametric" || GetParam() == "gripper";
+  const Library robot = library(
+      kRobots / GetParam() / (GetParam() + ".kindsl"), GetParam(),
+      {has_all ? algorithm::groups() : algorithm::default_groups()});
+  ASSERT_GT(robot.functions.size(), 20U);
+  EXPECT_EQ(differences(robot), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of,
+    CRobots,
+    testing::Values("hyl", "hyl_parametric", "geared_leg", "gripper", "scara", "puma560", "quadruped"),
+    [](const auto& robot) { return robot.param; });
+
+TEST(C, DerivativesAndContactsGiveWhatTheInterpreterGives) {
+  const Library leg = library(
+      kRobots / "hyl_parametric" / "hyl_parametric.kindsl", "leg",
+      {{"inverse_dynamics"}, {"inverse_dynamics:q,parameters", "jacobians.fr_base_J_fr_foot:q"}});
+  EXPECT_EQ(differences(leg), "");
+  const Library walker = library(
+      kRobots / "quadruped" / "quadruped.kindsl", "walker",
+      {{"contacts", "operational_space"}, {}, {"fr_LF_foot", "fr_RH_foot"}});
+  EXPECT_TRUE(std::any_of(walker.functions.begin(), walker.functions.end(), [](const Function& f) {
+    return f.group == "contacts" || f.group == "operational_space";
+  }));
+  EXPECT_EQ(differences(walker), "");
+}
+
+TEST(C, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
+  const Library euler =
+      library(kRobots / "euler" / "euler.motdsl", "euler", {{}, {"transforms.homogeneous.S_X_zyx:variables"}});
+  ASSERT_GT(euler.functions.size(), 5U);
+  EXPECT_EQ(differences(euler), "");
+  EXPECT_EQ(differences(library(kRobots / ".." / "tests/backends/octave/products.ctdsl", "products")), "");
+}
+
+// Names that are words of C, of its library, of headers; text that would end or continue a comment or be a trigraph.
+TEST(C, TakesAnyName) {
+  Library names = library(
+      std::filesystem::path(TEST_SOURCE_DIR) / "../../codegen/names.kindsl", "names", {algorithm::default_groups()});
+  names.robot = "what?\?/";
+  names.model_file = "a*/b\\\n?\?/";
+  names.joints.front().name = "a\"b?\?/";
+  EXPECT_EQ(differences(names), "");
+}
+
+TEST(C, WithOneSignWrongIsFoundOut) {
+  const Library hyl = library(kRobots / "hyl" / "hyl.kindsl", "hyl", {{"forward_dynamics"}});
+  const test::Scratch scratch("c-wrong");
+  write(scratch.path, hyl);
+  const std::filesystem::path file = scratch.path / "hyl_c" / "forward_dynamics_f.c";
+  std::string text = test::read_text(file);
+  text[text.find(" - ", text.find("void hyl_forward_dynamics_externalf(")) + 1] = '+';
+  test::write_text(file, text);
+  const std::string report = differences(hyl, scratch.path);
+  EXPECT_EQ(report.find("hyl_forward_dynamics_externalf: element"), 0U) << report;
+  EXPECT_EQ(report.find("hyl_forward_dynamicsf"), std::string::npos) << report;
+}
+
+// Long functions come in parts.
+TEST(C, LongFunctionsGiveWhatTheInterpreterGives) {
+  const Library humanoid = library(kRobots / "humanoid" / "humanoid.kindsl", "humanoid", {{"centroidal"}});
+  std::string text;
+  for (const OutputFile& file : c::print(humanoid)) text += file.text;
+  EXPECT_NE(text.find("static void humanoid__"), std::string::npos);
+  EXPECT_EQ(differences(humanoid), "");
+}
+
+// Clang warns of other things than gcc, and the headers are for C++ too.
+TEST(C, OtherCompilersTakeIt) {
+  const test::Scratch scratch("c-compilers");
+  write(scratch.path, library(kRobots / "hyl_parametric" / "hyl_parametric.kindsl", "leg"));
+  test::write_text(scratch.path / "header.cpp", "#include \"leg_c/leg_c.h\"\n");
+  EXPECT_EQ(run(scratch.path, "g++ -std=c++17 -Wall -Wextra -pedantic -Werror -fsyntax-only -I. header.cpp"), "");
+  if (std::string(CLANG).empty()) GTEST_SKIP() << "there is no clang";
+  EXPECT_EQ(run(scratch.path, CLANG " " + (kStrict + std::string("-fsyntax-only -I. all.c"))), "");
+}
+
+// The example of the guide runs.
+TEST(C, TheExampleOfTheGuideRuns) {
+  const std::string guide = test::read_text(kRobots / ".." / "runtime" / "README.md");
+  const std::size_t begin = guide.find("\n```c\n"), end = guide.find("\n```\n", begin);
+  ASSERT_NE(begin, std::string::npos);
+  const test::Scratch scratch("c-guide");
+  write(scratch.path, library(kRobots / "hyl" / "hyl.kindsl", "hyl", {algorithm::default_groups()}));
+  test::write_text(scratch.path / "main.c", guide.substr(begin + 6, end - begin - 5));
+  const std::string output =
+      run(scratch.path, "gcc " + (kStrict + std::string("-I. main.c all.c -o main -lm && ./main")));
+  // The weight of 7.501 kg on the moon, and what moves.
+  EXPECT_EQ(output.find("SLIDE"), 0U) << output;
+}
+
+// Two names in double precision whose counterparts in single precision would be the same.
+TEST(C, NamesOfBothPrecisionsDiffer) {
+  Library library;
+  library.name = "hyl";
+  library.enclosing = "a::b";
+  for (const char* kernel : {"x", "xf", "parameters", "xff"})
+    library.functions.push_back({"group", "", "", kernel, {}, {}, {}, -1, -1, {}});
+  std::vector<std::string> names;
+  for (const c::Callable& c : c::callables(library)) names.insert(names.end(), {c.name, c.name_in_float});
+  EXPECT_EQ(
+      names, (std::vector<std::string>{
+                 "a_b_hyl_x", "a_b_hyl_xf_2", "a_b_hyl_xf", "a_b_hyl_xff_2", "a_b_hyl_parameters_2",
+                 "a_b_hyl_parameters_2f", "a_b_hyl_xff", "a_b_hyl_xfff"}));
+}
+
+}  // namespace
+}  // namespace robcogen::backend

@@ -1,0 +1,33 @@
+// C99: functions on arrays, in double and in single precision, that need <math.h> and nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend::c {
+
+// What stands in front of every name, and `_c` behind it is the folder of the files: the library's name after its
+// enclosing namespaces, `left_arm`.
+std::string prefix(const std::string& name, const std::string& enclosing);
+
+// The files of a library with these groups, relative. They follow from the arguments alone.
+std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups);
+
+// A function under its names in C.
+struct Callable {
+  const Function* function = nullptr;
+  std::string name, name_in_float;
+};
+
+// In the order of Library::functions.
+std::vector<Callable> callables(const Library& library);
+
+// <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and
+// <prefix>_c.h, which includes all headers. Functions are <prefix>_<kernel>, in single precision with an f behind.
+// All arguments are arrays, results behind inputs; matrices column by column. A parametric library's functions take a
+// structure of its parameters first.
+std::vector<OutputFile> print(const Library& library);
+
+}  // namespace robcogen::backend::c

@@ -1,0 +1,159 @@
+// The functions of a group: declarations with their documentation, and bodies.
+#include <algorithm>
+
+#include "backend/c/printers.h"
+#include "backend/common/parts.h"
+
+namespace robcogen::backend::c {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Role;
+
+// Longer functions take compilers more time than their length, in parts of so many lines less.
+constexpr std::size_t kLongest = 2000, kPart = 700;
+
+std::string joined(const std::vector<std::string>& items) {
+  std::string result;
+  for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
+  return result;
+}
+
+// Of an argument, by its place among inputs and then outputs.
+std::string declared(const Names& names, const Callable& c, std::size_t i, const Parameter& p, Precision precision) {
+  const std::vector<InputArray>& inputs = c.function->program.inputs;
+  const std::string start = p.output ? "" : "const ";
+  if (i < inputs.size() && inputs[i].role == Role::parameters)
+    return start + names.prefix + (precision == Precision::in_float ? "_parametersf *" : "_parameters *") + p.name;
+  return start + scalar(precision) + " *" + names.prefix + "_restrict " + p.name;
+}
+
+std::string signature(
+    const Names& names,
+    const Callable& c,
+    const std::vector<Parameter>& list,
+    Precision precision,
+    const std::string& end) {
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < list.size(); ++i) arguments.push_back(declared(names, c, i, list[i], precision));
+  if (arguments.empty()) arguments = {"void"};
+  const std::string& name = precision == Precision::in_float ? c.name_in_float : c.name;
+  return wrapped("void " + name + "(", arguments, ")" + end);
+}
+
+std::string describe(const InputArray& input, const std::string& name) {
+  constexpr std::size_t kMaxListed = 40;
+  const std::string size = name + "[" + std::to_string(input.elements.size()) + "]";
+  if (input.role == Role::parameters) return name + ": the parameters";
+  if (input.role == Role::link_wrenches) return size + ": six elements a link, base first";
+  if (input.role == Role::inertia_factor) return size + ": L, column by column";
+  return input.elements.size() > kMaxListed || input.elements.empty() ? size : size + ": " + joined(input.elements);
+}
+
+std::string describe(const OutputArray& output, const std::string& name) {
+  const std::string start = name + "[" + std::to_string(output.rows * output.columns) + "]: ";
+  if (!symbolic::is_matrix(output.role) && output.columns == 1) return start + "result";
+  return start + "result, " + std::to_string(output.rows) + " x " + std::to_string(output.columns) +
+         ", column by column";
+}
+
+std::string documentation(const Names& names, const Callable& c, const std::vector<Parameter>& list) {
+  const Function& f = *c.function;
+  const std::size_t count = f.program.inputs.size();
+  std::string text;
+  for (const std::string& line : f.summary) text += comment(line);
+  if (!f.method.empty()) text += comment(f.method);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    text += comment(
+        i < count ? describe(f.program.inputs[i], list[i].name) : describe(f.program.outputs[i - count], list[i].name));
+  std::vector<std::string> columns;
+  for (const int j : f.columns) columns.push_back(names.library.joints[static_cast<std::size_t>(j)].name);
+  if (!columns.empty()) text += comment("Columns: " + joined(columns) + ".");
+  for (std::size_t k = 0; k < f.labels.size(); ++k)
+    text += comment("Column " + std::to_string(k) + ": " + f.labels[k] + ".");
+  return text;
+}
+
+// Elements of the arrays of parameters are members of a structure.
+void read_members(const Names& names, const symbolic::Program& program, Kernel& kernel) {
+  const std::vector<ParameterData>& all = names.library.parameters;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    if (program.inputs[i].role != Role::parameters) continue;
+    const std::string& array = kernel.parameters[i].name;
+    for (Line& line : kernel.lines) {
+      if (line.kind != Line::Kind::binding || line.names != std::vector{array}) continue;
+      const std::size_t k = std::stoul(line.expression.substr(array.size() + 1));
+      const auto place = std::find_if(
+          all.begin(), all.end(), [&](const ParameterData& p) { return p.name == program.inputs[i].elements[k]; });
+      line.expression = array + "->" + names.members.at(static_cast<std::size_t>(place - all.begin()));
+    }
+  }
+}
+
+std::string body(const Kernel& kernel, const Dialect& dialect) {
+  std::string text;
+  for (const Line& line : kernel.lines) {
+    if (line.kind == Line::Kind::section && !text.empty()) text += "\n";
+    text += "  " + dialect.text(line) + "\n";
+  }
+  return text;
+}
+
+std::string print_function(const Names& names, const Callable& c, Precision precision) {
+  const Dialect& d = dialect(precision);
+  Kernel kernel = lower(c.function->program, c.function->kernel, d);
+  read_members(names, c.function->program, kernel);
+  std::string unused;
+  for (const Parameter& p : kernel.parameters)
+    if (!p.used) unused += "  (void)" + p.name + ";\n";
+  const std::string head = signature(names, c, kernel.parameters, precision, " {") + unused;
+  if (kernel.lines.size() <= kLongest) return head + body(kernel, d) + "}\n";
+  const Parts parts = in_parts(kernel, kPart, d);
+  std::string text, calls;
+  for (const Handed& h : parts.handed)
+    calls += "  " + scalar(precision) + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
+  for (const Kernel& part : parts.kernels) {
+    // Of its parameters, those that the whole function has not are handed from part to part.
+    std::vector<std::string> arguments, declarations;
+    for (const Parameter& p : part.parameters) {
+      arguments.push_back(p.name);
+      const auto place = std::find_if(
+          kernel.parameters.begin(), kernel.parameters.end(), [&](const Parameter& q) { return q.name == p.name; });
+      declarations.push_back(
+          declared(names, c, static_cast<std::size_t>(place - kernel.parameters.begin()), p, precision));
+    }
+    // No other name has two underscores that follow each other.
+    const std::string name = names.prefix + "__" + part.name + (precision == Precision::in_float ? "f" : "");
+    text += wrapped("static void " + name + "(", declarations, ") {") + body(part, d) + "}\n\n";
+    calls += wrapped("  " + name + "(", arguments, ");");
+  }
+  return text + head + calls + "}\n";
+}
+
+}  // namespace
+
+std::string print_header(const Names& names, const std::string& group) {
+  std::string text = "#include \"" + names.folder + "/model.h\"\n";
+  text += "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
+  for (const Callable& c : names.callables) {
+    if (c.function->group != group) continue;
+    const std::vector<Parameter> list = parameters(c.function->program, dialect(Precision::in_double));
+    text += "\n" + documentation(names, c, list);
+    for (const Precision precision : {Precision::in_double, Precision::in_float})
+      text += signature(names, c, list, precision, ";");
+  }
+  text += "\n#ifdef __cplusplus\n}\n#endif\n";
+  return header(names, group + ".h", group, text);
+}
+
+std::string print_functions(const Names& names, const std::string& group, Precision precision) {
+  const bool is_float = precision == Precision::in_float;
+  std::string text = opening(names, group + (is_float ? "_f.c" : ".c"), group + " in " + scalar(precision));
+  text += "#include \"" + names.folder + "/" + group + ".h\"\n\n#include <math.h>\n";
+  for (const Callable& c : names.callables)
+    if (c.function->group == group) text += "\n" + print_function(names, c, precision);
+  return text;
+}
+
+}  // namespace robcogen::backend::c

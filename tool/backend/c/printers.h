@@ -1,0 +1,31 @@
+// The printers behind `print`: each makes the text of one kind of file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/c/c.h"
+#include "backend/c/dialect.h"
+
+namespace robcogen::backend::c {
+
+// What the files of a library have in common.
+struct Names {
+  const Library& library;
+  std::string prefix;                // `hyl`
+  std::string folder;                // `hyl_c`
+  std::vector<Callable> callables;   // by function
+  std::vector<std::string> members;  // of the structure of parameters, by parameter
+};
+
+// The comment and the includes at the top of a file.
+std::string opening(const Names& names, const std::string& file, const std::string& what);
+// The same of a header, with its guard, and what closes it.
+std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body);
+
+std::string print_model_header(const Names& names);
+std::string print_model(const Names& names);
+std::string print_header(const Names& names, const std::string& group);
+std::string print_functions(const Names& names, const std::string& group, Precision precision);
+
+}  // namespace robcogen::backend::c
