@@ -50,7 +50,7 @@ struct Line {
 struct Kernel {
   std::string name;
   std::vector<Parameter> parameters;
-  std::vector<std::string> functions;  // that the lines call, but for Dialect::pairs_angles: of sine, cosine, square root
+  std::vector<std::string> functions;  // that the lines call, but for Dialect::pairs_angles
   std::vector<int> widths;             // of values with lanes, ascending
   std::vector<Line> lines;
   std::vector<std::vector<std::string>> results;  // by output: its elements, where Dialect::stores is off
