@@ -92,7 +92,8 @@ TEST(ReferenceTransforms, FindOneSlip) {
       failures({"S_X_E", 0, 1, {kThere, 2}, amounts_there, back, form<back, true>, form<back, false>}, kInverse), 0);
   // A factor left out.
   EXPECT_GT(
-      failures({"S_X_E", 0, 1, {kThere, 1}, amount_of_turn, there, form<there, true>, form<there, false>}, kInverse), 0);
+      failures({"S_X_E", 0, 1, {kThere, 1}, amount_of_turn, there, form<there, true>, form<there, false>}, kInverse),
+      0);
 }
 
 TEST(ReferenceTransforms, FindTransformsThatNothingWasComparedFor) {

@@ -3,20 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <utility>
 
-#include "import/urdf/document.h"
+#include "import/urdf/element_reader.h"
 
 namespace robcogen::import::from_urdf {
 
 namespace {
-
-// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
-constexpr double kTooLarge = 1e15;
-// A quantity as small as this is zero: its reciprocal would overflow.
-constexpr double kZero = 1e-60;
 
 constexpr std::array<std::pair<const char*, JointType>, 6> kTypes = {{
     {"revolute", JointType::revolute},
@@ -32,23 +25,14 @@ bool is_inertia(const Inertial& i) {
   return std::any_of(all.begin(), all.end(), [](const Number& n) { return !n.is_zero(); });
 }
 
-// A word of an attribute, with its place.
-struct Word {
-  std::string text;
-  Span span;
-};
-
-// Of attributes or elements.
-using Names = std::vector<const char*>;
-
-class DocumentReader {
+class DocumentReader : ElementReader {
  public:
   DocumentReader(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), diagnostics_(diagnostics) {}
+      : ElementReader(std::move(source), diagnostics) {}
 
   Document read(const Element& root) {
     Document document;
-    document.source = source_;
+    document.source = source();
     document.name = name(root, "name");
     if (const Attribute* version = find(root, "version")) document.version = version->value;
     for (const Element& child : root.children) {
@@ -62,232 +46,11 @@ class DocumentReader {
     }
     if (document.links.empty())
       diagnostics_.error("no-link", place(root.span), fmt::format("robot '{}' has no link", document.name.text));
-    document.ignored = std::move(ignored_);
+    document.ignored = ignored();
     return document;
   }
 
  private:
-  Place place(const Span& span) const { return {source_, span}; }
-
-  static const Attribute* find(const Element& element, const char* attribute) {
-    const auto found = std::find_if(
-        element.attributes.begin(), element.attributes.end(), [&](const Attribute& a) { return a.name == attribute; });
-    return found == element.attributes.end() ? nullptr : &*found;
-  }
-
-  // `did you mean 'x'?` for a name that is not known here: the nearest of `candidates` that is not among `found`.
-  template <class Items>
-  static std::string suggestion(
-      const std::string& name,
-      const Items& found,
-      const Names& candidates,
-      const Names& known) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return "";
-    std::vector<std::string> absent;
-    for (const char* candidate : candidates)
-      if (std::none_of(found.begin(), found.end(), [&](const auto& item) { return item.name == candidate; }))
-        absent.emplace_back(candidate);
-    return did_you_mean(name, absent);
-  }
-
-  // Of the elements that have attributes which must be there.
-  static const Names& known_attributes() {
-    static const Names names = {"name", "type", "link", "joint", "value", "xyz",
-                                "ixx",  "ixy",  "ixz",  "iyy",   "iyz",   "izz"};
-    return names;
-  }
-
-  const Attribute* require(const Element& element, const char* attribute) {
-    const Attribute* found = find(element, attribute);
-    if (found == nullptr) report_missing_attributes(element, {attribute});
-    return found;
-  }
-
-  void report_missing_attributes(const Element& element, const Names& missing) {
-    Diagnostic& error = diagnostics_.error(
-        "missing-attribute", place(element.span),
-        fmt::format(
-            "this '{}' has no attribute{} '{}'", element.name, missing.size() > 1 ? "s" : "",
-            fmt::join(missing, "', '")));
-    for (const Attribute& attribute : element.attributes) {
-      const std::string hint = suggestion(attribute.name, element.attributes, missing, known_attributes());
-      if (hint.empty()) continue;
-      error.place.span = name_span(attribute);
-      error.hint = hint;
-      return;
-    }
-    error.hint = fmt::format("write <{} {}=\"...\">", element.name, fmt::join(missing, "=\"...\" "));
-  }
-
-  // The name stands before `=` and the value.
-  Span name_span(const Attribute& attribute) const {
-    const std::string_view text = source_->text();
-    const std::size_t equals = text.rfind('=', attribute.span.begin);
-    const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
-    return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
-  }
-
-  // Warns of an attribute that is not read, when it may be a misspelt one of `optional`, or always when `known` are all
-  // attributes of such an element.
-  void check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all) {
-    for (const Attribute& attribute : element.attributes) {
-      const bool is_known =
-          std::any_of(known.begin(), known.end(), [&](const char* name) { return attribute.name == name; });
-      const std::string hint = suggestion(attribute.name, element.attributes, optional, known);
-      if (is_known || (hint.empty() && !is_all)) continue;
-      diagnostics_
-          .warning(
-              "unknown-attribute", place(name_span(attribute)),
-              fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, element.name))
-          .hint = hint;
-    }
-  }
-
-  // Counts an element that is not read, or warns of it when it is a misspelt one of `names`. A misspelt element that
-  // must be there is reported as missing.
-  void ignore(const Element& child, const Element& parent, const Names& names) {
-    const std::string hint = suggestion(child.name, parent.children, names, names);
-    if (!hint.empty() && hint == did_you_mean(child.name, {"parent", "child", "mass"})) return;
-    if (hint.empty()) {
-      ++ignored_[child.name];
-      return;
-    }
-    diagnostics_
-        .warning(
-            "unknown-element", place(child.span),
-            fmt::format("element '{}' of this '{}' is unknown and ignored", child.name, parent.name))
-        .hint = hint;
-  }
-
-  Name name(const Element& element, const char* attribute) {
-    const Attribute* found = require(element, attribute);
-    if (found == nullptr) return {"", place(element.span)};
-    if (found->value.empty())
-      diagnostics_.error(
-          "missing-attribute", place(found->span), fmt::format("the name of this '{}' is empty", element.name));
-    return {found->value, place(found->span)};
-  }
-
-  // The elements of these names, each at most once. Other elements are ignored.
-  std::map<std::string, const Element*> parts(const Element& element, const Names& names) {
-    std::map<std::string, const Element*> found;
-    for (const Element& child : element.children) {
-      if (std::find(names.begin(), names.end(), child.name) == names.end()) {
-        ignore(child, element, names);
-      } else if (const auto [first, is_new] = found.insert({child.name, &child}); !is_new) {
-        diagnostics_
-            .warning(
-                "repeated-element", place(child.span),
-                fmt::format("this '{}' has a second '{}', which is ignored", element.name, child.name))
-            .notes.push_back({place(first->second->span), "the first one is here"});
-      }
-    }
-    return found;
-  }
-
-  const Element* require_part(
-      const Element& element,
-      const std::map<std::string, const Element*>& parts,
-      const char* part) {
-    const auto found = parts.find(part);
-    if (found != parts.end()) return found->second;
-    report_missing_element(element, part, fmt::format("this '{}' has no element '{}'", element.name, part));
-    return nullptr;
-  }
-
-  // At the element that is probably a misspelt `part`, else at the owner.
-  Diagnostic& report_missing_element(const Element& owner, const char* part, const std::string& message) {
-    Diagnostic& error = diagnostics_.error("missing-element", place(owner.span), message);
-    for (const Element& child : owner.children) {
-      if (did_you_mean(child.name, {part}).empty()) continue;
-      error.place.span = child.span;
-      error.hint = fmt::format("did you mean '{}'?", part);
-      break;
-    }
-    return error;
-  }
-
-  // Words between blanks. Each has its own place, unless the value has entities.
-  std::vector<Word> words(const Attribute& attribute) const {
-    constexpr const char* kBlanks = " \t\n\r";
-    const std::string& value = attribute.value;
-    const bool is_plain = attribute.span.end - attribute.span.begin == value.size();
-    std::vector<Word> result;
-    for (std::size_t at = 0; (at = value.find_first_not_of(kBlanks, at)) != std::string::npos;) {
-      const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());
-      const Span own = {attribute.span.begin + at, attribute.span.begin + end};
-      result.push_back({value.substr(at, end - at), is_plain ? own : attribute.span});
-      at = end;
-    }
-    return result;
-  }
-
-  enum class Range { of_a_robot, any };
-
-  Number number(const Word& word, Range range) {
-    const Number parsed = Number::parse(word.text).value_or(Number());
-    const double magnitude = std::abs(parsed.value());
-    if (magnitude >= kTooLarge && range == Range::of_a_robot) {
-      diagnostics_.error(
-          "too-large", place(word.span),
-          fmt::format(
-              "{} is too large: a quantity of a robot is below {} in SI units", word.text, print_double(kTooLarge)));
-    }
-    return magnitude < kZero ? Number() : parsed;
-  }
-
-  void report_not_a_number(const Word& word) {
-    constexpr std::size_t kMaxShown = 40;
-    const std::string& text = word.text;
-    const std::string shown = text.size() > kMaxShown ? text.substr(0, kMaxShown) + "…" : text;
-    Diagnostic& error =
-        diagnostics_.error("not-a-number", place(word.span), fmt::format("'{}' is not a finite decimal number", shown));
-    const std::size_t number_end = text.find_first_not_of("+-.0123456789");
-    if (text.find(',') != std::string::npos) {
-      error.hint = "write a decimal point as '.', and separate numbers by blanks";
-    } else if (text.find_first_of("*/()") != std::string::npos || text == "pi" || text == "PI") {
-      error.hint = "a URDF holds numbers; xacro evaluates expressions";
-    } else if (
-        number_end != 0 && number_end < text.size() && std::isalpha(static_cast<unsigned char>(text[number_end])) &&
-        std::all_of(text.begin() + static_cast<std::ptrdiff_t>(number_end), text.end(), [](unsigned char c) {
-          return std::isalpha(c) != 0;
-        })) {
-      error.hint = "write numbers without units; they are in SI units and radians";
-    }
-  }
-
-  // One error at most about the words: the first one that is not a number may be why their count is wrong.
-  std::vector<Number> numbers(const Attribute& attribute, std::size_t count, Range range = Range::of_a_robot) {
-    std::vector<Number> result(count);
-    const std::vector<Word> all = words(attribute);
-    const auto bad =
-        std::find_if(all.begin(), all.end(), [](const Word& word) { return !Number::parse(word.text).has_value(); });
-    if (bad != all.end()) {
-      report_not_a_number(*bad);
-    } else if (all.size() != count) {
-      const bool has_too_many = all.size() > count;
-      const Span span = has_too_many ? Span{all[count].span.begin, all.back().span.end} : attribute.span;
-      diagnostics_.error(
-          "component-count", place(span),
-          fmt::format(
-              "'{}' needs {} number{}, found {}", attribute.name, count, count == 1 ? "" : "s",
-              all.empty() ? "none" : std::to_string(all.size())));
-    } else {
-      for (std::size_t i = 0; i < count; ++i) result[i] = number(all[i], range);
-    }
-    return result;
-  }
-
-  std::array<Number, 3> triple(const Attribute& attribute) {
-    const std::vector<Number> n = numbers(attribute, 3);
-    return {n[0], n[1], n[2]};
-  }
-
-  Number scalar(const Element& element, const char* attribute) {
-    const Attribute* found = require(element, attribute);
-    return found == nullptr ? Number() : numbers(*found, 1)[0];
-  }
-
   Origin origin(const std::map<std::string, const Element*>& parts) {
     Origin result;
     const auto found = parts.find("origin");
@@ -511,10 +274,6 @@ class DocumentReader {
     }
     return result;
   }
-
-  std::shared_ptr<const Source> source_;
-  Diagnostics& diagnostics_;
-  std::map<std::string, int> ignored_;
 };
 
 }  // namespace
