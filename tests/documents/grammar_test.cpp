@@ -64,7 +64,8 @@ bool is_matched(const Language& language, const std::string& text) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<Source>("document", text);
   const std::set<std::string> keywords(language.keywords.begin(), language.keywords.end());
-  return grammar_of(language).matches(language::tokenize(source, diagnostics).tokens, keywords);
+  const std::vector<language::Token> tokens = language::tokenize(source, diagnostics).tokens;
+  return !diagnostics.has_errors() && grammar_of(language).matches(tokens, keywords);
 }
 
 TEST(Grammar, IsComplete) {

@@ -129,6 +129,50 @@ TEST(Desired, TellsDocumentsApart) {
   }
 }
 
+TEST(Desired, ReadsLoopsAndPrintsThem) {
+  const std::string plain = R"(Robot Leg
+
+Frames {
+    fr_base,
+    for side in { left, ^base } {
+        side.tip,
+        side.tap
+    },
+    for,
+    in
+}
+
+Transforms {
+    for side in { left, right, LF } {
+        base = ^base, target = side.tip
+        base = side.tip, target = left.tip
+    }
+    base = for, target = in
+    for side in { left } {
+        base = ^base, target = side.tip
+    }
+}
+
+Contacts {
+    for leg in { LF } {
+        surface leg.tip
+    }
+}
+)";
+  const Document list = read_desired(plain);
+  EXPECT_EQ(print(list), plain);
+  ASSERT_EQ(list.loops.size(), 4u);
+  EXPECT_EQ(list.loops[1].instances.size(), 3u);
+  EXPECT_EQ(list.transforms[0].right.instance, "side");
+  EXPECT_EQ(list.transforms[2].left.loop, Name::kNoLoop);
+  for (const auto& [from, to] :
+       {std::pair("left, right", "left, wrong"), {"side.tap", "other.tap"}, {"LF }", "RF }"}}) {
+    std::string changed = plain;
+    changed.replace(changed.find(from), std::string(from).size(), to);
+    EXPECT_FALSE(equal(read_desired(changed), list)) << from;
+  }
+}
+
 TEST(Desired, TellsAllErrorsOfAFileAndNoOthers) {
   EXPECT_EQ(
       desired_codes("Robot R Frames { A, , B } Transforms { base=A targt=B  A <- B  base=A base=B  A B  C -> D }"

@@ -195,5 +195,75 @@ TEST(Documents, ResolveDesiredTransforms) {
   EXPECT_EQ(desired.jacobians[0].right.name, "fr_upper");
 }
 
+constexpr const char* kTwoLegs = R"(
+Part Leg {
+    root thigh via hip
+    link thigh { children {}  frames { fr_foot { translation = (0.3, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }
+                                       knob { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }
+    r_joint hip { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+}
+Robot Arm { RobotBase trunk floating { children { Leg L() Leg R() mirrored y } } }
+)";
+
+std::vector<std::string> pairs_of(const model::DesiredTransforms& desired) {
+  std::vector<std::string> pairs;
+  for (const auto* list : {&desired.transforms, &desired.jacobians})
+    for (const model::FramePair& pair : *list) pairs.push_back(pair.left.name + "," + pair.right.name);
+  for (const model::ContactFrame& contact : desired.contacts) pairs.push_back(contact.frame.name);
+  return pairs;
+}
+
+std::vector<std::string> pairs_of(const std::string& list, const KinematicTree& tree) {
+  Diagnostics diagnostics;
+  const auto document = language::desired::parse(std::make_shared<Source>("test.dtdsl", list), diagnostics);
+  const auto desired = import::desired_transforms(document, tree, diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.render();
+  return pairs_of(desired);
+}
+
+TEST(Documents, ListTheSameWithLoopsAndWithout) {
+  const std::string loops =
+      "Robot Arm Frames { fr_trunk, for leg in { L, R } { leg.foot, leg.knob, leg.thigh, leg.hip } }\n"
+      "Transforms { for leg in { L, R } { trunk -> leg.foot  leg.knob <- leg.thigh } L.foot <- R.fr_foot }\n"
+      "Jacobians { for leg in { R, L } { fr_trunk <- leg.hip } } Contacts { for leg in { L, R } { point leg.knob } }\n";
+  const std::string plain =
+      "Robot Arm Frames { fr_trunk, fr_L_foot L_knob fr_L_thigh fr_L_hip fr_R_foot R_knob fr_R_thigh fr_R_hip }\n"
+      "Transforms { fr_trunk -> fr_L_foot  L_knob <- fr_L_thigh fr_trunk -> fr_R_foot  R_knob <- fr_R_thigh\n"
+      "             fr_L_foot <- fr_R_foot }\n"
+      "Jacobians { fr_trunk <- fr_R_hip fr_trunk <- fr_L_hip } Contacts { L_knob R_knob }\n";
+  KinematicTree tree = read(kTwoLegs);
+  const std::vector<std::string> pairs = pairs_of(plain, tree);
+  EXPECT_EQ(pairs.size(), 9u);
+  EXPECT_EQ(pairs_of(loops, tree), pairs);
+  tree.limbs.clear();  // as of a robot without parts
+  EXPECT_EQ(pairs_of(loops, tree), pairs);
+}
+
+TEST(Documents, KnowWhatInstancesHaveBecome) {
+  const KinematicTree tree = read(
+      "Part Foot { root pad via flex link pad { children {} } p_joint flex { ref_frame { translation = (0.0, 0.0, 0.0) "
+      "rotation = (0.0, 0.0, 0.0) } } }\n"
+      "Part Leg { root thigh via hip link thigh { children { Foot toe() } frames { fr_knob { translation = (0.0, 0.0, "
+      "1.0) rotation = (0.0, 0.0, 0.0) } } } u_joint hip { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, "
+      "0.0, 0.0) } } }\n"
+      "Robot Arm { RobotBase trunk { children { head via neck Leg L() Leg R() } } link head { id = 1 children {} } "
+      "r_joint neck { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }");
+  ASSERT_EQ(tree.limbs.size(), 4u);
+  const model::Limb& leg = tree.limbs[2];
+  EXPECT_EQ(tree.limbs[1].name, "L_toe");
+  EXPECT_EQ(leg.name, "R");
+  EXPECT_EQ(leg.part, "Leg");
+  EXPECT_EQ(tree.links[static_cast<std::size_t>(leg.first_link)].name, "R_thigh");
+  std::string joints;
+  for (const auto& [own, index] : leg.joints)
+    joints += own + "=" + tree.joints[static_cast<std::size_t>(index)].name + " ";
+  EXPECT_EQ(joints, "hip_turn_x=R_hip_turn_x hip_turn_z=R_hip_turn_z toe_flex=R_toe_flex ");
+  ASSERT_EQ(leg.links.size(), 2u);
+  EXPECT_EQ(leg.links[1].own, "toe_pad");
+  ASSERT_EQ(leg.frames.size(), 1u);
+  EXPECT_EQ(leg.frames[0].own, "fr_knob");
+  EXPECT_EQ(tree.user_frames[static_cast<std::size_t>(leg.frames[0].index)].name, "fr_R_knob");
+}
+
 }  // namespace
 }  // namespace robcogen

@@ -144,6 +144,46 @@ TEST(PlainDocument, NestsPartsInParts) {
   EXPECT_NE(element(document, "r_joint left_thumb_bend").find("translation = (0.5, 0.0, 0.2)"), std::string::npos);
 }
 
+TEST(PlainDocument, HasTheCouplingsOfLoopsForEachInstance) {
+  const auto couplings = [](const std::string& document) {
+    const std::size_t begin = document.find("    couplings {\n") + 16;
+    return document.substr(begin, document.find("    }\n", begin) - begin);
+  };
+  const std::string arm =
+      "Part Arm { root upper via shoulder link upper { children { Finger a(weight = 1.0) Finger b(weight = 1.0) } } "
+      "r_joint shoulder { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } couplings { for "
+      "finger in { a, b } { finger.bend = 2.0 * shoulder + finger.slide * 1.0 rad/m } } }\n";
+  std::string finger = kFinger;
+  finger.erase(finger.find("    couplings"), finger.rfind('}') - finger.find("    couplings"));
+  const std::string document = plain(
+      finger + arm + "Robot Ape { RobotBase chest { " + kBase +
+      " children { Arm left() Arm right() mirrored y same sense } } couplings { right.shoulder = -0.5 left.shoulder } "
+      "}");
+  EXPECT_EQ(
+      couplings(document),
+      "        right_shoulder = -0.5 left_shoulder\n"
+      "        left_a_bend = 2.0 left_shoulder + left_a_slide * 1.0 * rad/m\n"
+      "        left_b_bend = 2.0 left_shoulder + left_b_slide * 1.0 * rad/m\n"
+      "        right_a_bend = 2.0 right_shoulder - right_a_slide * 1.0 * rad/m\n"
+      "        right_b_bend = 2.0 right_shoulder - right_b_slide * 1.0 * rad/m\n");
+  // Names with which others begin serve as instances.
+  Diagnostics diagnostics;
+  const auto tree = import::kinematic_tree(
+      *read(
+          "Robot R { RobotBase base { children { a via l_j b via r_j c via m } } link a { id = 1 children {} } link b "
+          "{ "
+          "id = 2 children {} } link c { id = 3 children {} } r_joint l_j { ref_frame { translation = (0.0, 0.0, 0.0) "
+          "rotation = (0.0, 0.0, 0.0) } } r_joint r_j { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, "
+          "0.0, "
+          "0.0) } } r_joint m { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } couplings { "
+          "for "
+          "s in { l, r } { s.j = 2.0 * m } } }",
+          diagnostics),
+      diagnostics);
+  ASSERT_TRUE(tree.has_value()) << diagnostics.render();
+  EXPECT_EQ(tree->couplings.size(), 2u);
+}
+
 TEST(PlainDocument, IsPlain) {
   for (const char* robot : {"quadruped", "quadruped_fixed", "centaur", "humanoid"}) {
     const auto file = std::filesystem::path(ROBCOGEN_SOURCE_DIR) / "robots" / robot / (std::string(robot) + ".kindsl");

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
+#include "import/desired_loops.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 #include "model/name_index.h"
@@ -18,7 +20,17 @@ struct Frames {
   std::string kind;  // "robot", "model"
   std::string owner;
   model::NameIndex index;
+  std::vector<std::string> links = {};
+  std::vector<std::string> instances = {};  // of parts
 };
+
+const std::string kFrame = "fr_";
+
+// The names that `foot` of instance LF may have: LF_foot, fr_LF_foot.
+std::vector<std::string> names_in_instance(const std::string& instance, const std::string& frame) {
+  if (frame.starts_with(kFrame)) return {kFrame + instance + "_" + frame.substr(kFrame.size())};
+  return {instance + "_" + frame, kFrame + instance + "_" + frame};
+}
 
 // A pair of the list, by index.
 struct Resolved {
@@ -40,9 +52,29 @@ class FrameResolver {
             "this list is for {0} '{1}', but the {0} is '{2}'", frames_.kind, document_.robot.text, frames_.owner));
   }
 
+  // Of every loop.
+  void check_loops() {
+    for (const desired::Loop& loop : document_.loops) {
+      check_variable(loop.variable);
+      std::map<std::string, Span> listed;
+      for (const desired::Name& instance : loop.instances) {
+        const auto [earlier, is_new] = listed.insert({instance.text, instance.span});
+        if (!is_new)
+          diagnostics_
+              .error(
+                  "repeated-instance", place(instance.span),
+                  fmt::format("instance '{}' is listed twice", instance.text))
+              .notes.push_back({place(earlier->second), "first listed here"});
+        else
+          is_instance(instance.text, instance.span);
+      }
+    }
+  }
+
   void check_list() {
     std::map<std::string, Place> listed;
-    for (const desired::Name& name : document_.frames) {
+    for (desired::Name name : document_.frames) {
+      if (!resolve(name)) continue;
       const auto [earlier, is_new] = listed.insert({name.text, place(name.span)});
       if (!is_new) {
         diagnostics_.warning("repeated-frame", place(name.span), fmt::format("frame '{}' is listed twice", name.text))
@@ -58,7 +90,9 @@ class FrameResolver {
   std::vector<Resolved> resolve(const std::vector<desired::Pair>& pairs, const std::string& what) {
     std::vector<Resolved> resolved;
     std::map<std::pair<int, int>, Place> seen;
-    for (const desired::Pair& pair : pairs) {
+    for (desired::Pair pair : pairs) {
+      const bool has_left = resolve(pair.left), has_right = resolve(pair.right);
+      if (!has_left || !has_right) continue;
       const auto left = frame(pair.left, what);
       const auto right = frame(pair.right, what);
       if (!left || !right) continue;
@@ -76,7 +110,83 @@ class FrameResolver {
     return resolved;
   }
 
+  // Puts the name of the frame in place of `instance.frame`. False after reporting that there is none.
+  bool resolve(desired::Name& name) {
+    if (!name.instance.empty()) return resolve_in_instance(name);
+    if (name.loop != desired::Name::kNoLoop && !frames_.index.find(name.text) && frames_.index.find(kFrame + name.text))
+      name.text = kFrame + name.text;
+    return true;
+  }
+
  private:
+  bool resolve_in_instance(desired::Name& name) {
+    if (!is_instance(name.instance, name.instance_span)) return false;
+    for (const std::string& candidate : names_in_instance(name.instance, name.text)) {
+      if (!frames_.index.find(candidate)) continue;
+      name.text = candidate;
+      return true;
+    }
+    if (!reported_.insert({name.instance, name.text}).second) return false;
+    Diagnostic& error = diagnostics_.error(
+        "unknown-frame-of-instance", place(name.span),
+        fmt::format("instance '{}' has no frame '{}'", name.instance, name.text));
+    if (name.instance_span.begin < name.span.begin)
+      error.notes.push_back({place(name.instance_span), fmt::format("'{}' is listed here", name.instance)});
+    error.hint = did_you_mean(name.text, frames_of(name.instance));
+    return false;
+  }
+
+  std::vector<std::string> all_frames() const {
+    std::vector<std::string> names;
+    for (int i = 0; i < frames_.index.size(); ++i) names.push_back(frames_.index.name_of(i));
+    return names;
+  }
+
+  // As they are called in its part.
+  std::vector<std::string> frames_of(const std::string& instance) const {
+    std::vector<std::string> names;
+    for (const std::string& name : all_frames())
+      for (const std::string& prefix : {instance + "_", kFrame + instance + "_"})
+        if (name.starts_with(prefix)) names.push_back(name.substr(prefix.size()));
+    return names;
+  }
+
+  // An instance of a part, or a prefix of names that serves as one. Reports what is neither, once.
+  bool is_instance(const std::string& instance, const Span& span) {
+    if (instances_.contains(instance)) return true;
+    const std::vector<std::string>& known = frames_.instances;
+    if (std::find(known.begin(), known.end(), instance) != known.end() || !frames_of(instance).empty())
+      return instances_.insert(instance).second;
+    if (reported_.insert({instance, ""}).second)
+      diagnostics_
+          .error(
+              "unknown-instance", place(span),
+              fmt::format(
+                  "{} '{}' has no instance '{}' of a part, nor frames whose names begin with '{}_'", frames_.kind,
+                  frames_.owner, instance, instance))
+          .hint = did_you_mean(instance, known);
+    return false;
+  }
+
+  // It would hide the element in the loop.
+  void check_variable(const desired::Name& variable) {
+    const auto is_in = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), variable.text) != names.end();
+    };
+    const bool is_link = is_in(frames_.links), is_frame = frames_.index.find(variable.text).has_value();
+    if (!is_link && !is_frame && !is_in(frames_.instances)) return;
+    diagnostics_
+        .error(
+            "loop-variable", place(variable.span),
+            fmt::format(
+                "'{}' is {} of {} '{}' already", variable.text,
+                is_link    ? "a link"
+                : is_frame ? "a frame"
+                           : "an instance",
+                frames_.kind, frames_.owner))
+        .hint = "choose another name for the variable of the loop";
+  }
+
   Place place(const Span& span) const { return {document_.source, span}; }
 
   std::optional<int> frame(const desired::Name& name, const std::string& what) {
@@ -106,7 +216,9 @@ class FrameResolver {
 
   const desired::Document& document_;
   Frames& frames_;
-  std::set<std::string> accepted_;  // listed, or reported as not listed
+  std::set<std::string> accepted_;                          // listed, or reported as not listed
+  std::set<std::string> instances_;                         // that exist, of those that were asked for
+  std::set<std::pair<std::string, std::string>> reported_;  // instances that do not exist, or lack a frame
   Diagnostics& diagnostics_;
 };
 
@@ -148,14 +260,18 @@ void report_no_contact_frame(const NamedContact& contact, const model::Kinematic
 }  // namespace
 
 model::DesiredTransforms desired_transforms(
-    const desired::Document& document,
+    const desired::Document& written,
     const model::KinematicTree& tree,
     Diagnostics& diagnostics) {
+  const desired::Document document = unrolled(written);
   const std::vector<model::Frame> all = tree.frames();
   Frames frames = {"robot", tree.name, {}};
   for (const model::Frame& frame : all) frames.index.add(frame.name);
+  for (const model::Link& link : tree.links) frames.links.push_back(link.name);
+  for (const model::Limb& limb : tree.limbs) frames.instances.push_back(limb.name);
   FrameResolver resolver(document, frames, diagnostics);
   resolver.check_name();
+  resolver.check_loops();
   resolver.check_list();
   const auto resolve = [&](const std::vector<desired::Pair>& pairs, const std::string& what) {
     std::vector<model::FramePair> result;
@@ -167,8 +283,9 @@ model::DesiredTransforms desired_transforms(
   result.transforms = resolve(document.transforms, "transform");
   result.jacobians = resolve(document.jacobians, "Jacobian");
   std::vector<NamedContact> contacts;
-  for (const desired::Contact& contact : document.contacts)
-    contacts.push_back({contact.frame.text, contact.is_surface, {document.source, contact.frame.span}});
+  for (desired::Contact contact : document.contacts)
+    if (resolver.resolve(contact.frame))
+      contacts.push_back({contact.frame.text, contact.is_surface, {document.source, contact.frame.span}});
   result.contacts = contact_frames(contacts, tree, diagnostics);
   return result;
 }
@@ -203,13 +320,15 @@ std::vector<model::ContactFrame> contact_frames(
 }
 
 std::vector<FrameNames> desired_frame_pairs(
-    const desired::Document& document,
+    const desired::Document& written,
     const model::RigidMotions& motions,
     Diagnostics& diagnostics) {
+  const desired::Document document = unrolled(written);
   Frames frames = {"model", motions.name, {}};
   for (const std::string& name : motions.frames) frames.index.add(name);
   FrameResolver resolver(document, frames, diagnostics);
   resolver.check_name();
+  resolver.check_loops();
   resolver.check_list();
   if (!document.jacobians.empty()) {
     diagnostics.error(

@@ -46,12 +46,23 @@ class Describer {
     }
     description.couplings = read_couplings(document_, reader_, diagnostics_);
     description.parameters = reader_.parameters();
+    for (const kinematics::Limb& limb : document_.limbs) description.limbs.push_back(describe(limb));
     reader_.report_accidents();
     return description;
   }
 
  private:
   Place place(const Span& span) const { return {document_.source, span}; }
+
+  model::DescribedLimb describe(const kinematics::Limb& limb) const {
+    const auto elements = [](const std::vector<kinematics::Limb::Element>& from) {
+      std::vector<model::DescribedLimb::Element> result;
+      for (const auto& [own, name] : from) result.push_back({own, name});
+      return result;
+    };
+    return {limb.name.text,       limb.part, limb.first_link, elements(limb.links), elements(limb.joints),
+            elements(limb.frames)};
+  }
 
   std::array<Quantity, 3> read(const kinematics::Vector& v, ParameterKind kind) {
     // In this order, which determines the order of the parameters.

@@ -345,6 +345,26 @@ void resolve_carrier(Assembly& a, std::size_t index) {
   }
 }
 
+// Of elements that there are; those that others hide are left out.
+std::vector<Limb::Element> resolved(
+    const std::vector<DescribedLimb::Element>& elements,
+    const NameIndex& index,
+    const std::vector<UserFrame>* frames = nullptr) {
+  std::vector<Limb::Element> result;
+  for (const DescribedLimb::Element& element : elements) {
+    const std::optional<int> found = index.find(element.name);
+    if (found && !(frames && (*frames)[at(*found)].hidden)) result.push_back({element.own, *found});
+  }
+  return result;
+}
+
+void resolve_limbs(Assembly& a) {
+  for (const DescribedLimb& limb : a.description.limbs)
+    a.tree.limbs.push_back(
+        {limb.name, limb.part, a.links.find(limb.first_link).value_or(-1), resolved(limb.links, a.links),
+         resolved(limb.joints, a.joints), resolved(limb.frames, a.frames, &a.tree.user_frames)});
+}
+
 }  // namespace
 
 std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics) {
@@ -373,6 +393,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   check_drives(description, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
 
+  resolve_limbs(a);
   expand_spherical_joints(a.tree);
   a.tree.inertia_defects = inertia_defects(a.tree);
   report_inertia_defects(a.tree, diagnostics);

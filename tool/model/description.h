@@ -80,6 +80,18 @@ struct DescribedCoupling {
   Quantity offset;
 };
 
+// As Limb, by names.
+struct DescribedLimb {
+  struct Element {
+    std::string own;
+    std::string name;
+  };
+  std::string name;
+  std::string part;
+  std::string first_link;
+  std::vector<Element> links, joints, frames;
+};
+
 struct Description {
   std::string name;
   Place place;
@@ -90,6 +102,7 @@ struct Description {
   std::vector<DescribedJoint> joints;  // in declaration order
   std::vector<DescribedCoupling> couplings = {};
   std::vector<Parameter> parameters;
+  std::vector<DescribedLimb> limbs = {};
 };
 
 // The base is link 0, then the links as declared.

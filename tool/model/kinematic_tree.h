@@ -111,6 +111,19 @@ struct UserFrame {
   Place place;
 };
 
+// An instance of a part in the document: a leg that is described once and attached four times.
+struct Limb {
+  // With its name in the part.
+  struct Element {
+    std::string own;
+    int index = -1;  // of the link, joint or user frame
+  };
+  std::string name;  // with which the names of its elements begin
+  std::string part;
+  int first_link = -1;
+  std::vector<Element> links, joints, frames;
+};
+
 // Which frame a name denotes. `fr_<link>` (base too) and `fr_<joint>` exist implicitly.
 struct Frame {
   enum class Kind { link, joint, user };
@@ -149,6 +162,7 @@ class KinematicTree {
   std::vector<Coupling> couplings = {};  // of the other joints, in their order
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
+  std::vector<Limb> limbs = {};  // in the order of the document
   InertiaDefects inertia_defects = {};
 
   // Independent coordinates: what qd, tau, … have elements of.

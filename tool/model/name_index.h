@@ -13,6 +13,7 @@ class NameIndex {
   // Adds the next element. A name may repeat: it means the first element that has it.
   void add(const std::string& name);
 
+  int size() const { return static_cast<int>(names_.size()); }
   const std::string& name_of(int index) const { return names_[static_cast<std::size_t>(index)]; }
   std::optional<int> find(const std::string& name) const;
   // The first element whose name differs from this one in the case of its letters only.

@@ -63,6 +63,15 @@ void expand_spherical_joints(KinematicTree& tree) {
     coupling.joint = moved[at(coupling.joint)];
     for (Coupling::Term& term : coupling.terms) term.joint = moved[at(term.joint)];
   }
+  for (Limb& limb : tree.limbs) {
+    const std::vector<Limb::Element> joints = std::exchange(limb.joints, {});
+    for (const Limb::Element& joint : joints) {
+      const bool has_components = is_spherical(before[at(joint.index)]);
+      for (int axis = 0; axis < (has_components ? kComponents : 1); ++axis)
+        limb.joints.push_back(
+            {joint.own + (has_components ? kQuaternionSuffixes[at(1 + axis)] : ""), moved[at(joint.index)] + axis});
+    }
+  }
 }
 
 }  // namespace robcogen::model

@@ -113,9 +113,49 @@ std::string frame_name(const std::string& instance, const std::string& name) {
   return std::string(kFrame) + element_name(instance, name.substr(kFrame.size()));
 }
 
+std::vector<std::string> coordinate_names(const kinematics::Joint& joint) {
+  const std::span<const std::string_view> words = kinematics::coordinate_words(joint.type);
+  if (words.empty()) return {joint.name.text};
+  std::vector<std::string> names;
+  for (const std::string_view word : words) names.push_back(joint.name.text + "_" + std::string(word));
+  return names;
+}
+
+kinematics::Limb limb_of(const Assembly& part, const kinematics::Instance& instance) {
+  const std::string& name = instance.name.text;
+  const auto element = [&](const std::string& own) { return kinematics::Limb::Element{own, element_name(name, own)}; };
+  kinematics::Limb limb;
+  limb.name = instance.name;
+  limb.part = instance.part.text;
+  const bool keeps_base = instance.keep && part.base;
+  if (keeps_base) limb.links.push_back(element(part.base->name.text));
+  for (const Link& link : part.body.links) limb.links.push_back(element(link.name.text));
+  if (keeps_base)
+    limb.first_link = limb.links.front().name;
+  else if (!part.roots.empty())
+    limb.first_link = element_name(name, part.roots.front().link.text);
+  for (const kinematics::Joint& joint : part.body.joints)
+    for (const std::string& own : coordinate_names(joint)) limb.joints.push_back(element(own));
+  const auto add_frames = [&](const Link& link) {
+    for (const kinematics::Frame& frame : link.frames)
+      limb.frames.push_back({frame.name.text, frame_name(name, frame.name.text)});
+  };
+  if (part.base) add_frames(*part.base);
+  for (const Link& link : part.body.links) add_frames(link);
+  return limb;
+}
+
 void name_after(Assembly& assembly, const std::string& instance) {
   std::set<std::string> joints;
-  for (const kinematics::Joint& joint : assembly.body.joints) joints.insert(joint.name.text);
+  for (const kinematics::Joint& joint : assembly.body.joints)
+    for (std::string& name : coordinate_names(joint)) joints.insert(std::move(name));
+  for (kinematics::Limb& limb : assembly.limbs) {
+    limb.name.text = element_name(instance, limb.name.text);
+    limb.first_link = element_name(instance, limb.first_link);
+    for (auto* elements : {&limb.links, &limb.joints})
+      for (auto& element : *elements) element.name = element_name(instance, element.name);
+    for (auto& frame : limb.frames) frame.name = frame_name(instance, frame.name);
+  }
   for (Link& link : assembly.body.links) name_after(link, instance);
   if (assembly.base) name_after(*assembly.base, instance);
   for (kinematics::Joint& joint : assembly.body.joints) {

@@ -17,7 +17,11 @@ struct Assembly {
   kinematics::Body body;                 // without base, and without instances
   std::vector<kinematics::Child> roots;  // the joints that carry it, and their links
   std::optional<kinematics::Link> base;  // of a robot; its children are the roots
+  std::vector<kinematics::Limb> limbs;   // what the instances in it have become
 };
+
+// What the part becomes as this instance. Its names are still those in the part.
+kinematics::Limb limb_of(const Assembly& part, const kinematics::Instance& instance);
 
 // The mirror image, of positions that make mirrored postures where they are equal: joints that turn do so in the
 // reflected sense, and those of `mirror` keep theirs about the reflected axis, so that their positions are opposite. A
@@ -34,6 +38,9 @@ void reflect(
 // `fr_foot`, as the frame of link LF_hip is fr_LF_hip.
 std::string element_name(const std::string& instance, const std::string& name);
 std::string frame_name(const std::string& instance, const std::string& name);
+
+// Of the joint, or of its coordinates where it has several.
+std::vector<std::string> coordinate_names(const kinematics::Joint& joint);
 
 // Gives all names in it this prefix.
 void name_after(Assembly& assembly, const std::string& instance);

@@ -5,6 +5,7 @@
 
 #include "import/parts.h"
 #include "import/parts/assembly.h"
+#include "import/parts/coupling_loops.h"
 #include "import/parts/placements.h"
 #include "import/parts/rewrite.h"
 #include "import/parts/scope.h"
@@ -42,6 +43,7 @@ class Expander {
       robot.base->children = std::move(robot.roots);
       result.links.insert(result.links.begin(), std::move(*robot.base));
     }
+    result.limbs = std::move(robot.limbs);
     result.imports.clear();
     result.parts.clear();
     if (instances_ > 0) result.source = source_;
@@ -77,11 +79,17 @@ class Expander {
       assembly.roots = std::exchange(assembly.base->children, {});
     }
     // Instances stand after all elements of the part itself.
-    Body attached;
+    Assembly attached;
+    std::vector<std::string> instances;
     for (const auto& [link, children] : in_order_of_text(assembly))
-      for (const Instance& instance : std::exchange(link->instances, {}))
+      for (const Instance& instance : std::exchange(link->instances, {})) {
         attach(entry.document, instance, *link, *children, attached);
-    append(assembly.body, std::move(attached));
+        instances.push_back(instance.name.text);
+      }
+    const std::size_t own = assembly.body.couplings.size();
+    append(assembly.body, std::move(attached.body));
+    assembly.limbs = std::move(attached.limbs);
+    unroll_couplings(assembly, own, instances, source_, diagnostics_);
     if (entry.document == document_ && entry.part == nullptr) number(assembly);
     open_.pop_back();
     return assembly;
@@ -109,7 +117,7 @@ class Expander {
       const Instance& instance,
       Link& link,
       std::vector<Child>& children,
-      Body& attached) {
+      Assembly& attached) {
     const Entry* entry = scopes_.find(document, instance.part.text);
     if (entry == nullptr) {
       diagnostics_
@@ -125,8 +133,10 @@ class Expander {
     Assembly part = assemble(*entry, meanings(*entry, instance, offset), offset);
     for (Link& own : part.body.links) own.id.reset();
     if (instance.mirror) reflect(part, *instance.mirror, source_, diagnostics_);
+    attached.limbs.push_back(limb_of(part, instance));
     name_after(part, instance.name.text);
-    join(std::move(part), instance, link, children, attached);
+    attached.limbs.insert(attached.limbs.end(), part.limbs.begin(), part.limbs.end());
+    join(std::move(part), instance, link, children, attached.body);
   }
 
   bool may_attach(const Entry& entry, const Instance& instance) {
@@ -149,7 +159,8 @@ class Expander {
   // The meanings of names in the part.
   Meanings meanings(const Entry& entry, const Instance& instance, std::size_t offset) {
     Meanings result;
-    for (const Joint& joint : entry.body().joints) result.joints.insert(joint.name.text);
+    for (const Joint& joint : entry.body().joints)
+      for (std::string& name : coordinate_names(joint)) result.joints.insert(std::move(name));
     std::set<std::string> known;
     if (entry.part != nullptr) {
       result.part = entry.part->name.text;
@@ -295,15 +306,18 @@ class Expander {
   }
 };
 
-bool has_parts(const Document& document) {
+bool has_parts(const kinematics::Document& document) {
   const auto has_instances = [](const Link& link) { return !link.instances.empty(); };
-  return !document.imports.empty() || !document.parts.empty() ||
+  return !document.imports.empty() || !document.parts.empty() || names_instances(document) ||
          std::any_of(document.links.begin(), document.links.end(), has_instances);
 }
 
 }  // namespace
 
-std::optional<Document> expand(const DocumentPtr& document, const Resolver& resolve, Diagnostics& diagnostics) {
+std::optional<kinematics::Document> expand(
+    const DocumentPtr& document,
+    const Resolver& resolve,
+    Diagnostics& diagnostics) {
   if (!has_parts(*document)) return *document;
   return Expander(document, resolve, diagnostics).expand();
 }

@@ -42,6 +42,10 @@ class Rewriter {
       shift(coupling.joint);
       coupling.value = rewritten(coupling.value);
     }
+    for (kinematics::Loop& loop : body.loops) {
+      shift(loop.variable);
+      for (Name& instance : loop.instances) shift(instance);
+    }
   }
 
  private:

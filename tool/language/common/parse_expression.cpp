@@ -102,11 +102,18 @@ class ExpressionParser {
     return left;
   }
 
+  // At `name =`, `name {`, `instance.name =` or `for name in`, which follow an expression.
+  bool begins_item() const {
+    if (cursor_.at("=", 1) || cursor_.at("{", 1)) return true;
+    return (cursor_.at(".", 1) && cursor_.at_name(2) && cursor_.at("=", 3)) ||
+           (cursor_.at("for") && cursor_.at_name(1) && cursor_.at("in", 2));
+  }
+
   ExpressionPtr product() {
     bool ends_in_number = false;
     ExpressionPtr left = unary(ends_in_number);
     while (true) {
-      const bool next_is_name = cursor_.at_name() && !cursor_.at("=", 1) && !cursor_.at("{", 1);
+      const bool next_is_name = cursor_.at_name() && !begins_item();
       const bool juxtaposed = ends_in_number && (next_is_name || cursor_.at("<"));
       if (!juxtaposed && !cursor_.at("*") && !cursor_.at("/")) return left;
       count_operation();

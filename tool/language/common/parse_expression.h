@@ -11,7 +11,7 @@
 // RobCoGen read a signed name in the same way, and had no differences. Therefore an expression that consists of
 // `2.0 -PI` only, with a blank before the sign and none after it, is that product, with a warning; `2.0 - PI`, `2.0-PI`
 // and longer expressions subtract. A keyword is not a name: `Ix=0.5 Iy=0.3` are two items. Neither is a name before
-// '=' or '{': it is the word of an item, or a misspelt keyword.
+// '=' or '{', nor `a.b` before '=': it is the word of an item, or a misspelt keyword.
 #pragma once
 
 #include "language/common/cursor.h"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "language/common/content.h"
 #include "language/common/cursor.h"
@@ -40,6 +41,7 @@ class Parser {
   std::size_t pair_begin_ = 0;  // of the present pair
   bool pair_begins_line_ = false;
   bool equals_is_reported_ = false;
+  int loop_ = Name::kNoLoop;  // the present one
 
   void header() {
     try {
@@ -127,14 +129,88 @@ class Parser {
     throw SyntaxError{};
   }
 
+  // 'left' and 'right' are usual names of limbs: in their place they are no keywords.
+  bool at_side() const { return cursor_.at_any({"left", "right"}); }
+
+  Name instance() {
+    if (!at_side()) return name("the name of an instance of a part");
+    const Token side = cursor_.take();
+    return {std::string(side.text), side.span};
+  }
+
+  bool at_instance() const { return (cursor_.at_name() || at_side()) && cursor_.at(".", 1); }
+
+  // `foot`, or `leg.foot`.
+  Name frame(std::string_view what = "the name of a frame") {
+    Name result = at_instance() ? instance() : name(what);
+    result.loop = loop_;
+    if (!cursor_.accept(".")) return result;
+    result.instance = std::exchange(result.text, {});
+    result.instance_span = result.span;
+    const Name own = name(fmt::format("the name of a frame of '{}'", result.instance));
+    result.text = own.text;
+    result.span.end = own.span.end;
+    return result;
+  }
+
+  // 'for' and 'in' are no reserved words either: frames may have these names.
+  bool at_loop() const { return cursor_.at("for") && cursor_.at_name(1) && cursor_.at("in", 2); }
+
+  // After an error, the body is read all the same.
+  void instances(Loop& loop) {
+    try {
+      do loop.instances.push_back(instance());
+      while (cursor_.accept(","));
+      if (!cursor_.accept("}")) cursor_.unexpected("',' or '}'", "in the list of instances");
+    } catch (const SyntaxError&) {
+      cursor_.skip_until([&] { return cursor_.at_any({"}", "->", "<-"}) || at_section(); });
+      if (!cursor_.accept("}") || !cursor_.at("{")) throw;
+    }
+  }
+
+  // `for leg in { LF, RF } {`; reads the body, whose elements follow, by element(open).
+  template <class Body>
+  void loop(std::string_view element, const Body& body) {
+    const Token word = cursor_.take();
+    if (loop_ != Name::kNoLoop) {
+      cursor_.error_at(word.span, "nested-loop", "a loop cannot stand in another one").hint =
+          "write a loop for each instance of the outer one";
+      throw SyntaxError{};
+    }
+    Loop loop;
+    loop.variable = name("the name of a variable");
+    cursor_.take();
+    cursor_.expect("{", "after 'in'");
+    instances(loop);
+    const Token open = cursor_.expect("{", "after the list of instances");
+    if (cursor_.at("}")) cursor_.unexpected(element, "in the loop");
+    loop_ = static_cast<int>(document_.loops.size());
+    document_.loops.push_back(std::move(loop));
+    try {
+      body(open);
+    } catch (const SyntaxError&) {
+      loop_ = Name::kNoLoop;
+      throw;
+    }
+    loop_ = Name::kNoLoop;
+  }
+
   // The names of a section; calls element() at each.
   template <class Element>
   void list(std::string_view section, const Element& element) {
-    const Token open = cursor_.expect("{", fmt::format("after '{}'", section));
+    elements(section, cursor_.expect("{", fmt::format("after '{}'", section)), element);
+  }
+
+  template <class Element>
+  void elements(std::string_view section, const Token& open, const Element& element) {
     while (!cursor_.at("}")) {
       cursor_.begin_statement();
       if (at_section()) missing_brace(section, open);
       if (cursor_.accept(",") && cursor_.at("}")) cursor_.unexpected("the name of a frame", "after ','");
+      if (at_loop() && cursor_.at("{", 3)) {
+        loop("the name of a frame", [&](const Token& inner) { elements(section, inner, element); });
+        continue;
+      }
       element();
       if (cursor_.at("-") || cursor_.at(".")) cursor_.unexpected("',' or '}'", "after the name of a frame");
     }
@@ -142,20 +218,24 @@ class Parser {
   }
 
   void frames() {
-    list("Frames", [&] { document_.frames.push_back(name("the name of a frame")); });
+    list("Frames", [&] { document_.frames.push_back(frame()); });
   }
 
   // `fr_foot`, `point fr_foot`, `surface fr_sole`.
   void contacts() {
     list("Contacts", [&] {
-      const bool has_kind = cursor_.at_any({"point", "surface"}) && cursor_.at_name(1);
+      const bool has_kind = cursor_.at_any({"point", "surface"}) &&
+                            (cursor_.at_name(1) || cursor_.at("left", 1) || cursor_.at("right", 1));
       const bool is_surface = has_kind && cursor_.take().text == "surface";
-      document_.contacts.push_back({name("the name of a frame"), is_surface});
+      document_.contacts.push_back({frame(), is_surface});
     });
   }
 
   void pairs(const Token& section, std::vector<Pair>& list) {
-    const Token open = cursor_.expect("{", fmt::format("after '{}'", section.text));
+    pairs(section, cursor_.expect("{", fmt::format("after '{}'", section.text)), list);
+  }
+
+  void pairs(const Token& section, const Token& open, std::vector<Pair>& list) {
     const std::size_t inside = cursor_.open_blocks();
     while (!cursor_.at("}")) {
       cursor_.begin_statement();
@@ -165,7 +245,10 @@ class Parser {
       try {
         if (cursor_.at_end()) cursor_.unexpected("'}'", "");
         if (at_section()) missing_brace(section.text, open);
-        list.push_back(pair());
+        if (at_loop())
+          loop("a pair of frames", [&](const Token& inner) { pairs(section, inner, list); });
+        else
+          list.push_back(pair());
       } catch (const SyntaxError&) {
         skip_to_pair(inside);
         if (cursor_.at_end() || at_section()) throw;
@@ -174,10 +257,12 @@ class Parser {
     cursor_.take();
   }
 
-  bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}); }
-  bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}); }
+  bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}) && !at_instance(); }
+  bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}) && !at_instance(); }
   bool at_pair() const {
-    return at_left() || at_right() || (cursor_.at_name() && (cursor_.at("->", 1) || cursor_.at("<-", 1)));
+    const std::size_t behind = at_instance() && cursor_.at_name(2) ? 3 : 1;
+    return at_left() || at_right() || at_loop() ||
+           ((cursor_.at_name() || behind == 3) && (cursor_.at("->", behind) || cursor_.at("<-", behind)));
   }
   // After an error in a pair that begins a line, the next pair begins one too.
   bool at_next_pair() const {
@@ -247,7 +332,7 @@ class Parser {
       cursor_.accept(":");
       if (!cursor_.at_name() || cursor_.after_line_end()) throw;  // else only the '=' is missing
     }
-    return name("the name of a frame");
+    return frame();
   }
 
   // `A <- B` means A_X_B, `A -> B` means B_X_A.
@@ -260,10 +345,10 @@ class Parser {
     }
     if (cursor_.at_name() && cursor_.at("=", 1) && !suggest_keyword(cursor_.peek().text, {"base", "target"}).empty())
       cursor_.unexpected("'base' or 'target'", "");
-    const Name first = name("a pair of frames");
+    const Name first = frame("a pair of frames");
     if (!cursor_.at_any({"->", "<-"})) cursor_.unexpected("'->' or '<-'", fmt::format("after '{}'", first.text));
     const bool to_first = cursor_.take().text == "<-";
-    const Name second = name("the name of a frame");
+    const Name second = frame();
     pair.left = to_first ? first : second;
     pair.right = to_first ? second : first;
   }

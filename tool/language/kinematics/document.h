@@ -141,10 +141,22 @@ std::string_view word_of(Joint::Type type);
 // The words that begin what a joint of several coordinates says of them; of other types none.
 std::span<const std::string_view> coordinate_words(Joint::Type type);
 
-// `joint = value`, linear in other joints.
+// `joint = value`, linear in other joints. Where `instance` is given, the joint is that of this instance of a part, or
+// of each in turn, where it is the variable of a loop: `leg.knee = 2.0 leg.ankle`.
 struct Coupling {
   Name joint;
   ExpressionPtr value;
+  std::string instance = {};  // or empty
+  int loop = kNoLoop;         // the one that it stands in
+
+  static constexpr int kNoLoop = -1;
+};
+
+// `for variable in { instances } { … }`, once for each instance. Couplings that stand one after another with the same
+// loop are its body.
+struct Loop {
+  Name variable;
+  std::vector<Name> instances;
 };
 
 // The elements of a robot or of a part.
@@ -152,6 +164,7 @@ struct Body {
   std::vector<Link> links;                     // the base first, then in declaration order
   std::vector<Joint> joints;                   // in declaration order
   std::vector<Coupling> couplings;             // of all blocks, in order
+  std::vector<Loop> loops;                     // of couplings, in order
   std::vector<std::string> coupling_comments;  // before these blocks and in them
   std::vector<std::string> trailing_comments;  // before the closing brace, and after that of a robot
 };
@@ -177,12 +190,25 @@ struct Import {
   Span span;  // of the file, with its quotes
 };
 
+// What an instance of a part has become in a plain document: its elements, each with its name in the part.
+struct Limb {
+  struct Element {
+    std::string own;
+    std::string name;
+  };
+  Name name;
+  std::string part;
+  std::string first_link;
+  std::vector<Element> links, joints, frames;
+};
+
 struct Document : Body {
   std::shared_ptr<const Source> source;
   std::vector<Import> imports;
   std::vector<Part> parts;
   Name robot;                         // without text in a document of parts only
   std::vector<std::string> comments;  // before `Robot`
+  std::vector<Limb> limbs = {};       // of a plain document that was made from one with parts
 
   bool has_robot() const { return !robot.text.empty(); }
 };

@@ -5,6 +5,7 @@
 #include "language/common/content.h"
 #include "language/kinematics/block_parser.h"
 #include "language/kinematics/keywords.h"
+#include "language/kinematics/parse_couplings.h"
 #include "language/kinematics/parse_drive.h"
 #include "language/kinematics/parse_part.h"
 
@@ -140,7 +141,7 @@ class Parser : private BlockParser {
         } else if (cursor_.at_any({"r_joint", "p_joint"}) || at_new_element()) {
           joint();
         } else if (at_couplings()) {
-          couplings();
+          couplings(*this, *body_);
         } else {
           unknown_element();
         }
@@ -428,21 +429,6 @@ class Parser : private BlockParser {
     cursor_.error("attached-to-joint", fmt::format("part '{}' cannot be attached to {}", cursor_.peek().text, owner))
         .hint = "a part stands in 'children' of a link";
     throw SyntaxError{};
-  }
-
-  void couplings() {
-    const Token word = cursor_.take();
-    block(
-        fmt::format("'{}'", word.text), [&] { return cursor_.at_name() && cursor_.at("=", 1); },
-        [&] {
-          Coupling coupling;
-          coupling.joint = name("the name of a joint");
-          cursor_.expect("=", fmt::format("after '{}'", coupling.joint.text));
-          coupling.value = scalar();
-          body_->couplings.push_back(std::move(coupling));
-        });
-    for (std::string& comment : cursor_.comments_before(cursor_.previous().span.end))
-      body_->coupling_comments.push_back(std::move(comment));
   }
 };
 

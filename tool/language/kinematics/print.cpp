@@ -136,10 +136,28 @@ std::string joint(const Joint& j) {
   return out + drive_and_limits(j, "        ") + "    }\n";
 }
 
+std::string head(const Loop& loop) {
+  std::string instances;
+  for (const Name& instance : loop.instances) instances += (instances.empty() ? "" : ", ") + name(instance);
+  return "        for " + name(loop.variable) + " in { " + instances + " } {\n";
+}
+
+std::string coupling(const Coupling& c) {
+  const std::string instance = c.instance.empty() ? "" : name(Name{c.instance, {}}) + ".";
+  return instance + name(c.joint) + " = " + language::print(*c.value) + "\n";
+}
+
 std::string couplings(const Body& d) {
   if (d.couplings.empty()) return comments(d.coupling_comments, "    ");
   std::string out = "\n" + comments(d.coupling_comments, "    ") + "    couplings {\n";
-  for (const Coupling& c : d.couplings) out += "        " + name(c.joint) + " = " + language::print(*c.value) + "\n";
+  int loop = Coupling::kNoLoop;
+  for (const Coupling& c : d.couplings) {
+    if (c.loop != loop && loop != Coupling::kNoLoop) out += "        }\n";
+    if (c.loop != loop && c.loop != Coupling::kNoLoop) out += head(d.loops[static_cast<std::size_t>(c.loop)]);
+    loop = c.loop;
+    out += (loop == Coupling::kNoLoop ? "        " : "            ") + coupling(c);
+  }
+  if (loop != Coupling::kNoLoop) out += "        }\n";
   return out + "    }\n";
 }
 
@@ -185,8 +203,10 @@ bool same(const Frame& a, const Frame& b) {
 }
 
 bool same(const Coupling& a, const Coupling& b) {
-  return a.joint.text == b.joint.text && same(a.value, b.value);
+  return a.joint.text == b.joint.text && same(a.value, b.value) && a.instance == b.instance && a.loop == b.loop;
 }
+
+bool same(const Loop& a, const Loop& b);
 
 bool same(const Instance& a, const Instance& b);
 bool same(const Link& a, const Link& b);
@@ -199,6 +219,10 @@ bool same(const Import& a, const Import& b);
 template <class T>
 bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
+}
+
+bool same(const Loop& a, const Loop& b) {
+  return same(a.variable, b.variable) && all_same(a.instances, b.instances);
 }
 
 bool same(const Instance& a, const Instance& b) {
@@ -250,7 +274,8 @@ bool same(const Joint& a, const Joint& b) {
 
 bool same(const Body& a, const Body& b) {
   return all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
-         a.coupling_comments == b.coupling_comments && a.trailing_comments == b.trailing_comments;
+         all_same(a.loops, b.loops) && a.coupling_comments == b.coupling_comments &&
+         a.trailing_comments == b.trailing_comments;
 }
 
 bool same(const PartParameter& a, const PartParameter& b) {
