@@ -140,7 +140,7 @@ class RobotCollector : public Collector {
       for (const kinematics::Coordinate& coordinate : joint.coordinates) carrier(coordinate.rotor);
     }
     for (const kinematics::Coupling& coupling : body.couplings) {
-      add_pieces(coupling.joint.span, names_.element(scope_, coupling.joint.text));
+      if (coupling.instance.empty()) add_pieces(coupling.joint.span, names_.element(scope_, coupling.joint.text));
       visit_names(coupling.value, [&](const Expression& e, const Span& span) {
         const auto pieces = names_.element(scope_, e.name);
         const bool is_joint = !pieces.empty() && !e.is_parameter && e.kind == Expression::Kind::name;
@@ -258,8 +258,9 @@ class ListCollector : public Collector {
     return model_->transforms() != nullptr && model_->transforms()->header.model.text == name;
   }
 
+  // `leg.foot` of a loop stands for several frames.
   void frame(const language::desired::Name& name) {
-    if (model_ == nullptr) return;
+    if (model_ == nullptr || !name.instance.empty()) return;
     if (model_->robot() != nullptr)
       add_pieces(name.span, names_.frame({model_, nullptr}, name.text));
     else if (model_->motions() != nullptr || model_->transforms() != nullptr)

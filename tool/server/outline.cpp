@@ -120,16 +120,18 @@ Json of_frames(const Lookup& lookup, const Outline& outline) {
 Json of_list(const language::desired::Document& list, const Outline& outline) {
   Json result = Json::array();
   using language::desired::Name;
+  const auto text = [](const Name& name) { return (name.instance.empty() ? "" : name.instance + ".") + name.text; };
   const auto pairs = [&](const std::vector<language::desired::Pair>& of, const char* link, const char* detail) {
     for (const language::desired::Pair& pair : of)
       result.push_back(outline.symbol(
-          Name{fmt::format("{}{}{}", pair.left.text, link, pair.right.text), pair.span}, kMethod, detail, pair.span));
+          Name{fmt::format("{}{}{}", text(pair.left), link, text(pair.right)), pair.span}, kMethod, detail, pair.span));
   };
   result.push_back(outline.symbol(list.robot, kModule, "robot", list.robot.span));
   pairs(list.transforms, "_X_", "transform");
   pairs(list.jacobians, "_J_", "Jacobian");
   for (const auto& contact : list.contacts)
-    result.push_back(outline.symbol(contact.frame, kNamespace, "contact", contact.frame.span));
+    result.push_back(
+        outline.symbol(Name{text(contact.frame), contact.frame.span}, kNamespace, "contact", contact.frame.span));
   return result;
 }
 
