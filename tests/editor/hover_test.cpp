@@ -104,7 +104,8 @@ TEST(Hover, HasTheNumbersOfTheGenerator) {
       client.open(list, "Robot " + owner + "\nFrames { fr_" + links[i] + " }\nTransforms {}\n");
       const std::string shown = hover(client, list, "fr_" + links[i]);
       std::smatch numbers;
-      ASSERT_TRUE(std::regex_search(shown, numbers, std::regex(R"(origin \((.*), (.*), (.*)\) m)"))) << name << " " << links[i] << shown;
+      ASSERT_TRUE(std::regex_search(shown, numbers, std::regex(R"(origin \((.*), (.*), (.*)\) m)")))
+          << name << " " << links[i] << shown;
       const std::string function = "transforms.homogeneous.fr_" + links[0] + "_X_fr_" + links[i];
       const std::string none = std::string("{\"q\": [") + [&] {
         std::string zeros;

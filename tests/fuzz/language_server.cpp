@@ -65,9 +65,19 @@ class Editor {
 
  private:
   static constexpr std::array kMethods = {
-      "textDocument/codeAction",     "textDocument/definition",   "textDocument/documentHighlight",
-      "textDocument/documentSymbol", "textDocument/foldingRange", "textDocument/hover",
-      "textDocument/prepareRename",  "textDocument/references",   "textDocument/rename"};
+      "textDocument/codeAction",
+      "textDocument/completion",
+      "textDocument/formatting",
+      "textDocument/inlayHint",
+      "textDocument/semanticTokens/full",
+      "textDocument/definition",
+      "textDocument/documentHighlight",
+      "textDocument/documentSymbol",
+      "textDocument/foldingRange",
+      "textDocument/hover",
+      "textDocument/prepareRename",
+      "textDocument/references",
+      "textDocument/rename"};
   robcogen::server::Session session_;
 
   void send(const char* method, const Json& parameters, bool is_request) {

@@ -19,14 +19,22 @@ inline std::string uri_in(const Json& parameters) {
 std::optional<model::KinematicTree> tree_of(Workspace& workspace, const std::filesystem::path& path);
 
 Json code_actions(Workspace& workspace, const Json& parameters);
+Json completion(Workspace& workspace, const Json& parameters);
 Json definition(Workspace& workspace, const Json& parameters);
 Json document_symbols(Workspace& workspace, const Json& parameters);
 Json folding_ranges(Workspace& workspace, const Json& parameters);
+// The canonical print; null for a document with errors of syntax.
+Json formatting(Workspace& workspace, const Json& parameters);
 Json highlights(Workspace& workspace, const Json& parameters);
 Json hover(Workspace& workspace, const Json& parameters);
+Json inlay_hints(Workspace& workspace, const Json& parameters);
 Json prepare_rename(Workspace& workspace, const Json& parameters);
 Json references(Workspace& workspace, const Json& parameters);
 // RequestError for a name that is not valid, or that makes a document wrong.
 Json rename(Workspace& workspace, const Json& parameters);
+
+Json semantic_tokens(Workspace& workspace, const Json& parameters);
+// The names of their types, in the order of the numbers.
+Json semantic_token_types();
 
 }  // namespace robcogen::server

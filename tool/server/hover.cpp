@@ -37,9 +37,13 @@ class RobotText {
     const model::Link& link = tree_.links[static_cast<std::size_t>(l)];
     std::string text = fmt::format("**link** `{}`", link.name);
     if (link.parent_joint >= 0) {
-      const model::Joint& joint = tree_.joints[static_cast<std::size_t>(link.parent_joint)];
-      text +=
-          fmt::format(", child of `{}` via `{}`", tree_.links[static_cast<std::size_t>(joint.parent)].name, joint.name);
+      // Between the components of a spherical joint its child is repeated.
+      int parent = link.parent_joint;
+      while (tree_.links[static_cast<std::size_t>(tree_.joints[static_cast<std::size_t>(parent)].parent)].is_repeated)
+        parent = tree_.parent_joint_of(parent);
+      const model::Joint& joint = tree_.joints[static_cast<std::size_t>(parent)];
+      text += fmt::format(
+          ", child of `{}` via `{}`", tree_.links[static_cast<std::size_t>(joint.parent)].name, joint.declared_name());
     } else {
       text += tree_.floating_base ? ", the floating base" : ", the base";
     }
@@ -63,12 +67,16 @@ class RobotText {
     const model::Joint& joint = tree_.joints[static_cast<std::size_t>(j)];
     const char* type = joint.type == model::JointType::revolute    ? "revolute"
                        : joint.type == model::JointType::prismatic ? "prismatic"
-                                                                   : "helical";
+                       : joint.type == model::JointType::helical   ? "helical"
+                                                                   : "spherical";
     const bool turns = model::turns(joint.type);
     std::string text = fmt::format(
-        "**{} joint** `{}`, from `{}` to `{}`\n\n- axis {} in the base at q = 0", type, joint.name,
+        "**{} joint** `{}`, from `{}` to `{}`\n\n", type, joint.declared_name(),
         tree_.links[static_cast<std::size_t>(joint.parent)].name,
-        tree_.links[static_cast<std::size_t>(joint.child)].name, text_of_vector(resting_.axis(j)));
+        tree_.links[static_cast<std::size_t>(joint.child)].name);
+    text += joint.type == model::JointType::spherical
+                ? "- turns in any way about the origin of its frame"
+                : fmt::format("- axis {} in the base at q = 0", text_of_vector(resting_.axis(j)));
     if (joint.type == model::JointType::helical)
       text += fmt::format("\n- pitch {} m/rad", text_of_number(resting_.value(joint.pitch)));
     const model::JointLimits& limits = joint.limits;
@@ -197,11 +205,12 @@ class NameText {
     };
     if (symbol.kind == NameKind::link) {
       for (std::size_t l = 0; l < tree.links.size(); ++l)
-        if (!tree.links[l].is_virtual && is_declared_at(tree.links[l].place)) return text.link(static_cast<int>(l));
+        if (!tree.links[l].is_virtual && !tree.links[l].is_repeated && is_declared_at(tree.links[l].place))
+          return text.link(static_cast<int>(l));
     } else if (symbol.kind == NameKind::joint) {
       std::string all;
       for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-        if (!is_declared_at(tree.joints[j].place)) continue;
+        if (!tree.joints[j].is_first() || !is_declared_at(tree.joints[j].place)) continue;
         if (!all.empty() && symbol.scope != "") break;
         all += (all.empty() ? "" : "\n\n") + text.joint(static_cast<int>(j));
       }

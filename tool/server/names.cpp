@@ -63,7 +63,7 @@ const Names::Elements& Names::elements(const Scope& scope) {
   return known->second;
 }
 
-const std::map<std::string, Scope>& Names::parts(const Parsed& document) {
+const std::map<std::string, Scope>& Names::known_parts(const Parsed& document) {
   const auto [known, is_new] = parts_.try_emplace(&document);
   if (!is_new || document.robot() == nullptr) return known->second;
   std::map<std::string, Scope> scopes;
@@ -71,7 +71,7 @@ const std::map<std::string, Scope>& Names::parts(const Parsed& document) {
   for (const kinematics::Import& import : document.robot()->imports) {
     const Parsed* imported = documents_.imported(document, import);
     if (imported == nullptr || imported->robot() == nullptr) continue;
-    for (const auto& [name, scope] : parts(*imported)) scopes.insert({name, scope});
+    for (const auto& [name, scope] : known_parts(*imported)) scopes.insert({name, scope});
     if (imported->robot()->has_robot())
       scopes.insert({import.name ? import.name->text : imported->robot()->robot.text, {imported, nullptr}});
   }
@@ -79,7 +79,7 @@ const std::map<std::string, Scope>& Names::parts(const Parsed& document) {
 }
 
 std::optional<Scope> Names::part(const Parsed& document, const std::string& name) {
-  const auto& known = parts(document);
+  const auto& known = known_parts(document);
   const auto found = known.find(name);
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }

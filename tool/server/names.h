@@ -65,6 +65,7 @@ class Names {
   std::vector<Piece> frame(const Scope& scope, std::string_view name, std::size_t depth = 0);
   // A part, or a robot as a part, by the name that a document knows it by.
   std::optional<Scope> part(const Parsed& document, const std::string& name);
+  const std::map<std::string, Scope>& known_parts(const Parsed& document);
 
  private:
   struct Elements {
@@ -79,7 +80,6 @@ class Names {
   std::map<const Parsed*, std::map<std::string, Scope>> parts_;
 
   const Elements& elements(const Scope& scope);
-  const std::map<std::string, Scope>& parts(const Parsed& document);
   std::vector<Piece> in_instances(const Scope& scope, std::string_view name, bool is_frame, std::size_t depth);
 };
 

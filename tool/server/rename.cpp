@@ -6,11 +6,10 @@
 #include <cctype>
 #include <map>
 
-#include "language/desired/keywords.h"
-#include "language/kinematics/keywords.h"
 #include "server/features.h"
 #include "server/lookup.h"
 #include "server/session.h"
+#include "server/vocabulary.h"
 
 namespace robcogen::server {
 namespace {
@@ -25,19 +24,6 @@ bool is_identifier(const std::string& name) {
   const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   return !name.empty() && name.size() <= kMaxName && std::all_of(name.begin(), name.end(), is_word) &&
          std::isdigit(static_cast<unsigned char>(name[0])) == 0 && static_cast<unsigned char>(name[0]) < 0x80;
-}
-
-const std::vector<std::string>& keywords_of(driver::Language language) {
-  switch (language) {
-    case driver::Language::desired:
-      return language::desired::keywords();
-    case driver::Language::motions:
-      return language::motion::keywords();
-    case driver::Language::transforms:
-      return language::transforms::keywords();
-    default:
-      return language::kinematics::keywords();
-  }
 }
 
 // The text with another word at these places, which are in order.
@@ -109,8 +95,8 @@ Json rename(Workspace& workspace, const Json& parameters) {
   for (const auto& [document, spans] : places) {
     if (document->has_errors)
       refuse(fmt::format("'{}' has errors of syntax: places of the name may be missed", document->path.string()));
-    const auto& keywords = keywords_of(document->language);
-    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end())
+    const auto& reserved = keywords(document->language);
+    if (std::find(reserved.begin(), reserved.end(), name) != reserved.end())
       refuse(fmt::format("'{}' is a keyword", name));
   }
   require_no_harm(workspace, places, name);
