@@ -83,8 +83,8 @@ TEST(Completion, OfNamesInRobots) {
 
 TEST(Completion, OfLists) {
   EXPECT_TRUE(has(in_list("Robot Arm |"), "Frames"));
-  EXPECT_EQ(in_list("Robot Arm Frames { | }"), (Labels{"fr_base", "fr_upper", "fr_shoulder", "tip"}));
-  EXPECT_EQ(in_list("Robot Arm Frames { tip, | }"), (Labels{"fr_base", "fr_upper", "fr_shoulder"}));
+  EXPECT_EQ(in_list("Robot Arm Frames { | }"), (Labels{"for", "fr_base", "fr_upper", "fr_shoulder", "tip"}));
+  EXPECT_EQ(in_list("Robot Arm Frames { tip, | }"), (Labels{"for", "fr_base", "fr_upper", "fr_shoulder"}));
   const Labels pair = in_list("Robot Arm Frames { tip } Transforms { base = | }");
   EXPECT_EQ(pair, (Labels{"tip", "fr_base", "fr_upper", "fr_shoulder"})) << "those of the list first";
   EXPECT_TRUE(has(in_list("Robot Arm Frames { tip } Transforms { | }"), "target"));

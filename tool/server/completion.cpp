@@ -126,6 +126,7 @@ class Completion {
     if (context_.word_before("=") == "ref_frame") return frames_of_link();
     if (context_.follows("link") || context_.follows("RobotBase") || context_.follows("Robot")) return;
     if (block == "couplings") {
+      if (context_.before.empty()) words(block);
       joints_of_all();
       if (is_in_expression()) expression();
       return;
@@ -207,13 +208,12 @@ class Completion {
       return words("");
     }
     if (block == "Frames") {
+      words(block);
       frames_of_model();
       // What is listed is known.
       for (const auto& name : lookup_.document->desired()->frames)
         items_.erase(
-            std::remove_if(
-                items_.begin(), items_.end(),
-                [&](const Json& item) { return item["label"] == name.text && item["detail"] != "frame"; }),
+            std::remove_if(items_.begin(), items_.end(), [&](const Json& item) { return item["label"] == name.text; }),
             items_.end());
       return;
     }

@@ -48,6 +48,7 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
     if (named.contains(token->text) && token != before.rbegin() && !is_of_frames)
       return {std::string(token->text), std::string(std::prev(token)->text)};
   if (is_of_frames) return {"ref_frame", ""};
+  if (before.empty() && !context.blocks.empty()) return context.blocks.back();  // the body of a loop
   return {before.empty() ? "" : std::string(before.back().text), ""};
 }
 

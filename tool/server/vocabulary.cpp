@@ -55,7 +55,7 @@ std::vector<BlockWords> blocks_of_robots() {
       // Blocks of names.
       {"children", {}},
       {"frames", {}},
-      {"couplings", {}},
+      {"couplings", {"for"}},
       {"sense", {}}};
 }
 
@@ -69,10 +69,10 @@ const std::vector<BlockWords>& block_words(Language language) {
   static const std::vector<BlockWords> robots = blocks_of_robots();
   static const std::vector<BlockWords> lists = {
       {"", {"Robot", "Model", "Frames", "Transforms", "Jacobians", "Contacts"}},
-      {"Frames", {}},
-      {"Transforms", {"base", "target", "left", "right", "left_frame", "right_frame"}},
-      {"Jacobians", {"base", "target", "left", "right", "left_frame", "right_frame"}},
-      {"Contacts", {"point", "surface"}}};
+      {"Frames", {"for"}},
+      {"Transforms", {"base", "target", "left", "right", "left_frame", "right_frame", "for"}},
+      {"Jacobians", {"base", "target", "left", "right", "left_frame", "right_frame", "for"}},
+      {"Contacts", {"point", "surface", "for"}}};
   static const std::vector<BlockWords> motions = {
       {"", {"Model", "Params", "Frames", "Convention"}},
       {":", {"trx", "try", "trz", "rotx", "roty", "rotz"}},
@@ -128,6 +128,7 @@ std::vector<std::string> contextual_words(Language language) {
   std::set<std::string> words;
   for (const BlockWords& block : block_words(language)) words.insert(block.words.begin(), block.words.end());
   if (language == Language::robot) words.insert(kOtherWordsOfRobots.begin(), kOtherWordsOfRobots.end());
+  if (language == Language::robot || language == Language::desired) words.insert("in");  // of a loop
   for (const std::string& keyword : keywords(language)) words.erase(keyword);
   return {words.begin(), words.end()};
 }
