@@ -35,6 +35,7 @@ install(
         cmake/RobcogenComplete.cmake
         cmake/RobcogenRealTime.cmake
         cmake/RobcogenTransforms.cmake
+        cmake/RobcogenView.cmake
         cmake/RobcogenXacro.cmake
         cmake/RobcogenExpandXacro.cmake
         tool/backend/cpp/macros.inc

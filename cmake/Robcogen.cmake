@@ -53,6 +53,7 @@
 #     hyl_allocations  runs every function with an allocator that aborts; ctest hyl.allocations. The ctest
 #                    hyl.real_time checks the compiled files (RobcogenRealTime.cmake)
 #     hyl_bench      times the functions (when Google Benchmark is found)
+#     hyl_view       writes OUTPUT_DIR/hyl.html, a page that shows the robot and moves it; not part of `all`
 # and the umbrellas robcogen_codegen and robcogen_bench. An error in the call stops the configuration.
 #
 # The list of generated files follows from the keywords only: the configuration neither reads a model nor runs the tool.
@@ -63,6 +64,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenC.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenView.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
 
 set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
@@ -114,6 +116,7 @@ function(robcogen_add_robot)
   _robcogen_c_files("${library_groups}")
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_add_text()
+    _robcogen_add_view(${library_TARGET}_view)
     return()
   endif()
   _robcogen_folder(folder)
@@ -128,6 +131,7 @@ function(robcogen_add_robot)
   list(TRANSFORM headers PREPEND ${library_OUTPUT_DIR}/)
   list(TRANSFORM sources PREPEND ${library_OUTPUT_DIR}/)
   _robcogen_add_codegen(${library_TARGET}_codegen)
+  _robcogen_add_view(${library_TARGET}_view)
   set(generated_sources ${sources})
   if(library_BATCH)
     _robcogen_omit_levels()

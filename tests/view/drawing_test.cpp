@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 
@@ -137,6 +140,21 @@ TEST(DrawingLabels, HideNoOther) {
   EXPECT_LT(labels.size(), 40U);
   std::set<std::string> places;
   for (const std::smatch& label : labels) EXPECT_TRUE(places.insert(label[0]).second);
+}
+
+// tool/view/README.md shows it. With ROBCOGEN_UPDATE_DOCUMENTS in the environment it is written anew.
+TEST(DrawingOfTheGuide, IsThatOfTheRobot) {
+  const driver::Model model = load_robot("quadruped");
+  const view::ViewedRobot robot = view::viewed(model);
+  const view::Pattern pattern = view::inertia_pattern(model);
+  std::vector<double> q;
+  for (int leg = 0; leg < 4; ++leg) q.insert(q.end(), {-0.1, leg < 2 ? 0.6 : -0.6, leg < 2 ? -1.2 : 1.2});
+  const std::string text =
+      view::draw(robot, view::posture(robot, q, {}), {.azimuth = -50, .elevation = 15, .pattern = &pattern});
+  const std::filesystem::path file = std::filesystem::path(TEST_SOURCE_DIR) / "../../tool/view/quadruped.svg";
+  if (std::getenv("ROBCOGEN_UPDATE_DOCUMENTS") != nullptr) std::ofstream(file, std::ios::binary) << text;
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text);
 }
 
 TEST(DrawingText, IsEscaped) {

@@ -314,19 +314,26 @@ void declare_picture(CLI::App& subcommand, ViewOptions& options, const std::stri
           "--parameters", options.parameters,
           "Values of parameters, by name: length=0.3,mass=2; default those of the document")
       ->delimiter(',');
+  subcommand
+      .add_option(
+          "--q", options.q,
+          "Positions of the joints (rad, m): 0.1,0.2 in the order of the model, or by name: KFE=0.2; default zero, or "
+          "the limit next to it")
+      ->delimiter(',');
   subcommand.add_option("--depfile", options.depfile, "Write the files that were read as a dependency file");
+}
+
+Action declare_view(CLI::App& application) {
+  CLI::App* subcommand = application.add_subcommand("view", "Makes a page that shows a robot and moves it");
+  auto options = std::make_shared<ViewOptions>();
+  declare_picture(*subcommand, *options, "HTML file to write");
+  return [options] { return view(*options); };
 }
 
 Action declare_draw(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("draw", "Draws a robot as SVG");
   auto options = std::make_shared<ViewOptions>();
   declare_picture(*subcommand, *options, "SVG file to write");
-  subcommand
-      ->add_option(
-          "--q", options->q,
-          "Positions of the joints (rad, m): 0.1,0.2 in the order of the model, or by name: KFE=0.2; default zero, or "
-          "the limit next to it")
-      ->delimiter(',');
   subcommand->add_option("--azimuth", options->azimuth, "Of the viewer, degrees from x to y; default -60")
       ->check(CLI::Range(-360.0, 360.0));
   subcommand->add_option("--elevation", options->elevation, "Of the viewer, degrees towards z; default 20")
@@ -342,10 +349,15 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
   application.set_version_flag("--version", fmt::format("robcogen {}", driver::kVersion));
   application.require_subcommand(1);
   const std::vector<std::pair<const char*, Action>> actions = {
-      {"generate", declare_generate(application)}, {"check", declare_check(application)},
-      {"print", declare_print(application)},       {"ops", declare_ops(application)},
-      {"eval", declare_eval(application)},         {"convert", declare_convert(application)},
-      {"draw", declare_draw(application)},         {"language-server", declare_language_server(application)}};
+      {"generate", declare_generate(application)},
+      {"check", declare_check(application)},
+      {"print", declare_print(application)},
+      {"ops", declare_ops(application)},
+      {"eval", declare_eval(application)},
+      {"convert", declare_convert(application)},
+      {"draw", declare_draw(application)},
+      {"view", declare_view(application)},
+      {"language-server", declare_language_server(application)}};
   try {
     application.parse(argc, argv);
   } catch (const CLI::Success& answer) {  // --help, --version

@@ -67,6 +67,12 @@ void require_groups_of_transforms(const std::vector<std::string>& asked) {
 }
 
 std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups) const {
+  Diagnostics diagnostics;
+  return load(groups, diagnostics);
+}
+
+std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups, Diagnostics& diagnostics)
+    const {
   require_urdf(file, urdf);
   if (!contacts.empty() && !driver::is_robot(driver::language_of(file)))
     throw Failure{wrong_usage, "robcogen: error: --contacts applies to robots only, not to motions and transforms"};
@@ -80,7 +86,6 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   options.contacts = contacts;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
-  Diagnostics diagnostics;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));
   return model;

@@ -46,6 +46,8 @@ struct ModelOptions {
   // Loads the model and reports diagnostics; nullopt when there was an error, such as that a robot cannot have one of
   // these groups.
   std::optional<driver::Model> load(const std::vector<std::string>& groups = {}) const;
+  // The same; `diagnostics` has what was reported.
+  std::optional<driver::Model> load(const std::vector<std::string>& groups, Diagnostics& diagnostics) const;
   // Loads the model, and traces these groups of a robot; empty: all. With `cached`, functions of a robot with
   // parameters read what follows from these alone from a cache, and the updates that compute it come last.
   std::optional<Programs> load_programs(const std::vector<std::string>& groups = {}, bool cached = false) const;

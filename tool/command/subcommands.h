@@ -64,6 +64,7 @@ struct ViewOptions {
   bool pattern = false;                    // also that of the joint-space inertia matrix
 };
 Status draw(const ViewOptions& options);
+Status view(const ViewOptions& options);
 
 struct ConvertOptions {
   std::string from, to;

@@ -10,6 +10,7 @@
 #include "driver/documents.h"
 #include "support/files.h"
 #include "view/drawing.h"
+#include "view/page.h"
 
 namespace robcogen::command {
 namespace {
@@ -126,6 +127,16 @@ Status draw(const ViewOptions& options) {
   }
   const view::Posture posture = view::posture(robot, positions(options, robot), parameters(options, robot));
   return write(options, *model, view::draw(robot, posture, drawing));
+}
+
+Status view(const ViewOptions& options) {
+  require_robot(options, "view");
+  Diagnostics diagnostics;
+  const std::optional<driver::Model> model = options.model.load({}, diagnostics);
+  if (!model) return wrong_input;
+  const view::ViewedRobot robot = view::viewed(*model);
+  const view::PageOptions page = {positions(options, robot), parameters(options, robot)};
+  return write(options, *model, view::page(*model, robot, diagnostics, page));
 }
 
 }  // namespace robcogen::command

@@ -39,15 +39,15 @@ std::size_t length(const std::string& text) {
 }
 
 // Where labels of a point may stand, from the best place on: the offset of their baseline, and the anchor.
-struct Place {
+struct LabelPlace {
   double dx = 0, dy = 0;
   const char* anchor = "start";
 };
-constexpr Place kPlaces[] = {{10, -6, "start"},  {10, 12, "start"}, {-10, -6, "end"},   {-10, 12, "end"},
-                             {0, -14, "middle"}, {0, 22, "middle"}, {14, -20, "start"}, {14, 26, "start"},
-                             {-14, -20, "end"},  {-14, 26, "end"}};
+constexpr LabelPlace kPlaces[] = {{10, -6, "start"},  {10, 12, "start"}, {-10, -6, "end"},   {-10, 12, "end"},
+                                  {0, -14, "middle"}, {0, 22, "middle"}, {14, -20, "start"}, {14, 26, "start"},
+                                  {-14, -20, "end"},  {-14, 26, "end"}};
 
-Box box_of(double x, double y, const Place& place, double width) {
+Box box_of(double x, double y, const LabelPlace& place, double width) {
   const std::string anchor = place.anchor;
   const double left = x + place.dx - (anchor == "end" ? width : anchor == "middle" ? width / 2 : 0);
   return {left, y + place.dy - kLine + 3, left + width, y + place.dy + 3};
@@ -140,7 +140,7 @@ std::string Canvas::elements(double x, double y, double size) const {
   std::vector<Box> taken;
   for (const Label& label : labels_) {
     const auto p = screen(label.at);
-    for (const Place& place : kPlaces) {
+    for (const LabelPlace& place : kPlaces) {
       const Box box = box_of(p[0], p[1], place, kCharacter * static_cast<double>(length(label.text)));
       const bool is_inside =
           box.left >= paper.left && box.right <= paper.right && box.top >= paper.top && box.bottom <= paper.bottom;

@@ -55,11 +55,12 @@ struct Drawing {
   const ViewedRobot& robot;
   const Posture& posture;
   Canvas canvas;
-  double length = 1;  // of the robot: the largest distance of a frame from the base
-  double width = 6;   // pixels, of bars
+  double length = 1;                     // of the robot: the largest distance of a frame from the base
+  double width = 6;                      // pixels, of bars
+  std::vector<const Pose*> joints = {};  // of joint frames
 
   const Pose& link(int l) const { return posture.frames[static_cast<std::size_t>(l)]; }
-  const Pose& joint(std::size_t j) const { return posture.frames[robot.library.links.size() + j]; }
+  const Pose& joint(std::size_t j) const { return *joints[j]; }
 };
 
 void add_base(Drawing& d) {
@@ -95,7 +96,7 @@ void add_joint(Drawing& d, const JointData& joint, std::size_t index) {
   d.canvas.disc(origin(child), d.width * 0.75, turns ? "class=\"hub\"" : "class=\"sledge\"", 0.012 * d.length);
 }
 
-// What a link without children reaches: its frames, or else its centre of mass. Rays lead to the frames of others.
+// A link without children reaches its farthest frame, or else its centre of mass. Rays lead to other frames.
 void add_tips(Drawing& d) {
   const backend::Library& library = d.robot.library;
   const std::string tip = fmt::format("class=\"tip\" stroke-width=\"{:.1f}\"", d.width * 0.6);
@@ -103,16 +104,17 @@ void add_tips(Drawing& d) {
     const std::vector<JointData> joints = library.all_joints();
     const bool is_leaf =
         std::none_of(joints.begin(), joints.end(), [&](const JointData& j) { return j.parent == static_cast<int>(l); });
-    bool has_frame = false;
-    for (std::size_t f = 0; f < d.robot.frames.size(); ++f) {
-      const ViewedFrame& frame = d.robot.frames[f];
-      if (frame.kind != ViewedFrame::Kind::user || frame.link != static_cast<int>(l)) continue;
-      has_frame = true;
-      const Point at = origin(d.posture.frames[f]);
-      d.canvas.line(origin(d.posture.frames[l]), at, is_leaf ? tip : "class=\"ray\"", -0.005 * d.length);
-    }
-    if (is_leaf && !has_frame && d.posture.masses[l] > 0)
-      d.canvas.line(origin(d.posture.frames[l]), d.posture.centres[l], tip, -0.005 * d.length);
+    std::vector<Point> ends;
+    for (std::size_t f = 0; f < d.robot.frames.size(); ++f)
+      if (d.robot.frames[f].kind == ViewedFrame::Kind::user && d.robot.frames[f].link == static_cast<int>(l))
+        ends.push_back(origin(d.posture.frames[f]));
+    if (is_leaf && ends.empty() && d.posture.masses[l] > 0) ends.push_back(d.posture.centres[l]);
+    const Point from = origin(d.posture.frames[l]);
+    const auto farthest = std::max_element(ends.begin(), ends.end(), [&](const Point& p, const Point& q) {
+      return distance(from, p) < distance(from, q);
+    });
+    for (auto end = ends.begin(); end != ends.end(); ++end)
+      d.canvas.line(from, *end, is_leaf && end == farthest ? tip : "class=\"ray\"", -0.005 * d.length);
   }
 }
 
@@ -151,6 +153,10 @@ double typical_bar(const Drawing& d) {
 
 std::string robot_elements(const ViewedRobot& robot, const Posture& posture, const DrawingOptions& options) {
   Drawing d = {robot, posture, Canvas(options.azimuth, options.elevation)};
+  d.joints.resize(robot.library.all_joints().size());
+  for (std::size_t f = 0; f < robot.frames.size(); ++f)
+    if (robot.frames[f].kind == ViewedFrame::Kind::joint)
+      d.joints[static_cast<std::size_t>(robot.frames[f].index)] = &posture.frames[f];
   d.length = 0;
   for (const Pose& pose : posture.frames)
     d.length = std::max(d.length, distance(origin(pose), origin(posture.frames[0])));

@@ -60,8 +60,8 @@ TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
     return quoted(scratch.path / name);
   };
   const std::string motions = file("m.motdsl", "Model m Convention = local a -> b : rotx(q)");
-  const std::vector<std::string> subcommands = {"check",    "print", "ops", "eval",  "convert",
-                                                "generate", "draw",  "''",  "--help"};
+  const std::vector<std::string> subcommands = {"check",    "print", "ops",  "eval", "convert",
+                                                "generate", "draw",  "view", "''",   "--help"};
   const std::vector<std::string> words = {
       quoted(robot("hyl")),
       motions,

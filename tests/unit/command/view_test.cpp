@@ -57,6 +57,20 @@ TEST(Draw, SaysWhatIsWrongWithNumbers) {
       "robcogen: error: draw applies to robots only, not to motions and transforms\n");
 }
 
+TEST(View, WritesAPage) {
+  const Scratch scratch("view");
+  const fs::path page = scratch.path / "new" / "hyl.html";
+  const Outcome run = run_tool("view " + quoted(robot("hyl")) + " -o " + quoted(page) + " --q KFE=-0.5");
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output, "");
+  EXPECT_EQ(read_text(page).find("<!DOCTYPE html>"), 0U);
+  EXPECT_EQ(run_tool("view " + quoted(robot("hyl"))).status, 2);
+  const fs::path wrong = scratch.path / "wrong.kindsl", none = scratch.path / "none.html";
+  write_text(wrong, "Robot r {");
+  EXPECT_EQ(run_tool("view " + quoted(wrong) + " -o " + quoted(none)).status, 1);
+  EXPECT_FALSE(fs::exists(none));
+}
+
 TEST(Draw, AsksForParametersWithoutValue) {
   const Scratch scratch("draw-parameters");
   const fs::path model = scratch.path / "arm.kindsl", svg = scratch.path / "arm.svg";

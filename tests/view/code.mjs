@@ -1,0 +1,99 @@
+// The code of pages without a browser: principal axes, masses, and the motion under gravity.
+//
+// node code.mjs TOOL FOLDER ROBOTS
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+import { makeRobot, postureOf, swing } from "../../tool/view/page/posture.js";
+import { dot, place, principal, rotate } from "../../tool/view/page/vectors.js";
+
+const [tool, folder, robots] = process.argv.slice(2);
+
+// The same numbers in every run.
+let seed = 7;
+const random = () => {
+  seed = (1103515245 * seed + 12345) % 2147483648;
+  return (2 * seed) / 2147483648 - 1;
+};
+
+async function load(name) {
+  const document = join(robots, name, `${name}.kindsl`);
+  const words = ["generate", document, "-o", folder, "--name", name, "--language", "javascript"];
+  execFileSync(tool, [...words, "--algorithms", "energy,forward_dynamics,bias_forces,transforms"], { stdio: "pipe" });
+  const module = await import(pathToFileURL(join(folder, "javascript", `${name}.mjs`)).href);
+  const base = module.model.frames[0].name;
+  const frames = module.model.links.map((link, l) => ({ kind: "link", name: `fr_${link.name}`, index: l, link: l }));
+  const functions = Object.fromEntries(frames.slice(1).map((f) => [f.name, `${base}_X_${f.name}`]));
+  return makeRobot(module, { frames, functions, warnings: [] });
+}
+
+const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a} instead of ${b}`);
+
+// A v = lambda v, and the vectors are orthogonal and of unit length.
+for (let k = 0; k < 200; ++k) {
+  const [a, b, c, d, e, f] = Array.from({ length: 6 }, random);
+  const matrix = [[a, b, c], [b, d, e], [c, e, f]];
+  const pairs = principal(matrix);
+  pairs.forEach(({ value, vector }, i) => {
+    matrix.forEach((row, r) => near(dot(row, vector), value * vector[r], 1e-13, "principal axis"));
+    pairs.forEach((other, j) => near(dot(vector, other.vector), i === j ? 1 : 0, 1e-13, "orthogonal axes"));
+    assert.ok(i === 0 || value >= pairs[i - 1].value, "ascending");
+  });
+}
+
+// Solid ellipsoids have the moments that they are drawn for; masses add up.
+{
+  const robot = await load("hyl");
+  const posture = postureOf(robot, { q: [0.1, 0.7, -1.2], qd: [0, 0, 0], parameters: {} });
+  const moving = robot.model.links.filter((link) => link.mass > 0);
+  near(posture.carried[0].mass, moving.reduce((sum, link) => sum + link.mass, 0), 1e-12, "whole mass");
+  robot.model.links.forEach((link, l) => {
+    const mass = posture.masses[l];
+    if (!mass) return assert.equal(link.mass, 0);
+    mass.moments.forEach((moment, k) => {
+      const [b, c] = [0, 1, 2].filter((i) => i !== k).map((i) => mass.semi[i]);
+      near((mass.mass / 5) * (b * b + c * c), moment, 1e-12, "moment of the ellipsoid");
+    });
+    // The sum over the axes is the inertia about the centre, and with the parallel axes that of the document.
+    for (const [r, given] of link.moments.entries()) {
+      const back = robot.model.links.length && mass.axes.map((a) => rotate(transposed(posture.poses[l]), a));
+      const squares = back.reduce((sum, a) => sum + (dot(a, a) - a[r] * a[r]), 0);
+      const parallel = mass.mass * (dot(link.com, link.com) - link.com[r] ** 2);
+      near((mass.mass / 5) * squares + parallel, given, 1e-12, "moment of inertia");
+    }
+    place(posture.poses[l], link.com).forEach((x, k) => near(mass.centre[k], x, 0, "centre of mass"));
+  });
+}
+
+function transposed(pose) {
+  return [0, 1, 2].map((r) => [pose[0][r], pose[1][r], pose[2][r], 0]);
+}
+
+// Without friction the energy stays. A robot that falls freely, and a chain.
+for (const name of ["hyl", "tree5"]) {
+  const robot = await load(name);
+  robot.joints = robot.joints.map((joint) => ({ ...joint, lower: -Infinity, upper: Infinity }));
+  const state = { q: robot.joints.map(() => 0.4 + 0.3 * random()), qd: robot.joints.map(() => 0), parameters: {} };
+  const energy = () => robot.module.kinetic_energy(state.q, state.qd) + robot.module.potential_energy(state.q);
+  const before = energy(), start = [...state.q];
+  let kinetic = 0;
+  for (let k = 0; k < 240; ++k) {
+    assert.ok(swing(robot, state, 1 / 240));
+    kinetic = Math.max(kinetic, robot.module.kinetic_energy(state.q, state.qd));
+  }
+  assert.ok(kinetic > 0.1, `${name} moves`);
+  near(energy(), before, 1e-5 * kinetic, `energy of ${name}`);
+  assert.notDeepEqual(state.q, start);
+}
+
+// A joint stops at its limit.
+{
+  const robot = await load("hyl");
+  robot.joints = robot.joints.map((joint, j) => (j === 0 ? { ...joint, lower: -0.1, upper: 0.1 } : joint));
+  const state = { q: [0, 0.2, 0.3], qd: [0, 0, 0], parameters: {} };
+  for (let k = 0; k < 240; ++k) swing(robot, state, 1 / 240);
+  assert.equal(state.q[0], -0.1);
+}
+console.log("the code of pages is right");

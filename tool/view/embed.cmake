@@ -1,0 +1,25 @@
+# Writes the source of page_file: the texts of the FILES.
+#
+# cmake -D FILES=list -D OUTPUT=file -P embed.cmake
+cmake_minimum_required(VERSION 3.25)
+set(text "#include \"view/page_files.h\"\n\nnamespace robcogen::view {\n\n")
+string(APPEND text "std::string_view page_file(std::string_view name) {\n")
+foreach(file IN LISTS FILES)
+  cmake_path(GET file FILENAME name)
+  file(READ ${file} content)
+  # Compilers limit the length of a literal: one for at most 8000 characters, which ends with a line.
+  string(LENGTH "${content}" length)
+  string(APPEND text "  if (name == \"${name}\")\n    return ")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${content}" ${at} 8000 part)
+    string(FIND "${part}" "\n" end REVERSE)
+    math(EXPR size "${end} + 1")
+    string(SUBSTRING "${part}" 0 ${size} part)
+    string(APPEND text "R\"page(${part})page\"\n")
+    math(EXPR at "${at} + ${size}")
+  endwhile()
+  string(APPEND text "    ;\n")
+endforeach()
+string(APPEND text "  return {};\n}\n\n}  // namespace robcogen::view\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,170 @@
+// Beside the picture: the outline of links, numbers of the selected one, joints, parameters, warnings.
+import { jointAxis } from "./posture.js";
+import { origin } from "./vectors.js";
+
+export function element(tag, properties = {}, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.includes("-") || name === "role" || name === "for") node.setAttribute(name, value);
+    else node[name] = value;
+  }
+  node.append(...children);
+  return node;
+}
+
+const digits = (value) => {
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const text = size >= 1e5 || size < 1e-4 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
+  return text.replace("-", "−");
+};
+const three = (v) => v.map((x) => digits(Math.abs(x) < 1e-12 ? 0 : x)).join(", ");
+const unitOf = (joint) => (joint.type === "prismatic" ? "m" : "rad");
+const forceUnit = (joint) => (joint.type === "prismatic" ? "N" : "N m");
+
+export function makeOutline(robot, container, select) {
+  const { links } = robot.model, buttons = [];
+  const item = (l) => {
+    const joint = robot.joints[links[l].parent_joint];
+    const warned = robot.data.warnings.some((w) => w.link === l);
+    const title = joint ? `${links[l].name}, moved by ${joint.name}` : links[l].name;
+    const name = element("span", {}, links[l].name);
+    const button = element("button", { type: "button", role: "treeitem", "aria-selected": "false", title }, name);
+    if (joint) button.append(element("small", {}, joint.name));
+    if (warned) button.append(element("span", { className: "mark", title: "has warnings" }, "⚠"));
+    button.addEventListener("click", () => select(l));
+    buttons[l] = button;
+    const node = element("li", {}, button);
+    if (robot.children[l].length)
+      node.append(element("ul", { role: "group" }, ...robot.children[l].map((j) => item(robot.joints[j].child))));
+    return node;
+  };
+  container.replaceChildren(element("ul", {}, item(0)));
+  return (selected) => {
+    buttons.forEach((button, l) => button.setAttribute("aria-selected", String(l === selected)));
+    if (selected < 0) return;
+    const panel = container.parentElement, own = buttons[selected].getBoundingClientRect();
+    const { top, bottom } = panel.getBoundingClientRect();
+    if (own.top < top) panel.scrollTop -= top - own.top + 20;
+    if (own.bottom > bottom) panel.scrollTop += own.bottom - bottom + 20;
+  };
+}
+
+export function makeWarnings(robot, container, select) {
+  const { warnings } = robot.data;
+  if (warnings.length === 0) return;
+  container.replaceChildren(
+    element("h2", {}, warnings.length === 1 ? "1 warning" : `${warnings.length} warnings`),
+    ...warnings.map(({ message, hint, where, link }) => {
+      const text = element("button", { type: "button" }, message);
+      if (link >= 0) text.addEventListener("click", () => select(link));
+      const more = [where, hint].filter(Boolean).join(" · ");
+      return element("p", { className: "warning" }, text, element("small", {}, more));
+    }));
+}
+
+function listed(pairs) {
+  return element("dl", {}, ...pairs.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)]));
+}
+
+export function showLink(robot, posture, selected, container) {
+  if (selected < 0) {
+    const hint = "Click a link, in the picture or in the list, for its numbers.";
+    container.replaceChildren(element("p", { className: "hint" }, hint));
+    return;
+  }
+  const { links } = robot.model;
+  const mass = posture.masses[selected], all = posture.carried[selected], j = links[selected].parent_joint;
+  const pairs = [];
+  if (mass) {
+    pairs.push(["mass", `${digits(mass.mass)} kg`], ["centre of mass", `${three(mass.com)} m`]);
+    pairs.push(["principal moments", `${three(mass.moments)} kg m²`]);
+    pairs.push(["ellipsoid, semi-axes", `${three(mass.semi)} m`]);
+  } else {
+    pairs.push(["mass", "none"]);
+  }
+  if (all.centre && robot.children[selected].length) {
+    pairs.push(["with what it carries", `${digits(all.mass)} kg`]);
+    pairs.push(["its centre, in the base", `${three(all.centre)} m`]);
+  }
+  pairs.push(["origin, in the base", `${three(origin(posture.poses[selected]))} m`]);
+  if (j >= 0) {
+    const joint = robot.joints[j];
+    pairs.push(["joint", `${joint.name}, ${joint.type}`], ["axis, in the base", three(jointAxis(robot, posture, j))]);
+    if (joint.type === "helical") pairs.push(["pitch", `${digits(joint.pitch)} m/rad`]);
+    pairs.push(["position", `${digits(posture.positions[j])} ${unitOf(joint)}`]);
+    const isFree = joint.lower === -Infinity && joint.upper === Infinity;
+    pairs.push(["limits", isFree ? "none" : `${digits(joint.lower)} … ${digits(joint.upper)} ${unitOf(joint)}`]);
+  }
+  robot.data.frames.forEach((frame, f) => {
+    const isOwn = frame.kind === "user" && frame.link === selected && frame.name !== links[selected].name;
+    if (isOwn) pairs.push([frame.name, `${three(origin(posture.poses[f]))} m`]);
+  });
+  container.replaceChildren(element("h3", {}, links[selected].name), listed(pairs));
+}
+
+// A slider for each coordinate; without limits, half a turn or as far as the robot is long.
+export function makeJoints(robot, state, around, container, changed, select) {
+  if (robot.joints.length === 0) return () => {};
+  const rows = robot.joints.map((joint, j) => {
+    const slides = joint.type === "prismatic", free = slides ? around : Math.PI;
+    const name = element("b", { title: "Select the link" }, joint.name);
+    name.addEventListener("click", () => select(joint.child));
+    const force = element("output", {});
+    if (j >= robot.dof) {
+      const value = element("output", {});
+      const follows = element("small", {}, "follows");
+      const node = element("div", { className: "joint" }, element("div", { className: "row" }, name, follows, value));
+      return { node, joint, j, value };
+    }
+    const lower = Number.isFinite(joint.lower) ? joint.lower : Math.min(-free, state.q[j]);
+    const upper = Number.isFinite(joint.upper) ? joint.upper : Math.max(free, state.q[j]);
+    const label = `${joint.name}, ${unitOf(joint)}`;
+    const slider = element("input", { type: "range", min: lower, max: upper, step: "any", "aria-label": label });
+    const field = element("input", { type: "number", step: "any", "aria-label": label });
+    slider.addEventListener("input", () => changed(j, Number(slider.value)));
+    field.addEventListener("change", () => {
+      const value = Number(field.value);
+      const inside = field.value !== "" && Number.isFinite(value) && !(value < joint.lower) && !(value > joint.upper);
+      field.setCustomValidity(inside ? "" : `between ${digits(joint.lower)} and ${digits(joint.upper)}`);
+      field.reportValidity();
+      if (inside) changed(j, value);
+    });
+    const unit = element("small", {}, unitOf(joint));
+    const row = element("div", { className: "row" }, name, field, unit);
+    const node = element("div", { className: "joint" }, row, slider, force);
+    return { node, joint, j, slider, field, force };
+  });
+  container.replaceChildren(element("h2", {}, "Joints"), ...rows.map((row) => row.node));
+  return (posture, selected) => {
+    for (const { node, joint, j, slider, field, force, value } of rows) {
+      node.classList.toggle("chosen", joint.child === selected);
+      const position = posture.positions[j];
+      if (value) {
+        value.textContent = `${digits(position)} ${unitOf(joint)}`;
+        continue;
+      }
+      slider.value = position;
+      if (document.activeElement !== field) field.value = Number(position.toPrecision(5));
+      const turn = joint.type === "prismatic" ? "" : ` · ${digits((position * 180) / Math.PI)}°`;
+      const largest = posture.gravity ? Math.max(...posture.gravity.map(Math.abs)) : 0;
+      const own = posture.gravity && Math.abs(posture.gravity[j]) > 1e-12 * largest ? posture.gravity[j] : 0;
+      force.textContent = posture.gravity ? `gravity ${digits(own)} ${forceUnit(joint)}${turn}` : turn;
+    }
+  };
+}
+
+export function makeParameters(state, container, changed) {
+  const names = Object.keys(state.parameters);
+  if (names.length === 0) return;
+  container.replaceChildren(element("h2", {}, "Parameters"), ...names.map((name) => {
+    const field = element("input", { type: "number", step: "any", value: state.parameters[name], "aria-label": name });
+    field.addEventListener("input", () => {
+      const value = Number(field.value), good = field.value !== "" && Number.isFinite(value);
+      field.setCustomValidity(good ? "" : "a number");
+      if (good) changed(name, value);
+    });
+    return element("label", { className: "parameter" }, element("span", {}, name), field);
+  }));
+}

@@ -1,0 +1,136 @@
+// The robot in a position: everything here follows from the functions that the generator printed.
+import { add, axis, dot, identity, origin, place, principal, rotate, scale } from "./vectors.js";
+
+// The parts of the robot that do not change: `robot` is the generated module, `data` what the generator adds.
+export function makeRobot(robot, data) {
+  const { model } = robot;
+  const joints = [...model.joints, ...model.coupled_joints];
+  const children = model.links.map(() => []);
+  joints.forEach((joint, j) => children[joint.parent].push(j));
+  const jointFrames = joints.map(() => -1);
+  data.frames.forEach((frame, f) => {
+    if (frame.kind === "joint") jointFrames[frame.index] = f;
+  });
+  return { module: robot, model, data, joints, children, jointFrames, dof: model.dof };
+}
+
+// Masses of links: those of the document, or those of the parameters.
+function linksOf(robot, parameters) {
+  const { links } = robot.model;
+  if (!robot.module.numbers) return links;
+  const rows = robot.module.numbers(parameters).links;
+  return links.map((link, l) => ({
+    ...link,
+    mass: rows[0][l],
+    com: [1, 2, 3].map((r) => rows[r][l]),
+    moments: [4, 5, 6].map((r) => rows[r][l]),
+    products: [7, 8, 9].map((r) => rows[r][l]),
+  }));
+}
+
+// Semi-axes of the ellipsoid of even density that has the mass and the principal moments.
+function semiAxes(mass, moments) {
+  const sum = moments[0] + moments[1] + moments[2];
+  return moments.map((moment) => Math.sqrt(Math.max(0, (2.5 / mass) * (sum - 2 * moment))));
+}
+
+function massOf(link, pose) {
+  const { mass, com, moments, products } = link;
+  if (!(mass > 0)) return null;
+  const about = dot(com, com);
+  const off = (a, b, product) => mass * com[a] * com[b] - product;
+  const inertia = [
+    [moments[0] - mass * (about - com[0] ** 2), off(0, 1, products[0]), off(0, 2, products[1])],
+    [off(0, 1, products[0]), moments[1] - mass * (about - com[1] ** 2), off(1, 2, products[2])],
+    [off(0, 2, products[1]), off(1, 2, products[2]), moments[2] - mass * (about - com[2] ** 2)],
+  ];
+  const principals = principal(inertia);
+  const semi = semiAxes(mass, principals.map((p) => p.value));
+  return {
+    mass,
+    com,
+    centre: place(pose, com),
+    moments: principals.map((p) => p.value),
+    semi,
+    axes: principals.map((p, k) => scale(semi[k], rotate(pose, p.vector))),
+  };
+}
+
+// Mass and centre of each link with all that it carries; of the base: of the whole robot.
+function carried(robot, masses) {
+  const result = masses.map((m) => ({ mass: m ? m.mass : 0, moment: m ? scale(m.mass, m.centre) : [0, 0, 0] }));
+  const visit = (l) => {
+    for (const j of robot.children[l]) {
+      const { child } = robot.joints[j];
+      visit(child);
+      result[l].mass += result[child].mass;
+      result[l].moment = add(result[l].moment, result[child].moment);
+    }
+  };
+  visit(0);
+  return result.map(({ mass, moment }) => ({ mass, centre: mass > 0 ? scale(1 / mass, moment) : null }));
+}
+
+const argumentsOf = (robot, state) => (robot.module.parameters ? [state.parameters, state.q] : [state.q]);
+
+// Positions of all joints, coupled ones too.
+function positions(robot, state) {
+  let coupled = robot.model.coupled_joints.map(({ factors, offset }) => ({ factors, offset }));
+  if (robot.module.coupling_numbers) {
+    const rows = robot.module.coupling_numbers(state.parameters);
+    coupled = coupled.map((_, c) => ({
+      factors: rows.slice(0, robot.dof).map((row) => row[c]),
+      offset: rows[robot.dof][c],
+    }));
+  }
+  const follow = ({ factors, offset }) => factors.reduce((sum, factor, k) => sum + factor * state.q[k], offset);
+  return [...state.q, ...coupled.map(follow)];
+}
+
+// Poses of all frames in the base, masses, and the forces of gravity.
+export function postureOf(robot, state) {
+  const { module, data } = robot;
+  const given = argumentsOf(robot, state);
+  const poses = data.frames.map(({ name }) => {
+    const transform = data.functions[name];
+    return transform ? module.transforms.homogeneous[transform](...given) : identity();
+  });
+  const masses = linksOf(robot, state.parameters).map((link, l) => massOf(link, poses[l]));
+  return {
+    poses,
+    masses,
+    carried: carried(robot, masses),
+    positions: positions(robot, state),
+    gravity: module.gravity_forces ? module.gravity_forces(...given) : null,
+  };
+}
+
+export const jointAxis = (robot, posture, j) => axis(posture.poses[robot.joints[j].child], 2);
+export const jointOrigin = (robot, posture, j) => origin(posture.poses[robot.jointFrames[j]]);
+
+export const canSwing = (robot) => Boolean(robot.module.forward_dynamics) && robot.dof > 0;
+
+// The state after so many seconds without joint forces: Runge and Kutta's fourth order. Joints stop at their limits.
+// False when the motion is too fast for the steps.
+export function swing(robot, state, seconds) {
+  const n = robot.dof;
+  const none = new Array(n).fill(0);
+  const accelerate = (q, qd) => robot.module.forward_dynamics(...argumentsOf(robot, { ...state, q }), qd, none);
+  const ahead = (a, h, b) => a.map((value, k) => value + h * b[k]);
+  const { q, qd } = state;
+  const k1 = accelerate(q, qd);
+  const v2 = ahead(qd, seconds / 2, k1), k2 = accelerate(ahead(q, seconds / 2, qd), v2);
+  const v3 = ahead(qd, seconds / 2, k2), k3 = accelerate(ahead(q, seconds / 2, v2), v3);
+  const v4 = ahead(qd, seconds, k3), k4 = accelerate(ahead(q, seconds, v3), v4);
+  for (let k = 0; k < n; ++k) {
+    state.q[k] += (seconds / 6) * (qd[k] + 2 * v2[k] + 2 * v3[k] + v4[k]);
+    state.qd[k] += (seconds / 6) * (k1[k] + 2 * k2[k] + 2 * k3[k] + k4[k]);
+    const { lower, upper } = robot.joints[k];
+    const stop = state.q[k] < lower ? lower : state.q[k] > upper ? upper : null;
+    if (stop !== null) {
+      state.q[k] = stop;
+      state.qd[k] = 0;
+    }
+  }
+  return state.q.every(Number.isFinite) && state.qd.every((v) => Math.abs(v) < 1e3);
+}
