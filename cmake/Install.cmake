@@ -31,6 +31,7 @@ install(
         cmake/RobcogenArguments.cmake
         cmake/RobcogenC.cmake
         cmake/RobcogenProcessors.cmake
+        cmake/RobcogenPython.cmake
         cmake/RobcogenTool.cmake
         cmake/RobcogenComplete.cmake
         cmake/RobcogenRealTime.cmake

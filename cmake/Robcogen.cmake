@@ -33,6 +33,7 @@
 #       [LANGUAGES cpp c matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. That in C is the
 #                                   # library <TARGET>_c (RobcogenC.cmake); nothing compiles the rest
+#       [PYTHON]                    # also a Python module (RobcogenPython.cmake)
 #       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, they get -O2 in
 #                                   # configurations without optimisation, such as Debug or none
@@ -63,6 +64,7 @@ include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenC.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenPython.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenView.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
@@ -81,7 +83,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH PYTHON NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -98,6 +100,7 @@ function(robcogen_add_robot)
   _robcogen_check_derivatives()
   _robcogen_check_elements(LANGUAGES cpp c matlab maxima javascript)
   _robcogen_check_c()
+  _robcogen_check_python()
   _robcogen_check_elements(BATCH_LEVELS baseline avx2 avx512)
   if(library_BATCH_LEVELS AND NOT library_BATCH)
     _robcogen_refuse("BATCH_LEVELS needs BATCH")
@@ -114,6 +117,7 @@ function(robcogen_add_robot)
     _robcogen_expand_xacro()
   endif()
   _robcogen_c_files("${library_groups}")
+  _robcogen_python_files()
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_add_text()
     _robcogen_add_view(${library_TARGET}_view)
@@ -138,6 +142,7 @@ function(robcogen_add_robot)
   endif()
   _robcogen_add_library(${library_TARGET})
   _robcogen_add_c_library()
+  _robcogen_add_python()
   _robcogen_set_levels(${library_TARGET})
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_selfcheck(${library_TARGET}_selfcheck)
@@ -148,7 +153,7 @@ function(robcogen_add_robot)
     _robcogen_add_bench(${library_TARGET}_bench)
   endif()
   if(library_EXPORT_FILES)
-    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} ${python_files} PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -267,7 +272,7 @@ function(_robcogen_add_codegen target)
     DEPFILE ${depfile}
     COMMENT "Generating ${library_NAME} from ${document}"
     VERBATIM)
-  set(files ${headers} ${sources} ${c_headers} ${c_sources})
+  set(files ${headers} ${sources} ${c_headers} ${c_sources} ${python_files})
   file(GENERATE OUTPUT ${library_OUTPUT_DIR}/${stem}.expected CONTENT "${files}")
   list(TRANSFORM generate REPLACE "^robcogen::robcogen$" "$<TARGET_FILE:robcogen::robcogen>")
   add_custom_command(

@@ -17,6 +17,7 @@ function(compile standard messages)
 endfunction()
 
 file(GLOB_RECURSE headers RELATIVE ${HEADERS} ${HEADERS}/robcogen/*.h)
+list(FILTER headers EXCLUDE REGEX "/python/")  # they need those of Python
 set(older "")
 set(newer "")
 foreach(header IN LISTS headers)

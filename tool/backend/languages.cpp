@@ -5,6 +5,7 @@
 #include "backend/javascript/javascript.h"
 #include "backend/matlab/matlab.h"
 #include "backend/maxima/maxima.h"
+#include "backend/python/python.h"
 
 namespace robcogen::backend {
 
@@ -17,6 +18,7 @@ const std::vector<Language>& languages() {
       {.name = "c", .takes_transforms = true, .print = c::print},
       {.name = "matlab", .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .takes_transforms = true, .print = maxima::print},
+      {.name = "python", .features = {.caches_parameters = true}, .print = python::print},
       {.name = "javascript", .takes_transforms = true, .print = javascript::print},
   };
   return all;

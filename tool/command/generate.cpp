@@ -191,10 +191,12 @@ void require_options_of_transforms(const GenerateOptions& options) {
               "robcogen: error: --language {} applies to robots only, not to motions and transforms", language->name)};
 }
 
-// The files whose names follow from the options only: those of C++ and C.
+// The files whose names follow from the options only: those of C++, C and Python.
 Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {
+    if (language->name == "python")
+      for (const char* end : {".cpp", ".pyi"}) print_output("python/{}{}\n", options.names.name, end);
     if (language->name != "cpp" && language->name != "c") continue;
     std::vector<std::string> groups =
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, asked_groups(options));

@@ -1,0 +1,64 @@
+# The Python module of a robot: PYTHON of robcogen_add_robot.
+#
+# Defines, for TARGET hyl, the module hyl_python: hyl.abi3.so with its stub hyl.pyi in OUTPUT_DIR/python, importable by
+# every Python from 3.11 on. To build it takes the headers of one of them, and no package of Python.
+include_guard(GLOBAL)
+
+# Finds Python, and adds the language that the generator prints to library_LANGUAGES.
+function(_robcogen_check_python)
+  if(NOT library_PYTHON)
+    return()
+  endif()
+  if(NOT "cpp" IN_LIST library_LANGUAGES)
+    _robcogen_refuse("PYTHON makes a module of the library in C++: LANGUAGES must have cpp")
+  endif()
+  set(words False None True and as assert async await break class continue def del elif else except finally for from global if
+            import in is lambda nonlocal not or pass raise return try while with yield)
+  if(library_NAME IN_LIST words)
+    _robcogen_refuse("NAME '${library_NAME}' is a word of Python: no module can have it; give another NAME")
+  endif()
+  find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
+  if(NOT TARGET Python3::Module)
+    _robcogen_refuse(
+      "PYTHON needs the headers of Python 3.11 or newer (Debian: python3-dev); set Python3_EXECUTABLE to a Python that has them")
+  endif()
+  set_target_properties(Python3::Module PROPERTIES IMPORTED_GLOBAL ON)
+  set(library_LANGUAGES ${library_LANGUAGES} python PARENT_SCOPE)
+endfunction()
+
+# Sets python_files to the files of the module.
+function(_robcogen_python_files)
+  set(python_files "")
+  if(library_PYTHON)
+    set(python_files ${library_OUTPUT_DIR}/python/${library_NAME}.cpp ${library_OUTPUT_DIR}/python/${library_NAME}.pyi)
+  endif()
+  return(PROPAGATE python_files)
+endfunction()
+
+function(_robcogen_add_python)
+  if(NOT library_PYTHON)
+    return()
+  endif()
+  set(target ${library_TARGET}_python)
+  _robcogen_exclusion(exclusion)
+  list(GET python_files 0 source)
+  add_library(${target} MODULE ${exclusion} ${source})
+  add_dependencies(${target} ${library_TARGET}_codegen)
+  target_link_libraries(${target} PRIVATE ${library_TARGET} Python3::Module)
+  set(suffix .abi3.so)
+  if(WIN32)
+    set(suffix .pyd)
+  endif()
+  _robcogen_optimisation(optimisation)
+  target_compile_options(${target} PRIVATE ${optimisation})
+  set_target_properties(
+    ${target}
+    PROPERTIES OUTPUT_NAME ${library_NAME}
+               PREFIX ""
+               SUFFIX ${suffix}
+               LIBRARY_OUTPUT_DIRECTORY $<1:${library_OUTPUT_DIR}/python>
+               CXX_VISIBILITY_PRESET hidden
+               CXX_CLANG_TIDY ""
+               UNITY_BUILD OFF
+               FOLDER robots)
+endfunction()

@@ -1,0 +1,66 @@
+"""Documentation, stubs, and the example of the guide."""
+import inspect
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+from common import arm, leg, scopes, walker
+
+
+class Documents(unittest.TestCase):
+    def test_signatures(self):
+        self.assertEqual(
+            str(inspect.signature(arm.inverse_dynamics)), "(q, qd, qdd, gravity=None, external=None, *, out=None)")
+        self.assertEqual(str(inspect.signature(leg.gravity_forces)), "(parameters, q, gravity=None, *, out=None)")
+        # With a floating base gravity says how the base is oriented: it has no default.
+        self.assertIsNot(inspect.signature(walker.inverse_dynamics).parameters["gravity"].default, None)
+        self.assertIn("recursive Newton-Euler", arm.inverse_dynamics.__doc__)
+
+    def test_stubs_have_every_function(self):
+        for module in (arm, leg, walker):
+            stub = os.path.join(os.path.dirname(module.__file__), module.__name__ + ".pyi")
+            with open(stub, encoding="utf-8") as file:
+                text = file.read()
+            names = set(re.findall(r"def (\w+)\(", text)) - {"__init__"}
+            names -= set(getattr(module, "parameter_names", ()))
+            self.assertEqual(names, {name.rsplit(".")[-1] for name, _ in scopes(module)})
+            compile(text, stub, "exec")
+
+    def test_stubs_satisfy_mypy(self):
+        program = "\n".join([
+            "import numpy as np", "import leg", "p = leg.Parameters(upperleg_length=0.4)",
+            "H = leg.joint_space_inertia(p, [0.0, 0.1, 0.2])", "print(H.T @ H, p.upperleg_length, leg.dof + 1)",
+            "X = leg.transforms.homogeneous.fr_base_X_fr_foot(p, np.zeros(3))",
+            "print(leg.joint_space_inertia_factor(p, np.zeros((5, 3))).L.shape, X[0])"])
+        check = subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True, check=False)
+        if check.returncode:
+            self.skipTest("there is no mypy")
+        with tempfile.TemporaryDirectory() as folder:
+            for module in (arm, leg, walker):
+                shutil.copy(os.path.join(os.path.dirname(module.__file__), module.__name__ + ".pyi"), folder)
+            with open(os.path.join(folder, "use.py"), "w", encoding="utf-8") as file:
+                file.write(program + "\n")
+            run = subprocess.run(
+                [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", "use.py"], cwd=folder,
+                capture_output=True, text=True, check=False,
+                env={k: v for k, v in os.environ.items() if k != "PYTHONPATH"} | {"MYPYPATH": folder})
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+
+    def test_the_example_of_the_guide_runs(self):
+        with open(os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "README.md"), encoding="utf-8") as file:
+            blocks = re.findall(r"\n```python\n(.*?)\n```\n", file.read(), re.DOTALL)
+        self.assertGreater(len(blocks), 0)
+        names = {}
+        for block in blocks:
+            exec(compile(block, "README.md", "exec"), names)
+        self.assertEqual(names["tau"].shape, (7,))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+"""Every function of every module gives what `robcogen eval` gives."""
+import re
+import unittest
+
+import numpy as np
+
+from common import RANDOM, arm, evaluate, leg, scopes, walker
+
+
+def shapes(function):
+    """Arguments and results with their shapes, as the documentation lists them."""
+    arguments, results = {}, {}
+    for line in function.__doc__.splitlines():
+        match = re.fullmatch(r"(returns )?(\w+): (\([\d, ]*\)|Parameters)", line)
+        if match:
+            shape = "parameters" if match[3] == "Parameters" else tuple(int(n) for n in re.findall(r"\d+", match[3]))
+            (results if match[1] else arguments)[match[2]] = shape
+    return arguments, results
+
+
+def parameters_of(module):
+    return {name: 1.1 * getattr(module.Parameters(), name) for name in module.parameter_names}
+
+
+class Values(unittest.TestCase):
+    def compare(self, module, name, function, state, *options):
+        arguments, results = shapes(function)
+        given, asked = {}, {}
+        for key, shape in arguments.items():
+            if shape == "parameters":
+                asked[key] = parameters_of(module)
+                given[key] = module.Parameters(**asked[key])
+                continue
+            if key not in state:
+                state[key] = RANDOM.uniform(-1, 1, shape)
+            given[key] = state[key]
+            asked[key] = state[key]
+            if key == "external":
+                asked[key] = {link: list(w) for link, w in zip(module.link_names, state[key])}
+        expected = evaluate(module, name, [asked], *options)[0]
+        got = function(**given)
+        in_float = function(**{k: np.asarray(v, np.float32) if arguments[k] != "parameters" else v for k, v in given.items()})
+        if len(results) == 1:
+            got, in_float = (got,), (in_float,)
+        else:
+            self.assertEqual(set(expected), {f for f in dir(got) if f in results}, name)
+        for i, (key, shape) in enumerate(results.items()):
+            wanted = np.asarray(expected[key])
+            scale = 1e-9 * (1 + np.abs(wanted).max(initial=0))
+            self.assertEqual(np.shape(got[i]), shape, name)
+            np.testing.assert_allclose(np.asarray(got[i]).reshape(-1), wanted.reshape(-1), rtol=0, atol=scale, err_msg=name)
+            if len(arguments) > ("parameters" in arguments):
+                np.testing.assert_allclose(
+                    np.asarray(in_float[i]).reshape(-1), wanted.reshape(-1), rtol=0, atol=3e5 * scale, err_msg=name)
+                self.assertIn(np.asarray(in_float[i]).dtype, (np.dtype(np.float32), np.dtype(float)))
+
+    def test_all_functions(self):
+        count = 0
+        for module in (arm, leg, walker):
+            for name, function in scopes(module):
+                if name.startswith("inertia_factor"):
+                    continue
+                options = ["--derivatives", "inverse_dynamics:q"] if name == "inverse_dynamics_d_q" else []
+                self.compare(module, name, function, {}, *options)
+                count += 1
+        self.assertGreater(count, 50)
+
+    def test_factor(self):
+        p, q, x = leg.Parameters(), RANDOM.uniform(-1, 1, 3), RANDOM.uniform(-1, 1, 3)
+        H = leg.joint_space_inertia(p, q)
+        factor = leg.joint_space_inertia_factor(p, q)
+        np.testing.assert_allclose(factor.L.T @ factor.L, H, atol=1e-12)
+        np.testing.assert_allclose(H @ leg.inertia_factor.solve(factor.L, factor.inverse_diagonal, x), x, atol=1e-12)
+
+    def test_matrices_are_those_of_columns_and_rows(self):
+        p, q = leg.Parameters(), np.array([0.3, 0.1, 0.2])
+        X = leg.transforms.homogeneous.fr_base_X_fr_foot(p, q)
+        J = leg.jacobians.fr_base_J_fr_foot(p, q)
+        np.testing.assert_allclose(X[3], [0, 0, 0, 1])
+        np.testing.assert_allclose(X[:3, :3] @ X[:3, :3].T, np.eye(3), atol=1e-14)
+        step = 1e-6
+        for k in range(3):
+            moved = leg.transforms.homogeneous.fr_base_X_fr_foot(p, q + step * np.eye(3)[k])
+            np.testing.assert_allclose((moved - X)[:3, 3] / step, J[3:, k], atol=1e-5)
+
+    def test_default_gravity_is_standard(self):
+        q, zero = RANDOM.uniform(-1, 1, 7), np.zeros(7)
+        wrench = np.zeros((len(arm.link_names), 6))
+        down = arm.inverse_dynamics(q, zero, zero)
+        np.testing.assert_allclose(arm.inverse_dynamics(q, zero, zero, gravity=[0, 0, -9.81]), down, atol=1e-12)
+        np.testing.assert_allclose(arm.inverse_dynamics(q, zero, zero, external=wrench), down, atol=1e-12)
+        np.testing.assert_allclose(arm.inverse_dynamics(q, zero, zero, [0, 0, 0]), zero, atol=1e-12)
+
+    def test_the_model(self):
+        self.assertEqual((arm.dof, leg.dof), (7, 3))
+        self.assertEqual(leg.joint_names, ("SLIDE", "HFE", "KFE"))
+        self.assertEqual(leg.link_parents, (-1, 0, 1, 2))
+        self.assertEqual(len(arm.link_names), 8)
+        self.assertEqual(leg.Parameters(upperleg_length=0.4).upperleg_length, 0.4)
+        self.assertAlmostEqual(leg.Parameters().lowerleg_length, 0.33)
+
+
+if __name__ == "__main__":
+    unittest.main()

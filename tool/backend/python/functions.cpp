@@ -1,0 +1,196 @@
+#include "backend/python/functions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace robcogen::backend::python {
+namespace {
+
+using symbolic::InputArray;
+using symbolic::OutputArray;
+using symbolic::Role;
+
+std::string dotted(std::string scope) {
+  for (std::size_t at = scope.find("::"); at != std::string::npos; at = scope.find("::")) scope.replace(at, 2, ".");
+  return scope;
+}
+
+Array argument(const InputArray& input, const std::string& name) {
+  const auto size = static_cast<int>(input.elements.size());
+  Array a{name, 1, size, 1, false, input.role == Role::parameters};
+  if (input.role == Role::link_wrenches) {
+    a.rank = 2;
+    a.rows = size / 6;
+    a.columns = 6;
+    a.is_by_rows = true;
+  } else if (input.role == Role::inertia_factor) {
+    a.rank = 2;
+    a.rows = a.columns = static_cast<int>(std::lround(std::sqrt(size)));
+  }
+  return a;
+}
+
+Array result_of(const OutputArray& output, const std::string& name) {
+  Array a{name, 1, output.rows, output.columns, false, false};
+  if (cpp::type_of(output) == "Scalar") {
+    a.rank = 0;
+  } else if (symbolic::is_matrix(output.role) || output.columns > 1) {
+    a.rank = 2;
+    a.is_by_rows = output.role == Role::inertia_matrix;  // symmetric
+  }
+  return a;
+}
+
+std::string shape(const Array& a) {
+  if (a.rank == 0) return "()";
+  if (a.rank == 1) return "(" + std::to_string(a.rows) + ",)";
+  return "(" + std::to_string(a.rows) + ", " + std::to_string(a.columns) + ")";
+}
+
+std::string signature(const Function& f, bool is_stub) {
+  const std::string array = is_stub ? ": ArrayLike" : "", none = is_stub ? " | None = None" : "=None";
+  std::string text = "(";
+  int k = 0;
+  for (const Array& a : f.arguments) {
+    text += (k > 0 ? ", " : "") + a.name + (is_stub && a.is_parameters ? ": Parameters" : array);
+    if (k++ >= f.required) text += none;
+  }
+  text += std::string(k > 0 ? ", " : "") + "*, out";
+  if (is_stub) text += f.results.size() == 1 ? ": Array" : ": tuple[Array, ...]";
+  return text + none + ")";
+}
+
+std::string last_of(const std::string& scope) {
+  return scope.substr(scope.rfind('.') + 1);
+}
+
+constexpr const char* kKeywords[] = {"False",  "None",   "True",    "and",      "as",       "assert", "async",
+                                     "await",  "break",  "class",   "continue", "def",      "del",    "elif",
+                                     "else",   "except", "finally", "for",      "from",     "global", "if",
+                                     "import", "in",     "is",      "lambda",   "nonlocal", "not",    "or",
+                                     "pass",   "raise",  "return",  "try",      "while",    "with",   "yield"};
+
+bool is_keyword(const std::string& name) {
+  return std::find(std::begin(kKeywords), std::end(kKeywords), name) != std::end(kKeywords);
+}
+
+// The documentation of one function in the stub, which ends before text that would end it.
+std::string text_in_quotes(const Function& f, const std::string& margin) {
+  std::string text;
+  const std::vector<std::string> lines = documentation_of(f);
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    std::string line = lines[i];
+    for (char& c : line)
+      if (c == '\\' || c == '"') c = '\'';
+    text += (i > 2 && !line.empty() ? margin : "") + line + (i + 1 < lines.size() ? "\n" : "");
+  }
+  return margin + "\"\"\"" + text + "\"\"\"\n";
+}
+
+std::string class_name(const Function& f) {
+  std::string name = "_" + f.scope + (f.scope.empty() ? "" : "_") + f.name + "_result";
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
+std::string print_function(const Function& f, const std::string& margin) {
+  std::string type = "Array";
+  if (f.results.size() != 1) {
+    type = class_name(f);
+  } else if (f.results.front().rank == 0) {
+    type = "float | Array";
+  }
+  return (margin.empty() ? "" : margin + "@staticmethod\n") + margin + "def " + f.name + signature(f, true) + " -> " +
+         type + ":\n" + text_in_quotes(f, margin + "    ") + margin + "    ...\n";
+}
+
+// The scopes as classes, one in the other.
+std::string print_scope(const std::vector<Function>& all, const std::string& scope, const std::string& margin) {
+  std::string text;
+  std::vector<std::string> inner;
+  const std::string start = scope.empty() ? "" : scope + ".";
+  for (const Function& f : all) {
+    if (f.scope == scope) text += "\n" + print_function(f, margin);
+    if (f.scope == scope || f.scope.rfind(start, 0) != 0) continue;
+    const std::string below = start + f.scope.substr(start.size(), f.scope.find('.', start.size()) - start.size());
+    if (std::find(inner.begin(), inner.end(), below) == inner.end()) inner.push_back(below);
+  }
+  for (const std::string& below : inner)
+    text += "\n" + margin + "class " + last_of(below) + ":\n" + print_scope(all, below, margin + "    ").substr(1);
+  return text;
+}
+
+std::string print_parameters(const Library& library) {
+  if (library.parameters.empty()) return "";
+  std::string members, arguments;
+  bool has_keywords = false;
+  for (const ParameterData& p : library.parameters) {
+    has_keywords = has_keywords || is_keyword(p.name);
+    if (is_keyword(p.name)) continue;
+    members += "    @property\n    def " + p.name + "(self) -> float: ...\n";
+    arguments += ", " + p.name + ": float" + (std::isnan(p.default_value) ? "" : " = ...");
+  }
+  const std::string star = arguments.empty() ? "" : ", *";
+  return "\nclass Parameters:\n    def __init__(self" + star + arguments + (has_keywords ? ", **others: float" : "") +
+         ") -> None: ...\n" + members + "\nparameter_names: tuple[str, ...]\n";
+}
+
+}  // namespace
+
+std::vector<Function> functions(const cpp::Api& api) {
+  std::vector<Function> result;
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  for (const cpp::Callable& c : api.callables) {
+    const auto [place, is_new] = known.insert({{c.function->scope, c.name}, result.size()});
+    if (is_new) result.push_back({dotted(c.function->scope), c.name, {}, {}, {}, 0});
+    result[place->second].overloads.push_back(&c);
+  }
+  for (Function& f : result) {
+    std::stable_sort(f.overloads.begin(), f.overloads.end(), [](const cpp::Callable* a, const cpp::Callable* b) {
+      return a->function->program.inputs.size() < b->function->program.inputs.size();
+    });
+    const symbolic::Program& program = f.longest().program;
+    const std::vector<Parameter>& names = f.overloads.back()->parameters;
+    for (std::size_t i = 0; i < program.inputs.size(); ++i)
+      f.arguments.push_back(argument(program.inputs[i], names[i].name));
+    for (std::size_t i = 0; i < program.outputs.size(); ++i)
+      f.results.push_back(result_of(program.outputs[i], names[program.inputs.size() + i].name));
+    const std::vector<InputArray>& fewest = f.overloads.front()->function->program.inputs;
+    const bool may_omit = !api.library->floating_base && !fewest.empty() && fewest.back().role == Role::gravity;
+    f.required = static_cast<int>(fewest.size()) - (may_omit ? 1 : 0);
+  }
+  return result;
+}
+
+std::vector<std::string> documentation_of(const Function& f) {
+  std::vector<std::string> lines = {f.name + signature(f, false), "--", ""};
+  const backend::Function& function = f.longest();
+  lines.insert(lines.end(), function.summary.begin(), function.summary.end());
+  lines.emplace_back();
+  for (const Array& a : f.arguments) lines.push_back(a.name + ": " + (a.is_parameters ? "Parameters" : shape(a)));
+  for (const Array& a : f.results) lines.push_back("returns " + a.name + ": " + shape(a));
+  lines.emplace_back("Many states: one more dimension in front.");
+  return lines;
+}
+
+std::string print_stub(const Library& library, const std::vector<Function>& all) {
+  std::string text = "# " + library.name + ".pyi: generated by robcogen. Edit the model, not this file.\n";
+  text += "from typing import Any, NamedTuple\n\nimport numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n\n";
+  text += "Array = NDArray[np.floating[Any]]\n\ndof: int\n";
+  for (const char* name : {"joint_names", "link_names", "frame_names"})
+    text += std::string(name) + ": tuple[str, ...]\n";
+  text += "link_parents: tuple[int, ...]\n";
+  for (const char* name : {"joint_lower", "joint_upper", "joint_velocity", "joint_effort"})
+    text += std::string(name) + ": tuple[float, ...]\n";
+  text += print_parameters(library);
+  for (const Function& f : all) {
+    if (f.results.size() == 1) continue;
+    text += "\nclass " + class_name(f) + "(NamedTuple):\n";
+    for (const Array& a : f.results) text += "    " + a.name + ": " + (a.rank == 0 ? "float | Array" : "Array") + "\n";
+    if (f.results.empty()) text += "    ...\n";
+  }
+  return text + print_scope(all, "", "");
+}
+
+}  // namespace robcogen::backend::python

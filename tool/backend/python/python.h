@@ -1,0 +1,14 @@
+// Python: the source of an extension module over the library in C++, and its stub.
+#pragma once
+
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend::python {
+
+// <name>.cpp, tables and calls for <robcogen/python/make_module.h>, and <name>.pyi. The library must have been compiled
+// in C++, with functions over many states where Library::has_batches says so.
+std::vector<OutputFile> print(const Library& library);
+
+}  // namespace robcogen::backend::python
