@@ -186,8 +186,14 @@ TEST(Diagnostics, OfAListFollowTheRobotOfItsName) {
 // The robots of a folder are found by their names; those of robots/ are the example.
 TEST(Diagnostics, OfAListFollowTheRobotInTheWorkspace) {
   Client client(kRooms.parent_path() / "robots");
-  client.open("file:///nowhere/some.dtdsl", "Robot HyL\nFrames { fr_base, fr_nothing }\nTransforms {}\n");
+  client.open("file:///nowhere/some.dtdsl", "Robot Wrist\nFrames { fr_nothing }\nTransforms {}\n");
   EXPECT_EQ(client.codes("file:///nowhere/some.dtdsl"), Codes{"unknown-frame"});
+  // Two examples have this name, until one of them is open.
+  client.open("file:///nowhere/other.dtdsl", "Robot HyL\nFrames { fr_nothing }\nTransforms {}\n");
+  EXPECT_EQ(client.codes("file:///nowhere/other.dtdsl"), Codes{"unchecked-list"});
+  const fs::path hyl = kRooms.parent_path() / "robots/hyl/hyl.kindsl";
+  client.open(file_uri(hyl), contents(hyl));
+  EXPECT_EQ(client.codes("file:///nowhere/other.dtdsl"), Codes{"unknown-frame"});
 }
 
 TEST(Diagnostics, OfAnImportedDocumentThatIsOpenAreThoseOfItsText) {

@@ -27,7 +27,9 @@ void check_list(const OpenDocument& list, const Documents& documents, RobotFinde
     analysis.diagnostics
         .note(
             "unchecked-list", {list.source, document.robot.span},
-            fmt::format("no document of '{}' was found: the frames of this list are not checked", document.robot.text))
+            fmt::format(
+                "no document, or more than one, declares '{}': the frames of this list are not checked",
+                document.robot.text))
         .hint =
         "it is searched beside this document under its name, then in the folders of the workspace by the name "
         "of the robot";

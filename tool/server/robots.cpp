@@ -91,30 +91,41 @@ std::optional<fs::path> RobotFinder::find(const OpenDocument& list, const std::s
   return find_by_name(list, name);
 }
 
-std::optional<fs::path> RobotFinder::find_by_name(const OpenDocument& list, const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  for (const auto& [uri, open] : documents_.all())
-    if (open.language != Language::desired && declared_name(open.language, open.source) == name) return open.path;
-  if (!names_) {
-    names_.emplace();
-    for (const fs::path& folder : folders_) {
-      for (const fs::path& file : documents_below(folder)) {
-        std::string fault;
-        if (driver::language_of_suffix(file) == Language::desired) continue;
-        if (std::optional<std::string> text = read_file(file, fault))
-          (*names_)[declared_name(
-                        *driver::language_of_suffix(file),
-                        std::make_shared<const Source>(file.string(), std::move(*text)))]
-              .push_back(file);
-      }
+void RobotFinder::read_names() {
+  if (names_) return;
+  names_.emplace();
+  for (const fs::path& folder : folders_) {
+    for (const fs::path& file : documents_below(folder)) {
+      const Language language = *driver::language_of_suffix(file);
+      std::string fault;
+      if (language == Language::desired) continue;
+      if (std::optional<std::string> text = read_file(file, fault))
+        (*names_)[declared_name(language, std::make_shared<const Source>(file.string(), std::move(*text)))].insert(
+            file);
     }
   }
-  const auto found = names_->find(name);
-  if (found == names_->end()) return std::nullopt;
-  const auto beside = std::find_if(found->second.begin(), found->second.end(), [&](const fs::path& file) {
-    return file.parent_path() == list.path.parent_path();
+}
+
+std::optional<fs::path> RobotFinder::find_by_name(const OpenDocument& list, const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  read_names();
+  std::set<fs::path> known = (*names_)[name], open;
+  for (const auto& [uri, document] : documents_.all()) {
+    known.erase(document.path);
+    const bool is_model = document.language != Language::desired;
+    if (is_model && declared_name(document.language, document.source) == name) open.insert(document.path);
+  }
+  known.insert(open.begin(), open.end());
+  std::erase_if(known, [&](const fs::path& path) {
+    std::error_code ignored;
+    return documents_.find(path) == nullptr && !fs::exists(path, ignored);
   });
-  return beside != found->second.end() ? *beside : found->second.front();
+  for (const fs::path& path : known)
+    if (path.parent_path() == list.path.parent_path()) return path;
+  if (known.size() == 1) return *known.begin();
+  // Of several the one that is open with the list.
+  const bool is_open = documents_.find(list.path) != nullptr;
+  return is_open && open.size() == 1 ? std::optional(*open.begin()) : std::nullopt;
 }
 
 }  // namespace robcogen::server

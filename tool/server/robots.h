@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,16 +28,17 @@ class RobotFinder {
   // Files may have changed.
   void forget_files() { names_.reset(); }
 
-  // The document of the list's stem beside it; else the one that declares the name: an open one, one beside the list,
-  // or one in the folders of the workspace.
+  // The document of the list's stem beside it; else the one that declares the name: one beside the list, or the only
+  // one among the open documents and those in the folders of the workspace. Of several, the only open one, if the list
+  // is open too.
   std::optional<std::filesystem::path> find(const OpenDocument& list, const std::string& name);
 
  private:
   const Documents& documents_;
   std::vector<std::filesystem::path> folders_;
-  std::optional<std::map<std::string, std::vector<std::filesystem::path>>>
-      names_;  // that files of the workspace declare
+  std::optional<std::map<std::string, std::set<std::filesystem::path>>> names_;  // that files of the workspace declare
 
+  void read_names();
   bool exists(const std::filesystem::path& path) const;
   std::optional<std::filesystem::path> find_by_name(const OpenDocument& list, const std::string& name);
 };
