@@ -57,8 +57,12 @@ for (let k = 0; k < 200; ++k) {
       near((mass.mass / 5) * (b * b + c * c), moment, 1e-12, "moment of the ellipsoid");
     });
     // The sum over the axes is the inertia about the centre, and with the parallel axes that of the document.
+    const back = mass.axes.map((a) => rotate(transposed(posture.poses[l]), a));
+    [[0, 1], [0, 2], [1, 2]].forEach(([r, s], k) => {
+      const own = (mass.mass / 5) * back.reduce((sum, a) => sum + a[r] * a[s], 0);
+      near(own + mass.mass * link.com[r] * link.com[s], link.products[k], 1e-12, "product of inertia");
+    });
     for (const [r, given] of link.moments.entries()) {
-      const back = robot.model.links.length && mass.axes.map((a) => rotate(transposed(posture.poses[l]), a));
       const squares = back.reduce((sum, a) => sum + (dot(a, a) - a[r] * a[r]), 0);
       const parallel = mass.mass * (dot(link.com, link.com) - link.com[r] ** 2);
       near((mass.mass / 5) * squares + parallel, given, 1e-12, "moment of inertia");

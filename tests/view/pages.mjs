@@ -36,8 +36,9 @@ const moveSlider = (page, k, value) =>
   page.evaluate(`(() => {
     const slider = document.querySelectorAll("#joints input[type=range]")[${k}];
     slider.value = ${value};
+    const set = Number(slider.value);
     slider.dispatchEvent(new Event("input"));
-    return Number(slider.value);
+    return set;
   })()`);
 const poses = (page) => page.evaluate("robcogen.poses()");
 
