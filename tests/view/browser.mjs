@@ -98,6 +98,8 @@ export async function openPage(browser, width, height) {
       evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"),
     mouse: (type, x, y, buttons = 0) =>
       send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons, clickCount: 1 }),
+    touch: (type, points) =>
+      send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) }),
     prefer: (scheme) =>
       send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] }),
     picture: async () => Buffer.from((await send("Page.captureScreenshot", { format: "png" })).data, "base64"),

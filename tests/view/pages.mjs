@@ -113,17 +113,32 @@ async function checkSelection(page) {
   assert.equal(await page.evaluate("robcogen.links()[robcogen.selected()].name"), other, "the outline selects");
 }
 
+// The longest bar, in pixels.
+const sizeOf = (bars) => Math.max(...bars.map(({ a, b }) => Math.hypot(b.x - a.x, b.y - a.y)));
+
+// By mouse, by two fingers that part, and by keys.
 async function checkTurning(page) {
-  const before = JSON.stringify(await page.evaluate("robcogen.bars()"));
+  const bars = async () => {
+    await page.settle();
+    return page.evaluate("robcogen.bars()");
+  };
+  const first = await bars();
   const { left, top, width, height } = await canvasBox(page);
   const x = left + width / 2, y = top + height / 8;
   await page.mouse("mousePressed", x, y, 1);
   await page.mouse("mouseMoved", x + 60, y + 30, 1);
   await page.mouse("mouseReleased", x + 60, y + 30);
-  await page.settle();
-  const bars = await page.evaluate("robcogen.bars()");
-  assert.notEqual(JSON.stringify(bars), before, "the mouse turns the robot");
+  const turned = await bars();
+  assert.notDeepEqual(turned, first, "the mouse turns the robot");
+  await page.touch("touchStart", [[x - 20, y], [x + 20, y]]);
+  await page.touch("touchMove", [[x - 40, y], [x + 40, y]]);
+  await page.touch("touchEnd", []);
+  const larger = await bars();
+  assert.ok(sizeOf(larger) > 1.2 * sizeOf(turned), "two fingers zoom");
+  await page.evaluate(`document.getElementById("canvas").dispatchEvent(new KeyboardEvent("keydown", { key: "-" }))`);
+  assert.ok(sizeOf(await bars()) < sizeOf(larger), "keys zoom");
   await page.evaluate("document.getElementById('view').click()");
+  assert.deepEqual(await bars(), first, "the initial view");
 }
 
 async function checkSwing(page) {

@@ -147,10 +147,11 @@ export function makeJoints(robot, state, around, container, changed, select) {
       }
       slider.value = position;
       if (document.activeElement !== field) field.value = Number(position.toPrecision(5));
-      const turn = joint.type === "prismatic" ? "" : ` · ${digits((position * 180) / Math.PI)}°`;
+      const turn = joint.type === "prismatic" ? "" : `${digits((position * 180) / Math.PI)}°`;
       const largest = posture.gravity ? Math.max(...posture.gravity.map(Math.abs)) : 0;
       const own = posture.gravity && Math.abs(posture.gravity[j]) > 1e-12 * largest ? posture.gravity[j] : 0;
-      force.textContent = posture.gravity ? `gravity ${digits(own)} ${forceUnit(joint)}${turn}` : turn;
+      const weight = posture.gravity ? `gravity ${digits(own)} ${forceUnit(joint)}` : "";
+      force.textContent = [weight, turn].filter(Boolean).join(" · ");
     }
   };
 }
