@@ -56,6 +56,13 @@ inline const std::set<std::string>& malformed_documents() {
   return names;
 }
 
+// Parts alone, for other documents.
+inline bool is_library(const std::shared_ptr<const Source>& source) {
+  Diagnostics diagnostics;
+  const auto document = language::kinematics::parse(source, diagnostics);
+  return !document.has_robot() && !document.parts.empty();
+}
+
 // Every robot of robots/ and every well-formed one of the corpus, if that is there. Throws where one does not build.
 inline std::vector<NamedRobot> all_robots() {
   std::vector<NamedRobot> robots;
@@ -63,8 +70,10 @@ inline std::vector<NamedRobot> all_robots() {
     for (const std::filesystem::path& file : files_below(folder, ".kindsl")) {
       const std::string name = file.filename().string();
       if (malformed_documents().contains(name)) continue;
+      const auto source = source_of(file);
+      if (is_library(source)) continue;
       Diagnostics diagnostics;
-      const auto tree = read_document(source_of(file), diagnostics);
+      const auto tree = read_document(source, diagnostics);
       if (!tree) throw std::runtime_error(diagnostics.render());
       robots.push_back({name, *tree});
     }

@@ -185,7 +185,7 @@ TEST(PlainDocument, HasTheCouplingsOfLoopsForEachInstance) {
 }
 
 TEST(PlainDocument, IsPlain) {
-  for (const char* robot : {"quadruped", "quadruped_fixed", "centaur", "humanoid"}) {
+  for (const char* robot : {"quadruped", "quadruped_fixed", "hexapod", "centaur", "humanoid"}) {
     const auto file = std::filesystem::path(ROBCOGEN_SOURCE_DIR) / "robots" / robot / (std::string(robot) + ".kindsl");
     std::ifstream stream(file, std::ios::binary);
     Diagnostics diagnostics;

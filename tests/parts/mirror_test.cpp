@@ -20,10 +20,44 @@ struct Case {
   std::array<double, 3> position{}, angles{};
 };
 
+// Joints that turn, about a third of them, become joints with several coordinates; some of these follow one another.
+void add_coordinates(kinematics::Document& part, Dice& dice) {
+  using enum kinematics::Joint::Type;
+  for (kinematics::Joint& joint : part.joints) {
+    const std::string text = kinematics::print(part);
+    const std::string couplings = text.substr(std::min(text.size(), text.find("couplings {")));
+    if (joint.type != revolute || couplings.find(joint.name.text) != std::string::npos || dice.chance(0.66)) continue;
+    constexpr std::array kTypes = {cylindrical, universal, planar};
+    joint.type = kTypes[static_cast<std::size_t>(dice.below(3))];
+    const auto words = kinematics::coordinate_words(joint.type);
+    const auto word = words[static_cast<std::size_t>(dice.below(static_cast<int>(words.size())))];
+    joint.coordinates = {{{std::string(word), {}}, joint.drive, joint.rotor, joint.limits}};
+    joint.drive = {};
+    joint.rotor.reset();
+    joint.limits = {};
+    if (joint.type == universal || dice.chance(0.5)) continue;
+    const std::string first = joint.type == planar ? "_slide_x" : "_slide";
+    const kinematics::Document coupling = parsed(
+        "Robot R { RobotBase b { children {} } couplings { " + joint.name.text + first + " = 0.3 m/rad * " +
+        joint.name.text + "_turn + 0.1 } }");
+    part.couplings.push_back(coupling.couplings.front());
+  }
+}
+
+// Of a coordinate, if the joint has several.
+int sense_of_coordinate(const std::string& coordinate, bool is_kept) {
+  const auto ends = [&](const char* word) { return coordinate.ends_with(word); };
+  if (ends("_slide_x")) return 1;
+  if (ends("_slide_y")) return is_kept ? -1 : 1;
+  if (ends("_slide")) return is_kept ? 1 : -1;
+  return is_kept ? -1 : 1;
+}
+
 Case random_case(std::uint64_t seed) {
   Dice dice(seed);
   Case c;
   c.part = random_document(seed);
+  if (seed % 4 != 3) add_coordinates(c.part, dice);
   c.floating = dice.chance(0.4);
   c.axis = dice.below(3);
   const int sense = dice.below(3);
@@ -64,8 +98,14 @@ model::KinematicTree robot(const Case& c, bool mirrored) {
   part.roots = part.links.front().children;
   const std::string base = part.links.front().name.text;
   part.links.erase(part.links.begin());
-  for (kinematics::Joint& joint : part.joints)  // rotors on the base of the part would be on nothing
-    if (joint.rotor && joint.rotor->carrier && joint.rotor->carrier->text == base) joint.rotor->carrier.reset();
+  const auto is_on_base = [&](const std::optional<kinematics::Rotor>& rotor) {
+    return rotor && rotor->carrier && rotor->carrier->text == base;
+  };
+  for (kinematics::Joint& joint : part.joints) {  // rotors on the base of the part would be on nothing
+    if (is_on_base(joint.rotor)) joint.rotor->carrier.reset();
+    for (kinematics::Coordinate& coordinate : joint.coordinates)
+      if (is_on_base(coordinate.rotor)) coordinate.rotor->carrier.reset();
+  }
   result.parts.push_back(std::move(part));
   return tree_of(expanded(std::move(result)));
 }
@@ -103,8 +143,16 @@ Vector senses(const Case& c, const model::KinematicTree& tree) {
   int i = 0;
   for (const int j : tree.coordinates()) {
     const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
-    const bool is_kept = c.kept.empty() || std::count(c.kept.begin(), c.kept.end(), joint.name.substr(5)) > 0;
-    s(i++) = joint.type != model::JointType::prismatic && c.same_sense && is_kept ? -1.0 : 1.0;
+    const std::string name = joint.name.substr(5);
+    std::string declared = name;
+    for (const kinematics::Joint& written : c.part.joints)
+      if (!written.coordinates.empty() && name.starts_with(written.name.text + "_")) declared = written.name.text;
+    const bool is_kept = c.same_sense && (c.kept.empty() || std::count(c.kept.begin(), c.kept.end(), declared) > 0);
+    if (declared != name) {
+      s(i++) = sense_of_coordinate(name, is_kept);
+      continue;
+    }
+    s(i++) = joint.type != model::JointType::prismatic && is_kept ? -1.0 : 1.0;
   }
   return s;
 }
@@ -182,16 +230,18 @@ class MirrorImage {
 };
 
 TEST(MirroredParts, MoveAsMirrorImages) {
-  int kept = 0, coupled = 0;
+  int kept = 0, coupled = 0, several = 0;
   for (std::uint64_t seed = 0; seed < kParts; ++seed) {
     const Case c = random_case(seed);
     kept += c.same_sense ? 1 : 0;
     coupled += c.part.couplings.empty() ? 0 : 1;
+    for (const kinematics::Joint& joint : c.part.joints) several += joint.coordinates.empty() ? 0 : 1;
     MirrorImage(c, seed).check();
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << "\n" << kinematics::print(c.part);
   }
   EXPECT_GT(kept, kParts / 4);
   EXPECT_GT(coupled, kParts / 10);
+  EXPECT_GT(several, kParts / 10);
 }
 
 // The mirror image of the mirror image is the part.

@@ -121,6 +121,14 @@ std::vector<std::string> coordinate_names(const kinematics::Joint& joint) {
   return names;
 }
 
+std::vector<kinematics::Rotor*> rotors_of(kinematics::Joint& joint) {
+  std::vector<kinematics::Rotor*> rotors;
+  if (joint.rotor) rotors.push_back(&*joint.rotor);
+  for (kinematics::Coordinate& coordinate : joint.coordinates)
+    if (coordinate.rotor) rotors.push_back(&*coordinate.rotor);
+  return rotors;
+}
+
 kinematics::Limb limb_of(const Assembly& part, const kinematics::Instance& instance) {
   const std::string& name = instance.name.text;
   const auto element = [&](const std::string& own) { return kinematics::Limb::Element{own, element_name(name, own)}; };
@@ -160,8 +168,8 @@ void name_after(Assembly& assembly, const std::string& instance) {
   if (assembly.base) name_after(*assembly.base, instance);
   for (kinematics::Joint& joint : assembly.body.joints) {
     joint.name.text = element_name(instance, joint.name.text);
-    if (joint.rotor && joint.rotor->carrier)
-      joint.rotor->carrier->text = element_name(instance, joint.rotor->carrier->text);
+    for (kinematics::Rotor* rotor : rotors_of(joint))
+      if (rotor->carrier) rotor->carrier->text = element_name(instance, rotor->carrier->text);
   }
   for (kinematics::Coupling& coupling : assembly.body.couplings) {
     coupling.joint.text = element_name(instance, coupling.joint.text);

@@ -42,6 +42,9 @@ std::string frame_name(const std::string& instance, const std::string& name);
 // Of the joint, or of its coordinates where it has several.
 std::vector<std::string> coordinate_names(const kinematics::Joint& joint);
 
+// Those of the joint and of its coordinates.
+std::vector<kinematics::Rotor*> rotors_of(kinematics::Joint& joint);
+
 // Gives all names in it this prefix.
 void name_after(Assembly& assembly, const std::string& instance);
 

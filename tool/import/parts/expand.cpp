@@ -247,8 +247,12 @@ class Expander {
     for (Joint& joint : body.joints) {
       if (joint.name.text != root.joint.text) continue;
       place_at(joint.placement, at, instance, fmt::format("joint '{}'", joint.name.text));
-      if (joint.rotor && joint.rotor->axis && !joint.rotor->carrier)
-        joint.rotor->axis = product(rotation_matrix(at.rotation), *joint.rotor->axis);
+      const auto words = kinematics::coordinate_words(joint.type);
+      std::optional<kinematics::Rotor>* rotor = &joint.rotor;  // that the link carries
+      for (kinematics::Coordinate& coordinate : joint.coordinates)
+        if (coordinate.word.text == words.front()) rotor = &coordinate.rotor;
+      if (*rotor && (*rotor)->axis && !(*rotor)->carrier)
+        (*rotor)->axis = product(rotation_matrix(at.rotation), *(*rotor)->axis);
     }
   }
 
@@ -275,9 +279,11 @@ class Expander {
       link.frames.push_back(std::move(frame));
     }
     for (Joint& joint : body.joints) {
-      if (!joint.rotor || !joint.rotor->carrier || joint.rotor->carrier->text != base.name.text) continue;
-      joint.rotor->carrier->text = link.name.text;
-      if (joint.rotor->axis) joint.rotor->axis = product(rotation_matrix(at.rotation), *joint.rotor->axis);
+      for (kinematics::Rotor* rotor : rotors_of(joint)) {
+        if (!rotor->carrier || rotor->carrier->text != base.name.text) continue;
+        rotor->carrier->text = link.name.text;
+        if (rotor->axis) rotor->axis = product(rotation_matrix(at.rotation), *rotor->axis);
+      }
     }
   }
 

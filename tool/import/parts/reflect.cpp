@@ -14,26 +14,52 @@ using kinematics::Joint;
 using kinematics::Link;
 using kinematics::Name;
 
-// What becomes of a joint: the axes of its frame, and its position.
-struct Image {
-  Signs frame;
-  int sense;  // -1: mirrored postures have opposite positions
-};
+constexpr Signs kAllReversed = {-1, -1, -1};
 
-Image image_of(Joint::Type type, bool same_sense) {
+// The axes of the image of a joint's frame. A joint turns about a reflected axis in the reflected sense, that of equal
+// positions, where its own axis is reversed; it slides along it where it is not.
+Signs image_of(Joint::Type type, bool same_sense) {
   switch (type) {
     case Joint::Type::revolute:
     case Joint::Type::helical:
-      return same_sense ? Image{reversed(1), -1} : Image{reversed(2), 1};
-    case Joint::Type::prismatic:
-      return {reversed(1), 1};
     case Joint::Type::cylindrical:
-    case Joint::Type::universal:
     case Joint::Type::planar:
-    case Joint::Type::spherical:
-      break;  // refused
+      return reversed(same_sense ? 1 : 2);
+    case Joint::Type::universal:
+      return same_sense ? reversed(1) : kAllReversed;
+    case Joint::Type::prismatic:
+    case Joint::Type::spherical:  // refused
+      break;
   }
-  return {reversed(1), 1};
+  return reversed(1);
+}
+
+// A movement of one coordinate about or along an axis of the joint's frame.
+struct Movement {
+  std::string joint;  // its name as a joint of its own
+  bool slides = false;
+  std::size_t axis = 2;
+
+  // -1 where mirrored postures have opposite positions.
+  int sense(const Signs& frame) const { return slides ? frame[axis] : -frame[axis]; }
+};
+
+std::vector<Movement> movements_of(const Joint& joint) {
+  const std::string& name = joint.name.text;
+  const auto words = kinematics::coordinate_words(joint.type);
+  if (words.empty()) return {{name, joint.type == Joint::Type::prismatic}};
+  std::vector<Movement> movements;
+  for (const std::string_view word : words) {
+    const std::size_t axis = word.ends_with("_x") ? 0 : word.ends_with("_y") ? 1 : 2;
+    movements.push_back({name + "_" + std::string(word), word.starts_with("slide"), axis});
+  }
+  return movements;
+}
+
+// The axes of the frame whose z is this one, of the massless link between two coordinates (model/compound.h).
+Signs with_z_along(std::size_t axis, Signs signs) {
+  std::swap(signs[axis], signs[2]);
+  return signs;
 }
 
 bool slides(Joint::Type type) {
@@ -85,22 +111,40 @@ class Reflection {
     const auto link = links_.find(child.link.text);
     if (joint == joints_.end() || link == links_.end() || axes_.contains(child.link.text)) return;
     const bool same = all_same_sense_ || same_sense_.contains(child.joint.text);
-    const Image image = image_of(joint->second->type, same);
-    axes_.insert({child.link.text, image.frame});
-    senses_.insert({child.joint.text, image.sense});
+    const Signs image = image_of(joint->second->type, same);
+    axes_.insert({child.link.text, image});
     reflect(*joint->second, parent, image);
-    reflect(*link->second, image.frame);
-    for (const kinematics::Child& next : link->second->children) pending_.push_back({next, image.frame});
+    reflect(*link->second, image);
+    for (const kinematics::Child& next : link->second->children) pending_.push_back({next, image});
   }
 
-  void reflect(Joint& joint, const Signs& parent, const Image& image) const {
-    joint.placement = mirrored(joint.placement, parent, image.frame);
+  void reflect(Joint& joint, const Signs& parent, const Signs& image) {
+    joint.placement = mirrored(joint.placement, parent, image);
     if (joint.pitch) joint.pitch = negated(joint.pitch);
-    if (joint.rotor) reflect(*joint.rotor, joint, parent, image.sense);
-    if (image.sense > 0) return;
-    if (joint.drive.rest) joint.drive.rest = negated(joint.drive.rest);
-    if (!joint.limits.position) return;
-    auto& [lower, upper] = *joint.limits.position;
+    Signs carrier = parent;
+    const auto words = kinematics::coordinate_words(joint.type);
+    const std::vector<Movement> movements = movements_of(joint);
+    for (std::size_t k = 0; k < movements.size(); ++k) {
+      const Movement& movement = movements[k];
+      const int sense = movement.sense(image);
+      senses_.insert({movement.joint, sense});
+      if (words.empty()) reflect_drive(joint, movement.slides, carrier, sense);
+      for (kinematics::Coordinate& coordinate : joint.coordinates)
+        if (!words.empty() && coordinate.word.text == words[k])
+          reflect_drive(coordinate, movement.slides, carrier, sense);
+      carrier = with_z_along(movement.axis, image);
+      if (k + 1 < movements.size()) axes_.insert({movement.joint + "_link", carrier});
+    }
+  }
+
+  // Of a joint, or of one of its coordinates.
+  template <class Owner>
+  void reflect_drive(Owner& owner, bool slides, const Signs& carrier, int sense) const {
+    if (owner.rotor) reflect(*owner.rotor, slides, carrier, sense);
+    if (sense > 0) return;
+    if (owner.drive.rest) owner.drive.rest = negated(owner.drive.rest);
+    if (!owner.limits.position) return;
+    auto& [lower, upper] = *owner.limits.position;
     std::swap(lower, upper);
     lower = negated(lower);
     upper = negated(upper);
@@ -108,9 +152,9 @@ class Reflection {
 
   // An axis of rotation is reflected with the opposite sign. Without an axis it is that of the joint, which has this
   // sign where the joint turns.
-  void reflect(kinematics::Rotor& rotor, const Joint& joint, const Signs& parent, int sense) const {
+  void reflect(kinematics::Rotor& rotor, bool slides, const Signs& parent, int sense) const {
     if (!rotor.axis) {
-      if (slides(joint.type)) rotor.ratio = negated(rotor.ratio);
+      if (slides) rotor.ratio = negated(rotor.ratio);
       return;
     }
     Signs signs = parent;
@@ -179,10 +223,10 @@ void reflect(
     }
   }
   for (const kinematics::Joint& joint : assembly.body.joints)
-    if (joint.type == Joint::Type::spherical || !kinematics::coordinate_words(joint.type).empty())
+    if (joint.type == Joint::Type::spherical)
       diagnostics.error(
           "mirrored-coordinates", {source, joint.name.span},
-          fmt::format("joint '{}' has several coordinates: a part with it cannot be mirrored", joint.name.text));
+          fmt::format("joint '{}' is a ball joint: a part with it cannot be mirrored", joint.name.text));
   reflection.run();
 }
 

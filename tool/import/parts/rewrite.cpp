@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "import/parts/assembly.h"
 #include "import/parts/terms.h"
 #include "language/kinematics/expressions.h"
 
@@ -31,9 +32,10 @@ class Rewriter {
       shift(joint.name);
       shift(joint.span);
       shift(joint.placement.span);
-      if (joint.rotor) {
-        shift(joint.rotor->span);
-        if (joint.rotor->carrier) shift(*joint.rotor->carrier);
+      for (kinematics::Coordinate& coordinate : joint.coordinates) shift(coordinate.word);
+      for (kinematics::Rotor* rotor : rotors_of(joint)) {
+        shift(rotor->span);
+        if (rotor->carrier) shift(*rotor->carrier);
       }
       visit_joint(joint, [&](ExpressionPtr& e) { e = rewritten(e); });
     }
