@@ -14,6 +14,12 @@ install(
   PATTERN "*.ctdsl"
   PATTERN demo EXCLUDE)
 
+install(
+  DIRECTORY runtime/python/robcogen
+  DESTINATION share/robcogen/python
+  FILES_MATCHING
+  PATTERN "*.py")
+
 install(TARGETS robcogen_runtime robcogen_reference EXPORT robcogenTargets)
 install(EXPORT robcogenTargets NAMESPACE robcogen:: DESTINATION ${package_dir})
 # A separate export set: a cross build reads the targets above, but not the executable for another machine.

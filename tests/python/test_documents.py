@@ -56,10 +56,15 @@ class Documents(unittest.TestCase):
         with open(os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "README.md"), encoding="utf-8") as file:
             blocks = re.findall(r"\n```python\n(.*?)\n```\n", file.read(), re.DOTALL)
         self.assertGreater(len(blocks), 0)
-        names = {}
+        names = {"hyl_kindsl": os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "robots", "hyl", "hyl.kindsl")}
+        sys.path.insert(0, os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "python"))
+        cache = tempfile.TemporaryDirectory()
+        self.addCleanup(cache.cleanup)
+        os.environ["ROBCOGEN_CACHE"] = cache.name
         for block in blocks:
             exec(compile(block, "README.md", "exec"), names)
         self.assertEqual(names["tau"].shape, (7,))
+        self.assertAlmostEqual(names["forces"][0], 7.501 * 9.81)
 
 
 if __name__ == "__main__":

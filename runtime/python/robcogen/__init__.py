@@ -1,0 +1,175 @@
+"""Robots as Python modules, without a build system: load("arm.urdf") generates the code of a robot, compiles it once and
+imports it.
+
+It needs the generator (the program robcogen: on the PATH, or named by ROBCOGEN_TOOL), a C++ compiler (CXX, or c++, g++,
+clang++) and the headers of Python. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
+"""
+import hashlib
+import importlib.machinery
+import importlib.util
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+__all__ = ["Error", "build", "load"]
+
+# As in the CMake functions: gcc's packing of neighbouring scalars loses more in shuffles than it gains.
+_MODULE_FLAGS = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden"]
+_FLAGS = _MODULE_FLAGS + ["-fno-exceptions", "-fno-tree-slp-vectorize"]
+
+
+class Error(Exception):
+    """A model that is wrong, with the generator's messages; or a program that is missing."""
+
+
+def load(model, **options):
+    """The module of a robot: .kindsl, .urdf, or MJCF. The options are those of build()."""
+    path = build(model, **options)
+    name = path.name.split(".")[0]
+    loader = importlib.machinery.ExtensionFileLoader(name, str(path))
+    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
+    module = importlib.util.module_from_spec(spec)
+    loader.exec_module(module)
+    return module
+
+
+def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), options=()):
+    """The path of the compiled module; its stub, <name>.pyi, stands beside it.
+
+    name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: one beside the model,
+    or all links. algorithms: groups of functions; default: the default ones. derivatives: "inverse_dynamics:q". options:
+    further ones of `robcogen generate`, such as "--floating-base".
+    """
+    model = Path(model).absolute()
+    if not model.is_file():
+        raise Error(f"{model}: no such file")
+    name = name or re.sub(r"\W", "_", model.name.split(".")[0])
+    if desired is None and model.with_suffix(".dtdsl").is_file():
+        desired = model.with_suffix(".dtdsl")
+    arguments = ["--name", name, "--language", "cpp", "python"]
+    if platform.machine() in ("x86_64", "AMD64"):
+        arguments += ["--processors", "avx2"]
+    if desired is not None:
+        arguments += ["--desired", str(Path(desired).absolute())]
+    for option, values in (("--algorithms", algorithms), ("--derivatives", derivatives)):
+        values = [values] if isinstance(values, str) else list(values)
+        if values:
+            arguments += [option, *values]
+    arguments += options
+    tool = _program("robcogen", [os.environ.get("ROBCOGEN_TOOL"), "robcogen"], "install it, or name it in ROBCOGEN_TOOL")
+    version = _run([tool, "--version"])
+    cache = _cache()
+    # What was read for this call before, and what came of it.
+    call = cache / (_hash(version, str(model), *arguments) + ".json")
+    known = _known(call)
+    if known is not None:
+        return known
+    with tempfile.TemporaryDirectory(dir=cache) as folder:
+        folder = Path(folder)
+        depfile, stamp = folder / "depfile", folder / "stamp"
+        command = [tool, "generate", str(model), "-o", str(folder), *arguments, "--depfile", str(depfile), "--stamp", str(stamp)]
+        _run(command)
+        # The stamp is the hash of the canonical model: layout and comments make no difference.
+        key = f"{name}-{_hash(version, stamp.read_text(), platform.platform(), *_without_paths(arguments))}"
+        module = cache / key / f"{name}.abi3.so"
+        if not module.is_file():
+            _compile(folder, name)
+            try:
+                os.replace(folder / "module", cache / key)
+            except OSError:  # another process was faster
+                if not module.is_file():
+                    raise
+        files = [Path(f.replace("\\ ", " ")) for f in re.split(r"(?<!\\)\s+", depfile.read_text().replace("\\\n", " ").split(":", 1)[1].strip())]
+        record = {"module": str(module), "files": {str(f): _hash(f.read_bytes()) for f in files if f.is_file()}}
+        (folder / "record").write_text(json.dumps(record))
+        os.replace(folder / "record", call)
+    return module
+
+
+def _known(call):
+    try:
+        record = json.loads(call.read_text())
+        same = all(_hash(Path(f).read_bytes()) == wanted for f, wanted in record["files"].items())
+        module = Path(record["module"])
+        return module if same and module.is_file() else None
+    except (OSError, ValueError, KeyError):
+        return None
+
+
+def _compile(folder, name):
+    compiler = _program("C++ compiler", [os.environ.get("CXX"), "c++", "g++", "clang++"], "install one, or name it in CXX")
+    headers = Path(sysconfig.get_paths()["include"])
+    if not (headers / "Python.h").is_file():
+        raise Error(f"{headers} has no Python.h: install the headers of this Python (Debian: python3-dev)")
+    includes = ["-I", str(folder), "-I", str(_runtime()), "-I", str(headers)]
+    levels = ["-DROBCOGEN_WITH_AVX2"] if list(folder.glob(f"{name}/kernels_avx2.cpp")) else []
+    source = folder / "python" / f"{name}.cpp"
+    commands, objects = [], []
+    for file in [source, *sorted((folder / name).glob("*.cpp"))]:
+        flags = _MODULE_FLAGS if file == source else _FLAGS
+        if file.name == "kernels_avx2.cpp":
+            flags = flags + ["-mavx2", "-mfma"]
+        objects.append(str(folder / f"{len(objects)}.o"))
+        commands.append([compiler, *flags, *levels, *includes, "-c", str(file), "-o", objects[-1]])
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(_run, commands))
+    (folder / "module").mkdir()
+    link = ["-undefined", "dynamic_lookup"] if sys.platform == "darwin" else []
+    _run([compiler, "-shared", *link, *objects, "-o", str(folder / "module" / f"{name}.abi3.so")])
+    shutil.copy(folder / "python" / f"{name}.pyi", folder / "module")
+
+
+def _runtime():
+    """The headers that generated code includes: of a wheel, of an installation, of the sources."""
+    here = Path(__file__).resolve().parent
+    for folder in (here / "include", here.parents[2] / "include", here.parents[3] / "include", here.parents[1] / "include"):
+        if (folder / "robcogen" / "python" / "make_module.h").is_file():
+            return folder
+    raise Error(f"the headers of robcogen are not beside {here}")
+
+
+def _cache():
+    folder = os.environ.get("ROBCOGEN_CACHE")
+    if not folder:
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "robcogen"
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    return Path(folder).absolute()
+
+
+def _program(what, names, advice):
+    for name in names:
+        found = name and shutil.which(name)
+        if found:
+            return found
+    raise Error(f"there is no {what}: {advice}")
+
+
+def _run(command):
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    if run.returncode:
+        raise Error(run.stderr.strip() or f"{command[0]} ended with status {run.returncode}")
+    return run.stdout
+
+
+def _without_paths(arguments):
+    """The list of transforms is part of the canonical model's hash; its place is not."""
+    result = list(arguments)
+    if "--desired" in result:
+        path = Path(result[result.index("--desired") + 1])
+        result[result.index("--desired") + 1] = path.read_text(encoding="utf-8") if path.is_file() else ""
+    return result
+
+
+def _hash(*parts):
+    digest = hashlib.sha256()
+    for part in parts:
+        digest.update((part if isinstance(part, bytes) else part.encode()) + b"\0")
+    return digest.hexdigest()[:24]

@@ -1,0 +1,36 @@
+"""python3 -m robcogen hyl.kindsl: makes the module of a robot, in this folder or in another."""
+import argparse
+import shutil
+import sys
+from pathlib import Path
+
+from . import Error, build
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="python3 -m robcogen", description="Makes the Python module of a robot.")
+    parser.add_argument("model", help="a robot: .kindsl, .urdf or MJCF")
+    parser.add_argument("-o", "--output", default=".", help="folder of the module and its stub; default: this one")
+    parser.add_argument("--name", help="of the module; default: that of the file")
+    parser.add_argument("--desired", help="list of transforms (.dtdsl)")
+    parser.add_argument("--algorithms", nargs="+", default=(), help="groups of functions, or all")
+    parser.add_argument("--derivatives", nargs="+", default=(), help="function:input…")
+    parser.epilog = "Anything else is passed on to `robcogen generate`."
+    given, others = parser.parse_known_args()
+    try:
+        module = build(
+            given.model, name=given.name, desired=given.desired, algorithms=given.algorithms, derivatives=given.derivatives,
+            options=others)
+    except Error as error:
+        print(error, file=sys.stderr)
+        return 1
+    folder = Path(given.output)
+    folder.mkdir(parents=True, exist_ok=True)
+    for file in module.parent.iterdir():
+        shutil.copy(file, folder)
+    print(folder / module.name)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

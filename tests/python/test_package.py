@@ -1,0 +1,98 @@
+"""The package robcogen: models without a build system, the cache, the command line, the wheel."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+SOURCES = Path(os.environ["ROBCOGEN_SOURCE_DIR"])
+PACKAGE = SOURCES / "runtime" / "python"
+sys.path.insert(0, str(PACKAGE))
+import robcogen  # noqa: E402
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        os.environ["ROBCOGEN_CACHE"] = str(cls.folder / "cache")
+        cls.model = cls.folder / "leg one.kindsl"
+        shutil.copy(SOURCES / "robots" / "hyl" / "hyl.kindsl", cls.model)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def build(self):
+        return robcogen.build(self.model, name="leg", algorithms="inverse_dynamics")
+
+    def test_models_are_compiled_once(self):
+        first = self.build()
+        self.assertTrue((first.parent / "leg.pyi").is_file())
+        made = first.stat().st_mtime_ns
+        self.assertEqual(self.build(), first)
+        # A comment is generated and not compiled.
+        text = self.model.read_text()
+        self.model.write_text("// a leg\n" + text)
+        self.assertEqual(self.build(), first)
+        self.assertEqual(first.stat().st_mtime_ns, made)
+        leg = robcogen.load(self.model, name="leg", algorithms="inverse_dynamics")
+        # The slider carries all that there is.
+        rest = np.zeros(3)
+        np.testing.assert_allclose(leg.inverse_dynamics(rest, rest, rest)[0], 7.501 * 9.81)
+        # Another mass is another robot; both can be used.
+        mass = re.search(r"mass\s*=\s*([\d.]+)", text)
+        self.model.write_text(text[: mass.start(1)] + str(float(mass[1]) + 1) + text[mass.end(1) :])
+        heavier = robcogen.load(self.model, name="leg", algorithms="inverse_dynamics")
+        np.testing.assert_allclose(heavier.inverse_dynamics(rest, rest, rest)[0], 8.501 * 9.81)
+        np.testing.assert_allclose(leg.inverse_dynamics(rest, rest, rest)[0], 7.501 * 9.81)
+        # What came before is still there.
+        self.model.write_text(text)
+        self.assertEqual(self.build(), first)
+        self.assertEqual(first.stat().st_mtime_ns, made)
+
+    def test_errors(self):
+        wrong = self.folder / "wrong.kindsl"
+        wrong.write_text("Robot wrong {\n  RobotBase base { children { a via } }\n}\n")
+        with self.assertRaisesRegex(robcogen.Error, r"wrong\.kindsl:2:\d+: error: "):
+            robcogen.load(wrong)
+        with self.assertRaisesRegex(robcogen.Error, "no such file"):
+            robcogen.load("nothing.urdf")
+        tool = os.environ.pop("ROBCOGEN_TOOL")
+        path, os.environ["PATH"] = os.environ["PATH"], ""
+        try:
+            with self.assertRaisesRegex(robcogen.Error, "there is no robcogen: install it, or name it in ROBCOGEN_TOOL"):
+                robcogen.load(SOURCES / "robots" / "hyl" / "hyl.kindsl")
+        finally:
+            os.environ["ROBCOGEN_TOOL"], os.environ["PATH"] = tool, path
+        leftovers = [f for f in (self.folder / "cache").iterdir() if f.name.startswith("tmp")]
+        self.assertEqual(leftovers, [])
+
+    def test_the_wheel_and_the_command(self):
+        out = self.folder / "wheel"
+        names = []
+        for _ in range(2):
+            run = subprocess.run(
+                [sys.executable, str(PACKAGE / "make_wheel.py"), "1.0.0", str(out)], capture_output=True, text=True, check=True)
+            names.append((run.stdout, Path(run.stdout.strip()).read_bytes()))
+        self.assertEqual(names[0], names[1])
+        with zipfile.ZipFile(names[0][0].strip()) as wheel:
+            self.assertIsNone(wheel.testzip())
+            wheel.extractall(out)
+        run = subprocess.run(
+            [sys.executable, "-m", "robcogen", str(SOURCES / "robots" / "hyl" / "hyl.kindsl"), "--algorithms", "inverse_dynamics",
+             "-o", str(out)], cwd=out, capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": str(out)})
+        self.assertEqual(run.stdout, f"{out}/hyl.abi3.so\n", run.stderr)
+        run = subprocess.run(
+            [sys.executable, "-c", "import hyl; print(hyl.joint_names)"], cwd=out, capture_output=True, text=True, check=False)
+        self.assertEqual(run.stdout, "('SLIDE', 'HFE', 'KFE')\n", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
