@@ -93,6 +93,7 @@ export async function openPage(browser, width, height) {
       await send("Page.navigate", { url });
       await isLoaded;
     },
+    close: () => browser.send("Target.closeTarget", { targetId }),
     // Two frames: what was asked for is drawn.
     settle: () =>
       evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"),

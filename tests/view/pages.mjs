@@ -145,8 +145,10 @@ async function checkSwing(page) {
   if (await page.evaluate("document.getElementById('swing').hidden")) return;
   await page.evaluate("document.getElementById('swing').click()");
   await page.evaluate("new Promise((done) => setTimeout(done, 150))");
-  const status = await page.evaluate("document.getElementById('status').textContent");
-  const isOn = await page.evaluate("document.getElementById('swing').getAttribute('aria-pressed') === 'true'");
+  const { status, isOn } = await page.evaluate(`({
+    status: document.getElementById("status").textContent,
+    isOn: document.getElementById("swing").ariaPressed === "true",
+  })`);
   assert.equal(isOn, status === "", "the swing goes on, or says why it does not");
   if (isOn) await page.evaluate("document.getElementById('swing').click()");
   const { q } = await page.evaluate("({ q: Object.values(robcogen.positions()) })");
@@ -214,6 +216,7 @@ async function checkRobot(browser, model) {
   const status = await checkSwing(page);
   const time = await page.evaluate("robcogen.frameTime()");
   assert.deepEqual(page.faults, []);
+  await page.close();
   assert.ok(time < kMaxFrameTime, `a frame takes ${time} ms`);
   console.log(`${name}: ${q.length} joints, ${time.toFixed(1)} ms a frame. ${status ?? "It cannot swing."}`);
 }
