@@ -1,17 +1,20 @@
 // Keeps operation counts from rising.
 //
-//     count_operations check  <file> <generator> <groups> <robot>=<document> …
-//     count_operations update <file> <generator> <groups> <robot>=<document> …
+//     count_operations check  <file> <generator> <groups> <further groups> <robot>=<document> …
+//     count_operations update <file> <generator> <groups> <further groups> <robot>=<document> …
 //
 // `check` counts the functions of these robots anew and compares with the file: exit status 1, and a line for each,
 // when one rose or is gone; 77 when none did but some fell or are new. `update` writes the file. `groups` are the
-// groups of functions, separated by commas. Exit status 2: usage, input or output.
+// groups of functions, separated by commas; further groups are counted for the robots that have them. Exit status 2:
+// usage, input or output.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,15 +29,16 @@ constexpr int kWorse = 1, kWrong = 2, kOther = 77;
 
 struct Arguments {
   bool update = false;
-  std::string file, generator, groups;
+  std::string file, generator, groups, further_groups;
   std::vector<std::pair<std::string, std::string>> robots;  // names and documents
 };
 
 Arguments read_arguments(const std::vector<std::string>& words) {
-  const std::string usage = "usage: count_operations check|update <file> <generator> <groups> <robot>=<document> ...";
-  if (words.size() < 5 || (words[0] != "check" && words[0] != "update")) throw std::runtime_error(usage);
-  Arguments arguments = {words[0] == "update", words[1], words[2], words[3], {}};
-  for (std::size_t i = 4; i < words.size(); ++i) {
+  const std::string usage =
+      "usage: count_operations check|update <file> <generator> <groups> <further groups> <robot>=<document> ...";
+  if (words.size() < 6 || (words[0] != "check" && words[0] != "update")) throw std::runtime_error(usage);
+  Arguments arguments = {words[0] == "update", words[1], words[2], words[3], words[4], {}};
+  for (std::size_t i = 5; i < words.size(); ++i) {
     const std::size_t equals = words[i].find('=');
     if (equals == std::string::npos) throw std::runtime_error(usage);
     arguments.robots.emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
@@ -42,14 +46,34 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   return arguments;
 }
 
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  std::istringstream stream(list);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+bool has(const std::vector<Counted>& functions, const std::string& name) {
+  return std::any_of(functions.begin(), functions.end(), [&](const Counted& f) { return f.first == name; });
+}
+
 Counts count(const Arguments& arguments) {
   Counts counts;
   for (const auto& [robot, document] : arguments.robots) {
-    const std::string command = fmt::format(
-        "{} ops --json --algorithms {} -- {}", quoted(arguments.generator), quoted(arguments.groups), quoted(document));
-    const std::optional<std::string> output = output_of(command);
-    if (!output) throw std::runtime_error(command + " failed");
-    counts[robot] = read_operations(*output);
+    const auto command_of = [&](const std::string& groups) {
+      return fmt::format(
+          "{} ops --json --algorithms {} -- {}", quoted(arguments.generator), quoted(groups), quoted(document));
+    };
+    const std::optional<std::string> output = output_of(command_of(arguments.groups));
+    if (!output) throw std::runtime_error(command_of(arguments.groups) + " failed");
+    std::vector<Counted>& functions = counts[robot];
+    functions = read_operations(*output);
+    // Of those that this robot lacks, the generator's message is no news. What all groups have, such as the update of
+    // parameters, is that of the first ones.
+    for (const std::string& group : split(arguments.further_groups))
+      if (const auto further = output_of(command_of(group) + " 2>/dev/null"))
+        for (Counted& counted : read_operations(*further))
+          if (!has(functions, counted.first)) functions.push_back(std::move(counted));
   }
   return counts;
 }
