@@ -65,7 +65,9 @@ class Cursor {
   std::size_t open_blocks() const { return open_braces_.size(); }
   // Continue as if a brace had been taken that is missing here, which has been reported.
   void assume_open_brace() { open_braces_.push_back(peek().span); }
-  void assume_closing_brace() { open_braces_.pop_back(); }
+  void assume_closing_brace() {
+    if (!open_braces_.empty()) open_braces_.pop_back();
+  }
   template <class Predicate>
   void skip_until(Predicate stop) {
     while (!at_end() && !stop()) take();
