@@ -72,10 +72,8 @@ std::size_t characters(const Client& client, const std::string& uri, const Json&
       marked.begin(), marked.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-class SameDiagnostics : public testing::TestWithParam<fs::path> {};
-
-TEST_P(SameDiagnostics, AsOnTheCommandLine) {
-  const fs::path file = GetParam();
+void expect_same_diagnostics(const fs::path& file) {
+  SCOPED_TRACE(file);
   Client client;
   client.open(file_uri(file), text_for_editor(file));
   fs::path list = file;
@@ -106,17 +104,24 @@ TEST_P(SameDiagnostics, AsOnTheCommandLine) {
   }
 }
 
+// One test for each folder: a process for each of some hundred files takes longer than what it does.
+class SameDiagnostics : public testing::TestWithParam<std::string> {};
+
+TEST_P(SameDiagnostics, AsOnTheCommandLine) {
+  int count = 0;
+  for (const fs::path& file : documents()) {
+    if (file.parent_path().parent_path().filename() != GetParam()) continue;
+    expect_same_diagnostics(file);
+    ++count;
+  }
+  EXPECT_GT(count, 20);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Bad,
     SameDiagnostics,
-    testing::ValuesIn(documents()),
-    [](const testing::TestParamInfo<fs::path>& document) {
-      std::string name =
-          document.param.parent_path().parent_path().filename().string() + "_" + document.param.filename().string();
-      for (char& c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-      return name;
-    });
+    testing::Values("language", "model", "parts", "import"),
+    [](const testing::TestParamInfo<std::string>& room) { return room.param; });
 
 // Every code that these files expect was compared, and there are many.
 TEST(Diagnostics, OfEveryCodeAreCompared) {
