@@ -139,6 +139,35 @@ TEST_F(Names, AreRenamedThroughPartsAndInstances) {
   expect(biped_, "si|ze[", "width", {}, {{"size", "width"}}, {});
 }
 
+// `leg.hip` of a loop is the link of the part, and the head of a loop lists instances.
+TEST_F(Names, AreRenamedInLoops) {
+  const std::string list =
+      "Robot Biped\nFrames { fr_trunk for leg in { left, right } { leg.fr_hip leg.end_tip } left.fr_end_sole }\n"
+      "Transforms { for leg in { left, right } { fr_trunk -> leg.end_tip } fr_trunk -> left.fr_end_sole }\n";
+  const std::string biped = with(
+      kBiped, {{"couplings { right_HAA = 0.5 * left_HAA }",
+                "couplings { for leg in { left, right } { leg.end_ankle = 0.5 * leg.HAA }  right.HAA = left.HAA }"}});
+  const auto expect = [&](const std::string& uri, const std::string& word, const std::string& name,
+                          const std::string& in_biped, const std::string& in_list) {
+    client_.change(biped_, biped);
+    client_.open(list_, list);
+    for (const std::string& of : {biped_, list_})
+      EXPECT_EQ(client_.codes(of), std::vector<std::string>{}) << client_.diagnostics[of];
+    const Json edit = client_.ask_at("textDocument/rename", uri, word, {{"newName", name}});
+    ASSERT_TRUE(client_.error.is_null()) << client_.error;
+    const Json& changes = edit.at("changes");
+    EXPECT_EQ(changes.contains(biped_) ? edited(biped, changes[biped_]) : biped, in_biped) << word;
+    EXPECT_EQ(changes.contains(list_) ? edited(list, changes[list_]) : list, in_list) << word;
+  };
+  expect(leg_, "link h|ip", "pelvis", biped, with(list, {{"fr_hip", "fr_pelvis"}}));
+  expect(leg_, "t|ip {", "toe", biped, with(list, {{"_tip", "_toe"}}));
+  expect(leg_, "r_joint H|AA", "Roll", with(biped, {{"HAA", "Roll"}}), list);
+  expect(leg_, "r_joint an|kle", "Pitch", with(biped, {{"ankle", "Pitch"}}), list);
+  expect(
+      biped_, "Leg le|ft", "L", with(biped, {{"Leg left", "Leg L"}, {"left.", "L."}, {"left,", "L,"}}),
+      with(list, {{"left", "L"}}));
+}
+
 TEST_F(Names, AreNotRenamedToWhatIsWrong) {
   const auto refusal = [&](const std::string& word, const std::string& name) {
     client_.ask_at("textDocument/rename", leg_, word, {{"newName", name}});

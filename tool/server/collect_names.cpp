@@ -64,6 +64,34 @@ class Collector {
     return std::nullopt;
   }
 
+  // `leg.foot` at the span: an instance, or each of the loop whose variable it is, and the name in their part.
+  template <class Loops>
+  void member(
+      const Scope& scope,
+      const Span& span,
+      const std::string& instance,
+      const std::string& name,
+      const Loops& loops,
+      int loop,
+      bool is_frame) {
+    const auto index = static_cast<std::size_t>(loop);
+    const bool is_variable = loop >= 0 && index < loops.size() && loops[index].variable.text == instance;
+    if (is_variable && loops[index].instances.empty()) return;
+    const std::string& first = is_variable ? loops[index].instances.front().text : instance;
+    if (const auto place = word_in(span, instance, 0); place && !is_variable)
+      add(*place, {scope.document->path, scope.name(), NameKind::instance, instance});
+    const std::optional<Scope> attached = names_.instance(scope, first);
+    if (const auto place = word_in(span, name, 1); place && attached)
+      add_pieces(*place, is_frame ? names_.frame(*attached, name) : names_.element(*attached, name));
+  }
+  // The instances that the heads of loops list.
+  template <class Loops>
+  void instances_of(const Loops& loops, const Scope& scope) {
+    for (const auto& loop : loops)
+      for (const auto& instance : loop.instances)
+        add(instance.span, {scope.document->path, scope.name(), NameKind::instance, instance.text});
+  }
+
   // Every named part of an expression: visit(expression, span of the name).
   template <class Visit>
   void visit_names(const ExpressionPtr& e, const Visit& visit) const {
@@ -139,17 +167,24 @@ class RobotCollector : public Collector {
       carrier(joint.rotor);
       for (const kinematics::Coordinate& coordinate : joint.coordinates) carrier(coordinate.rotor);
     }
-    for (const kinematics::Coupling& coupling : body.couplings) {
-      if (coupling.instance.empty()) add_pieces(coupling.joint.span, names_.element(scope_, coupling.joint.text));
-      visit_names(coupling.value, [&](const Expression& e, const Span& span) {
-        const auto pieces = names_.element(scope_, e.name);
-        const bool is_joint = !pieces.empty() && !e.is_parameter && e.kind == Expression::Kind::name;
-        if (is_joint)
-          add_pieces(span, pieces);
-        else
-          named(e, span);
-      });
-    }
+    instances_of(body.loops, scope_);
+    for (const kinematics::Coupling& coupling : body.couplings) this->coupling(coupling, body.loops);
+  }
+
+  void coupling(const kinematics::Coupling& coupling, const std::vector<kinematics::Loop>& loops) {
+    if (coupling.instance.empty())
+      add_pieces(coupling.joint.span, names_.element(scope_, coupling.joint.text));
+    else
+      member(scope_, coupling.joint.span, coupling.instance, coupling.joint.text, loops, coupling.loop, false);
+    visit_names(coupling.value, [&](const Expression& e, const Span& span) {
+      if (!e.group.empty()) return member(scope_, e.span, e.group, e.name, loops, coupling.loop, false);
+      const auto pieces = names_.element(scope_, e.name);
+      const bool is_joint = !pieces.empty() && !e.is_parameter && e.kind == Expression::Kind::name;
+      if (is_joint)
+        add_pieces(span, pieces);
+      else
+        named(e, span);
+    });
   }
 
   void carrier(const std::optional<kinematics::Rotor>& rotor) {
@@ -239,14 +274,15 @@ class ListCollector : public Collector {
     model_ = names_.model_of(document_);
     if (model_ != nullptr && declares(document.robot.text))
       add(document.robot.span, {model_->path, "", NameKind::robot, document.robot.text});
-    for (const auto& name : document.frames) frame(name);
+    if (model_ != nullptr && model_->robot() != nullptr) instances_of(document.loops, {model_, nullptr});
+    for (const auto& name : document.frames) frame(name, document.loops);
     for (const auto* pairs : {&document.transforms, &document.jacobians}) {
       for (const language::desired::Pair& pair : *pairs) {
-        frame(pair.left);
-        frame(pair.right);
+        frame(pair.left, document.loops);
+        frame(pair.right, document.loops);
       }
     }
-    for (const language::desired::Contact& contact : document.contacts) frame(contact.frame);
+    for (const language::desired::Contact& contact : document.contacts) frame(contact.frame, document.loops);
   }
 
  private:
@@ -258,9 +294,13 @@ class ListCollector : public Collector {
     return model_->transforms() != nullptr && model_->transforms()->header.model.text == name;
   }
 
-  // `leg.foot` of a loop stands for several frames.
-  void frame(const language::desired::Name& name) {
-    if (model_ == nullptr || !name.instance.empty()) return;
+  void frame(const language::desired::Name& name, const std::vector<language::desired::Loop>& loops) {
+    if (model_ == nullptr) return;
+    if (!name.instance.empty()) {
+      if (model_->robot() != nullptr)
+        member({model_, nullptr}, name.span, name.instance, name.text, loops, name.loop, true);
+      return;
+    }
     if (model_->robot() != nullptr)
       add_pieces(name.span, names_.frame({model_, nullptr}, name.text));
     else if (model_->motions() != nullptr || model_->transforms() != nullptr)

@@ -84,6 +84,12 @@ std::optional<Scope> Names::part(const Parsed& document, const std::string& name
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<Scope> Names::instance(const Scope& scope, const std::string& name) {
+  for (const kinematics::Instance* instance : elements(scope).instances)
+    if (instance->name.text == name) return part(*scope.document, instance->part.text);
+  return std::nullopt;
+}
+
 std::vector<Names::Piece> Names::in_instances(
     const Scope& scope,
     std::string_view name,

@@ -65,6 +65,8 @@ class Names {
   std::vector<Piece> frame(const Scope& scope, std::string_view name, std::size_t depth = 0);
   // A part, or a robot as a part, by the name that a document knows it by.
   std::optional<Scope> part(const Parsed& document, const std::string& name);
+  // The part that is attached as this instance.
+  std::optional<Scope> instance(const Scope& scope, const std::string& name);
   const std::map<std::string, Scope>& known_parts(const Parsed& document);
 
  private:
