@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "backend/languages.h"
+#include "command/completions.h"
 #include "command/output.h"
 #include "command/subcommands.h"
 #include "support/diagnostics.h"
@@ -358,6 +359,11 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
       {"draw", declare_draw(application)},
       {"view", declare_view(application)},
       {"language-server", declare_language_server(application)}};
+  std::string shell;
+  CLI::App* const completing =
+      application.add_subcommand("completions", "Prints a script that completes command lines");
+  completing->add_option("shell", shell, "bash, zsh or fish")->required()->check(one_of(shells()));
+  completing->footer("bash, zsh: source <(robcogen completions bash); fish: robcogen completions fish | source");
   try {
     application.parse(argc, argv);
   } catch (const CLI::Success& answer) {  // --help, --version
@@ -369,6 +375,12 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
     };
   } catch (const CLI::ParseError& fault) {
     throw Failure{wrong_usage, explain(application, fault)};
+  }
+  if (completing->parsed()) {
+    return [text = completions(application, shell)] {
+      write_output(text);
+      return ok;
+    };
   }
   for (const auto& [name, action] : actions)
     if (application.got_subcommand(name)) return action;
