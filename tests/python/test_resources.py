@@ -54,12 +54,18 @@ class Resources(unittest.TestCase):
         thread = threading.Thread(target=tick)
         thread.start()
         started.wait()
-        begin = time.perf_counter()
-        arm.inverse_dynamics(q, Z, Z, out=out)
-        end = time.perf_counter()
+        # A machine that is busy may leave the other thread no turn in a call; one that never gets any waits for the lock.
+        most = 0
+        for _ in range(50):
+            begin = time.perf_counter()
+            arm.inverse_dynamics(q, Z, Z, out=out)
+            end = time.perf_counter()
+            most = max(most, sum(begin < t < end for t in list(ticks)))
+            if most > 2:
+                break
         stop.set()
         thread.join()
-        self.assertGreater(sum(begin < t < end for t in ticks), 2)
+        self.assertGreater(most, 2)
 
     def test_results_of_threads_are_those_of_one(self):
         q = np.random.default_rng(1).uniform(-1, 1, (4, 5000, 7))
