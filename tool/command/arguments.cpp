@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithm/dynamics/dynamics.h"
+#include "backend/common/meaning.h"
 #include "support/diagnostics.h"
 
 namespace robcogen::command {
@@ -18,36 +19,16 @@ using symbolic::Role;
 
 std::string meaning_of(Role role) {
   switch (role) {
-    case Role::joint_position:
-      return "joint positions (rad, m)";
-    case Role::joint_velocity:
-      return "joint velocities (rad/s, m/s)";
-    case Role::joint_acceleration:
-      return "joint accelerations (rad/s^2, m/s^2)";
-    case Role::joint_force:
-      return "joint forces (N m, N)";
-    case Role::gravity:
-      return "gravity (m/s^2) in base coordinates";
-    case Role::base_velocity:
-      return "twist of the base, angular first, in base coordinates";
-    case Role::base_acceleration:
-      return "spatial acceleration of the base without gravity, angular first, in base coordinates";
-    case Role::base_wrench:
-      return "wrench on the base, angular first, in base coordinates";
     case Role::link_wrenches:
       return "wrench on each link, angular first, in link coordinates about the link's origin";
     case Role::inertia_factor:
       return "factor L of the joint-space inertia matrix";
-    case Role::inverse_diagonal:
-      return "reciprocals of the diagonal of L";
-    case Role::contact_activity:
-      return "1 where a contact holds, 0 where it is open";
     case Role::parameters:
       return "parameters of the model";
     case Role::variables:
       return "variables of the transform";
     default:
-      return "";
+      return backend::meaning(role);
   }
 }
 

@@ -1,18 +1,26 @@
-// Concatenation of texts with a single allocation; `+` of many pieces needs several.
+// Concatenation of texts.
 #pragma once
 
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace robcogen {
 
+// With a single allocation; `+` of many pieces needs several.
 inline std::string concat(std::initializer_list<std::string_view> pieces) {
   std::size_t size = 0;
   for (const std::string_view piece : pieces) size += piece.size();
   std::string result;
   result.reserve(size);
   for (const std::string_view piece : pieces) result += piece;
+  return result;
+}
+
+inline std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ") {
+  std::string result;
+  for (std::size_t i = 0; i < items.size(); ++i) result += (i > 0 ? separator : "") + items[i];
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/c/printers.h"
 #include "backend/common/parts.h"
+#include "support/concat.h"
 
 namespace robcogen::backend::c {
 namespace {
@@ -13,12 +14,6 @@ using symbolic::Role;
 
 // Longer functions take compilers more time than their length, in parts of so many lines less.
 constexpr std::size_t kLongest = 2000, kPart = 700;
-
-std::string joined(const std::vector<std::string>& items) {
-  std::string result;
-  for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
-  return result;
-}
 
 // Of an argument, by its place among inputs and then outputs.
 std::string declared(const Names& names, const Callable& c, std::size_t i, const Parameter& p, Precision precision) {

@@ -7,12 +7,6 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  std::string result;
-  for (std::size_t i = 0; i < items.size(); ++i) result += (i ? separator : "") + items[i];
-  return result;
-}
-
 std::string blanks(std::size_t count) {
   return std::string(count, ' ');
 }

@@ -5,6 +5,7 @@
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
+#include "support/concat.h"
 #include "support/number.h"
 
 namespace robcogen::backend::cpp {
@@ -37,12 +38,6 @@ void for_each_of(const Library& library, const Kind& kind, F f) {
 
 bool has_shared(const Library& library) {
   return std::any_of(library.parameters.begin(), library.parameters.end(), is_shared);
-}
-
-std::string joined(const std::vector<std::string>& items) {
-  std::string result;
-  for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
-  return result;
 }
 
 std::string interface_type(const Api& api, const Kind& kind) {

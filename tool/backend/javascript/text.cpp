@@ -65,12 +65,6 @@ std::vector<std::string> members(const std::vector<std::string>& parameters) {
   return claim_all(scope, parameters);
 }
 
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  std::string result;
-  for (const std::string& item : items) result += (result.empty() ? "" : separator) + item;
-  return result;
-}
-
 std::string number(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";

@@ -6,6 +6,7 @@
 
 #include "backend/common/lower.h"
 #include "backend/library.h"
+#include "support/concat.h"
 
 namespace robcogen::backend::javascript {
 
@@ -15,8 +16,6 @@ const Dialect& dialect();
 
 // The members of the object of parameters, by the names of all parameters.
 std::vector<std::string> members(const std::vector<std::string>& parameters);
-
-std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ");
 
 // The shortest text of a number; NaN and infinities too.
 std::string number(double value);

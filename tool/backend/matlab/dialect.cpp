@@ -168,12 +168,6 @@ std::vector<std::string> fields(const std::vector<std::string>& parameters) {
   return claim_all(scope, parameters);
 }
 
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  std::string result;
-  for (const std::string& item : items) result += (result.empty() ? "" : separator) + item;
-  return result;
-}
-
 std::string upper_case(std::string text) {
   for (char& c : text)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "backend/common/lower.h"
+#include "support/concat.h"
 
 namespace robcogen::backend::matlab {
 
@@ -20,8 +21,6 @@ const Dialect& dialect();
 
 // The fields of the struct of parameters, by the names of all parameters. No function has the name of a field.
 std::vector<std::string> fields(const std::vector<std::string>& parameters);
-
-std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ");
 
 std::string upper_case(std::string text);
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "backend/common/product.h"
+#include "support/concat.h"
 #include "support/number.h"
 
 namespace robcogen::backend::maxima {
@@ -62,12 +63,6 @@ const Dialect& dialect() {
     return d;
   }();
   return maxima;
-}
-
-std::string joined(const std::vector<std::string>& items) {
-  std::string result;
-  for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
-  return result;
 }
 
 // Lines of at most kColumns where blanks allow it, each after the margin.

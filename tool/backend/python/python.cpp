@@ -8,6 +8,7 @@
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 #include "backend/python/functions.h"
+#include "support/concat.h"
 #include "support/number.h"
 
 namespace robcogen::backend::python {
@@ -16,12 +17,6 @@ namespace {
 using cpp::braced;
 using cpp::quoted;
 using symbolic::Role;
-
-std::string joined(const std::vector<std::string>& items, const std::string& separator = ", ") {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : separator) + item;
-  return text;
-}
 
 std::string number(double value) {
   if (std::isnan(value)) return "NAN";
