@@ -15,7 +15,7 @@ build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nloh
 test_packages=(make ccache clang-14 clang-format-14 libgtest-dev librapidcheck-dev libbenchmark-dev
   libnlopt-dev liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev octave maxima nodejs chromium
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm python3-dev python3-numpy mypy
-  neovim emacs-nox elpa-eglot)
+  neovim emacs-nox elpa-eglot dpkg-dev)
 
 usage() {
   sed -n '2,9s/^# \{0,1\}//p' cmake/bootstrap.sh
