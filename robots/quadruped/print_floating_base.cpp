@@ -2,14 +2,21 @@
 #include <quadruped/quadruped.h>
 
 #include <iostream>
+#include <string_view>
 
 #include "robcogen/pose.h"
 #include "robcogen/world.h"
 
 int main() {
-  // Hip abduction, hip flexion and knee of each leg (rad): LF, RF, LH, RH. Front knees forward, hind knees backward.
+  // Hip abduction, hip flexion and knee of each leg (rad), LF, RF, LH and RH. Front knees forward, hind knees backward.
   quadruped::JointState q;
-  q << 0.1, -0.6, 1.2, -0.1, -0.6, 1.2, 0.1, 0.6, -1.2, -0.1, 0.6, -1.2;
+  for (const robcogen::Limb& leg : quadruped::limbs) {
+    const std::string_view name = leg.name;
+    const double left = name[0] == 'L' ? 1 : -1, front = name[1] == 'F' ? 1 : -1;
+    q[leg.joint("HAA")] = 0.1 * left;
+    q[leg.joint("HFE")] = -0.6 * front;
+    q[leg.joint("KFE")] = 1.2 * front;
+  }
   const quadruped::JointState rest = quadruped::JointState::Zero();
 
   // All that concerns the base is in its own coordinates: its velocity (angular, then linear), and gravity, which tells

@@ -95,6 +95,21 @@ struct FrameData {
   std::array<double, 3> rotation{};
 };
 
+// An instance of a part in the document.
+struct LimbData {
+  // With its name in the part.
+  struct Element {
+    std::string own;
+    int index = 0;
+  };
+  std::string name;  // unique; with which the names of its elements begin, then, where several begin so, the part
+  std::string part;
+  int first_link = 0;
+  std::vector<Element> links;
+  std::vector<Element> joints;  // those of joint arrays
+  std::vector<Element> frames;  // user frames, into Library::frames
+};
+
 struct ContactData {
   int frame = 0;  // into Library::frames
   bool is_surface = false;
@@ -172,6 +187,7 @@ struct Library {
   std::vector<JointData> joints;    // those of joint arrays
   std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
+  std::vector<LimbData> limbs = {};
   std::vector<ContactData> contacts = {};  // where the library has functions of them
   std::vector<ParameterData> parameters;   // constants above that depend on one without default are not a number
   std::vector<std::string> variables;      // with no robot: in the document's order of their first use

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -121,6 +123,24 @@ class Constants {
   std::vector<double> defaults_;
 };
 
+std::vector<backend::LimbData> limbs_of(const model::KinematicTree& tree, const backend::Library& library) {
+  std::map<std::string, int> uses, frames;
+  for (const model::Limb& limb : tree.limbs) ++uses[limb.name];
+  for (std::size_t i = 0; i < library.frames.size(); ++i) frames.insert({library.frames[i].name, static_cast<int>(i)});
+  std::vector<backend::LimbData> limbs;
+  for (const model::Limb& limb : tree.limbs) {
+    backend::LimbData data = {limb.name, limb.part, limb.first_link, {}, {}, {}};
+    if (uses[limb.name] > 1) data.name += "_" + limb.part;
+    for (const auto& [own, index] : limb.links) data.links.push_back({own, index});
+    for (const auto& [own, index] : limb.joints)
+      if (tree.coupling_of(index) == nullptr) data.joints.push_back({own, tree.coordinate_of(index)});
+    for (const auto& [own, index] : limb.frames)
+      data.frames.push_back({own, frames.at(tree.user_frames[at(index)].name)});
+    limbs.push_back(std::move(data));
+  }
+  return limbs;
+}
+
 }  // namespace
 
 void add_model(const model::KinematicTree& tree, backend::Library& library) {
@@ -134,6 +154,7 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   const std::vector<backend::JointData> joints = library.all_joints();
   for (std::size_t k = 0; k < joints.size(); ++k) library.links[at(joints[k].child)].parent_joint = static_cast<int>(k);
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
+  library.limbs = limbs_of(tree, library);
   for (const model::Parameter& p : tree.parameters) {
     backend::ParameterData data = {p.name};
     if (p.default_value) data.default_value = *p.default_value;

@@ -202,6 +202,15 @@ class AnyRobot {
   // defaults.
   const reflection::Robot& tables() const noexcept { return *tables_; }
 
+  // What the instances of parts in its document have become: `limb.joints` are places in q.
+  const Limbs& limbs() const noexcept { return tables_->limbs; }
+  // By its name; nullptr where there is none.
+  const Limb* find_limb(std::string_view limb) const noexcept {
+    for (const Limb& l : limbs())
+      if (limb == l.name) return &l;
+    return nullptr;
+  }
+
   // Joint forces for joint accelerations qdd (dof() elements). Returns the acceleration of a floating base
   // without a wrench on it; zero for a fixed base.
   SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau) const {

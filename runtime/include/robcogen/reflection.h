@@ -8,6 +8,7 @@
 #include "robcogen/batch.h"
 #include "robcogen/joint_drive.h"
 #include "robcogen/joint_type.h"
+#include "robcogen/limb.h"
 
 namespace robcogen::reflection {
 
@@ -285,6 +286,7 @@ struct Robot {
   Table<Contact> contacts = {nullptr, 0};  // in the order of their rows
   // Whether the numbers of a joint end with its pitch.
   bool numbers_of_pitches = false;
+  Limbs limbs = {};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of q
 };

@@ -208,6 +208,7 @@ Api api(const Library& library) {
   result.coupled = enumerators(library.coupled_joints());
   result.links = enumerators(library.links);
   result.frames = enumerators(library.frames);
+  result.limbs = enumerators(library.limbs);
   name_values(library, result);
 
   NameScope kernels;

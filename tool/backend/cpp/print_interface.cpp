@@ -219,6 +219,7 @@ std::string robot_type(const Api& api) {
           constant("int", "kLinkCount", std::to_string(library.links.size())) +
           constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
           constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
+          (api.limbs.empty() ? "" : constant("auto", "limbs", "::" + api.space + "::limbs")) +
           (library.has_drives() ? constant("auto", "kJointDrives", "::" + api.space + "::kJointDrives") : "") +
           (library.has_pitches() ? constant("auto", "kJointPitches", "::" + api.space + "::kJointPitches") : "")};
   for (const std::string& group : library.groups) {

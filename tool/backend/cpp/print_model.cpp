@@ -207,6 +207,38 @@ std::string frame_tables(const Api& api) {
        "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
 }
 
+// Elements of all limbs in one array, of which each limb has three parts.
+std::string limb_tables(const Api& api) {
+  const std::vector<LimbData>& limbs = api.library->limbs;
+  if (limbs.empty()) return "";
+  std::vector<std::string> elements, remarks;
+  const auto add = [&](const std::vector<LimbData::Element>& list, const std::string& remark) {
+    const std::string begin = std::to_string(elements.size());
+    for (const auto& [own, index] : list) {
+      elements.push_back(braced({quoted(own), std::to_string(index)}));
+      remarks.push_back(remark);
+    }
+    return "      " + braced({"kLimbElements + " + begin, std::to_string(list.size())}) + ",\n";
+  };
+  std::string rows;
+  for (const LimbData& limb : limbs) {
+    rows += "    robcogen::Limb{\n        " + quoted(limb.name) + ",\n        " + quoted(limb.part) + ",\n        " +
+            std::to_string(limb.first_link) + ",\n";
+    for (const std::string& list :
+         {add(limb.links, limb.name + ": links"), add(limb.joints, limb.name + ": joints"),
+          add(limb.frames, limb.name + ": frames")})
+      rows += "  " + list;
+    rows += "    },\n";
+  }
+  return paragraphs(
+      {"// Instances of parts, in the order of the document.\n" + enumeration("Limb", api.limbs),
+       index_function("Limb", "limb"),
+       remarked_list("inline constexpr robcogen::LimbElement kLimbElements[]", elements, remarks),
+       "// The same by index: their links, their joints by places in joint vectors, their frames.\n"
+       "inline constexpr std::array<robcogen::Limb, " +
+           std::to_string(limbs.size()) + "> limbs = {\n" + rows + "};\n"});
+}
+
 }  // namespace
 
 std::string model_number(double value) {
@@ -251,10 +283,11 @@ std::string print_model(const Api& api, const std::string& path) {
       {constant("const char* kName", quoted(library.robot)) +
            constant("const char* kModelHash", quoted(library.model_hash)) +
            constant("const char* kGeneratorVersion", quoted(library.generator_version)),
-       sizes(library), enumerations(api), joint_tables(api), link_tables(api), frame_tables(api)});
+       sizes(library), enumerations(api), joint_tables(api), link_tables(api), frame_tables(api), limb_tables(api)});
   std::vector<std::string> runtime = {"\"robcogen/version.h\""};
   if (library.has_drives()) runtime.emplace_back("\"robcogen/joint_drive.h\"");
   if (library.has_robot()) runtime.insert(runtime.end(), {"\"robcogen/joint_limits.h\"", "\"robcogen/joint_type.h\""});
+  if (!library.limbs.empty()) runtime.emplace_back("\"robcogen/limb.h\"");
   return paragraphs(
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n",
        includes(

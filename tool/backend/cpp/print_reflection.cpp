@@ -278,7 +278,8 @@ std::vector<LastField> last_fields(
       {couplings.reference, "couplings", kNoTable},
       {derivatives.reference, "derivatives", kNoTable},
       {contacts.reference, "contacts", kNoTable},
-      {boolean(api.is_parametric() && library.has_pitches()), "numbers of pitches", "false"}};
+      {boolean(api.is_parametric() && library.has_pitches()), "numbers of pitches", "false"},
+      {library.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(library.limbs.size())}), "limbs", "{}"}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }
@@ -328,11 +329,12 @@ std::string print_reflection(const Api& api, const std::string& path) {
     headers.emplace_back("\"robcogen/level.h\"");
     levels = in_namespace(api.space, use_level(api));
   }
+  std::vector<std::string> own = {cpp::quoted(kernels_path(folder(library)))};
+  if (!library.limbs.empty()) own.push_back(cpp::quoted(folder(library) + "/model.h"));
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
-       api.is_parametric() ? includes({"<limits>"}) : "", includes(headers),
-       includes({cpp::quoted(kernels_path(folder(library)))}), runtime_check(api), levels, batch_kernels,
-       in_namespace(api.space + "::reflection", paragraphs(parts))});
+       api.is_parametric() ? includes({"<limits>"}) : "", includes(headers), includes(own), runtime_check(api), levels,
+       batch_kernels, in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -115,6 +115,33 @@ std::string frame_fields(const std::vector<FrameData>& frames) {
   return text + columns("frame_rotation", frames, 3, [](const FrameData& f) { return f.rotation; });
 }
 
+// `[1; 2]`, and `{'a'; 'b'}`: the elements of a limb.
+std::string indices(const std::vector<LimbData::Element>& elements) {
+  if (elements.empty()) return "zeros(0, 1)";
+  return "[" + joined(texts(elements, [](const auto& e) { return std::to_string(e.index + 1); }), "; ") + "]";
+}
+std::string own_names(const std::vector<LimbData::Element>& elements) {
+  if (elements.empty()) return "cell(0, 1)";
+  return "{" + joined(texts(elements, [](const auto& e) { return quoted(e.own); }), "; ") + "}";
+}
+
+std::string limb_fields(const std::vector<LimbData>& limbs) {
+  std::string text;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    const std::string limb = "  model.limbs(" + std::to_string(i + 1) + ").";
+    const LimbData& l = limbs[i];
+    text += limb + "name = " + quoted(l.name) + ";\n" + limb + "part = " + quoted(l.part) + ";\n";
+    text += limb + "first_link = " + std::to_string(l.first_link + 1) + ";\n";
+    const auto elements = [&](const std::string& what, const std::vector<LimbData::Element>& list) {
+      text += limb + what + "s = " + indices(list) + ";\n" + limb + what + "_names = " + own_names(list) + ";\n";
+    };
+    elements("link", l.links);
+    elements("joint", l.joints);
+    elements("frame", l.frames);
+  }
+  return text;
+}
+
 // `hyl.transforms.homogeneous.`
 std::string dotted(const Library& library, const std::string& scope, const std::string& end = ".") {
   return joined(packages(library, scope), ".") + end;
@@ -141,6 +168,10 @@ std::string print_model(const Library& library) {
       "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
       "products xy, xz, yz of positive sign.");
   text += comment("  frames: frame_link, the link that it moves with, and its placement in the frame of this link.");
+  if (!library.limbs.empty())
+    text += comment(
+        "  limbs: a struct for each instance of a part in the document: its name, its part and first_link, and of its "
+        "links, joints (rows of q) and frames the indices, and the names in the part, as in link_names.");
   if (!library.coupled.empty())
     text += comment(
         "  coupled_joints: the same of joints that follow the others, counted behind them; their positions are "
@@ -156,6 +187,7 @@ std::string print_model(const Library& library) {
   if (library.has_drives()) text += drive_fields(library.joints);
   if (library.has_pitches()) text += pitch_fields(library.joints);
   text += coupling_fields(library) + "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
+  if (!library.limbs.empty()) text += "\n" + limb_fields(library.limbs);
   return text + "end\n";
 }
 
