@@ -1,12 +1,13 @@
 // Limbs: of types of robots, and of robots that are chosen at run time.
-#include <centaur/centaur.h>
-#include <centaur/reflection.h>
 #include <gtest/gtest.h>
 #include <hyl/hyl.h>
 #include <hyl/reflection.h>
 #include <quadruped/quadruped.h>
 #include <quadruped/reflection.h>
+#include <two_arms/reflection.h>
+#include <two_arms/two_arms.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -43,8 +44,20 @@ void check_names(const robcogen::reflection::Robot& robot) {
 
 TEST(Limbs, HaveTheNamesOfTheirElements) {
   check_names(quadruped::reflection::robot);
-  check_names(centaur::reflection::robot);
-  EXPECT_EQ(centaur::reflection::robot.limbs.size, 6);
+  check_names(two_arms::reflection::robot);
+  EXPECT_EQ(two_arms::reflection::robot.limbs.size, 4);
+}
+
+// Of the hand on an arm: it is one of the arm, too, and joints that follow others are left out.
+TEST(Limbs, ContainLimbs) {
+  const robcogen::Limb& arm = two_arms::limbs[index(two_arms::Limb::right)];
+  const robcogen::Limb& hand = two_arms::limbs[index(two_arms::Limb::right_hand)];
+  EXPECT_EQ(arm.joints.size, 5);
+  EXPECT_EQ(hand.joints.size, 2);
+  EXPECT_EQ(arm.joint("hand_LEFT"), hand.joint("LEFT"));
+  EXPECT_EQ(hand.joint("RIGHT"), -1);
+  EXPECT_EQ(arm.frame("hand_left_tip"), hand.frame("left_tip"));
+  EXPECT_STREQ(hand.part, "Gripper");
 }
 
 // Each joint belongs to one limb, and to its links.
@@ -69,16 +82,16 @@ int count_knees(const Robot&) {
 
 TEST(Limbs, AreLoopedOverInGenericCode) {
   EXPECT_EQ(count_knees(quadruped::Robot()), 4);
-  EXPECT_EQ(count_knees(centaur::Robot()), 4);
   EXPECT_EQ(count_knees(hyl::Robot()), 0);
 }
 
 TEST(Limbs, OfRobotsThatAreChosenAtRunTime) {
-  const auto robot = robcogen::make_any<centaur::Robot>(centaur::reflection::robot);
-  ASSERT_NE(robot.find_limb("right"), nullptr);
-  EXPECT_STREQ(robot.find_limb("right")->part, "Arm");
-  EXPECT_EQ(robot.find_limb("middle"), nullptr);
-  EXPECT_EQ(robot.limbs().size, 6);
+  const auto robot = robcogen::make_any<quadruped::Robot>(quadruped::reflection::robot);
+  ASSERT_NE(robot.find_limb("RF"), nullptr);
+  EXPECT_STREQ(robot.find_limb("RF")->part, "Leg");
+  EXPECT_EQ(robot.find_limb("RF")->joint("HAA"), 3);
+  EXPECT_EQ(robot.find_limb("MF"), nullptr);
+  EXPECT_EQ(robot.limbs().size, 4);
   EXPECT_EQ(robcogen::make_any<hyl::Robot>(hyl::reflection::robot).limbs().size, 0);
 }
 

@@ -48,8 +48,8 @@ struct Limb {
     const int exact = frames.find(own);
     if (exact >= 0) return exact;
     for (const LimbElement& element : frames) {
-      const std::string_view name = element.own;
-      if (name.substr(0, kPrefix.size()) == kPrefix && name.substr(kPrefix.size()) == own) return element.index;
+      const std::string_view text = element.own;
+      if (text.substr(0, kPrefix.size()) == kPrefix && text.substr(kPrefix.size()) == own) return element.index;
     }
     return -1;
   }

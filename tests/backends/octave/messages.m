@@ -1,6 +1,8 @@
 function messages()
 % MESSAGES  Calls generated functions with wrong arguments, and asks for help; each answer must be the expected one.
 
+  limbs(quadruped.model());
+
   z = zeros(3, 1);
   w = zeros(12, 1);
   v = zeros(6, 1);
