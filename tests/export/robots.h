@@ -81,13 +81,13 @@ inline std::vector<NamedRobot> all_robots() {
   return robots;
 }
 
-// Those that a URDF can say: it knows no parameters, no joint that follows several others, and of drives only damping
-// and friction, to which others are cut.
+// Those that a URDF can say: it knows no parameters, no spherical joint, no joint that follows several others, and of
+// drives only damping and friction, to which others are cut.
 inline std::vector<NamedRobot> constant_robots() {
   std::vector<NamedRobot> robots = all_robots();
   std::erase_if(robots, [](const NamedRobot& robot) {
     const model::KinematicTree& tree = robot.tree;
-    return !tree.parameters.empty() ||
+    return !tree.parameters.empty() || !tree.spherical_joints().empty() ||
            !std::all_of(tree.couplings.begin(), tree.couplings.end(), [&](const model::Coupling& coupling) {
              return exporting::may_be_mimic(tree, coupling);
            });

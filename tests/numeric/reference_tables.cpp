@@ -115,15 +115,20 @@ JointDrive drive_of(const model::Joint& joint, std::span<const double> parameter
 reference::Tables reference_tables(const model::KinematicTree& robot, std::span<const double> parameters) {
   reference::Tables tables(robot.name, robot.floating_base);
   for (const model::Link& link : robot.links)
-    tables.add_link(link.name, link.inertia ? body(*link.inertia, parameters) : reference::Tables::Body{});
+    if (!link.is_repeated)
+      tables.add_link(link.name, link.inertia ? body(*link.inertia, parameters) : reference::Tables::Body{});
   // Coupled joints behind the others, as in generated tables.
   std::vector<int> order = robot.coordinates();
   for (const model::Coupling& coupling : robot.couplings) order.push_back(coupling.joint);
   for (const int j : order) {
     const model::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    const int first_index = robot.first_component_of(j);
+    const model::Joint& first = robot.joints[static_cast<std::size_t>(first_index)];
+    const int child =
+        joint.spherical.empty() ? joint.child : robot.joints[static_cast<std::size_t>(first_index) + 2].child;
     tables.add_joint(
-        joint.name, type_of(joint.type), joint.parent, joint.child, values(joint.placement.translation, parameters),
-        values(joint.placement.rotation, parameters));
+        joint.name, type_of(joint.type), first.parent, child, values(first.placement.translation, parameters),
+        values(first.placement.rotation, parameters));
     const int last = tables.robot().joints.size - 1;
     tables.set_drive(last, drive_of(joint, parameters));
     tables.set_pitch(last, model::evaluate(joint.pitch, parameters));

@@ -3,6 +3,7 @@
 
 #include "dice.h"
 #include "interpreted_robot.h"
+#include "random_drives.h"
 #include "random_robot.h"
 #include "spherical_robot.h"
 
@@ -195,6 +196,20 @@ TEST_P(SphericalRobots, AreAsThreeRevoluteJoints) {
   leave_pole(robot, m.q);
   BothRobots(robot, euler, seed).compare(m, {1.0, -2.0, -9.0});
   if (HasFailure()) std::cout << "seed " << seed << "\n" << describe(robot);
+}
+
+// Textbook dynamics with poses as matrices, and identities.
+TEST_P(SphericalRobots, AgreeWithTheReferenceAndWithThemselves) {
+  const auto seed = static_cast<std::uint64_t>(GetParam());
+  const RobotOptions options = {.min_joints = 2, .max_joints = 8, .odd_documents = seed % 2 == 0};
+  for (std::uint64_t next = seed;; next += kRobots) {
+    const KinematicTree robot = with_spherical_joints(with_random_drives(random_robot(next, options), next), next);
+    if (robot.inertia_defects.is_singular() || robot.spherical_joints().empty()) continue;
+    const std::vector<std::string> passes = seed % 4 == 0 ? pass::names() : std::vector<std::string>{};
+    const auto checks = check_all(InterpretedRobot(robot, random_desired(seed, robot), passes), seed, 5);
+    EXPECT_EQ(checks.failures(), 0) << "seed " << next << "\n" << checks.failure_report() << describe(robot);
+    return;
+  }
 }
 
 // Where one choice of angles has its pole, another one has none.

@@ -50,7 +50,9 @@ class Tables {
     joints_.push_back({stored(name), type, parent, child, {}, {}});
     std::copy(translation.begin(), translation.end(), joints_.back().translation);
     std::copy(rotation.begin(), rotation.end(), joints_.back().rotation);
-    links_[static_cast<std::size_t>(child)].parent_joint = static_cast<int>(joints_.size()) - 1;
+    // Of a spherical joint the first component.
+    int& parent_joint = links_[static_cast<std::size_t>(child)].parent_joint;
+    if (parent_joint < 0) parent_joint = static_cast<int>(joints_.size()) - 1;
     return static_cast<int>(joints_.size()) - 1;
   }
 

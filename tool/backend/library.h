@@ -34,16 +34,9 @@ struct DriveData {
   int rotor_carrier = -1;
 };
 
-// As robcogen::JointType of the runtime: of one coordinate, or spherical.
+// As robcogen::JointType of the runtime. A spherical joint has three components in a row, between the same links: the
+// angular velocities about the x, y and z axis of the child.
 enum class JointType { revolute, prismatic, helical, spherical };
-
-// Elements of q, and of qd.
-constexpr int positions_of(JointType type) {
-  return type == JointType::spherical ? 4 : 1;
-}
-constexpr int velocities_of(JointType type) {
-  return type == JointType::spherical ? 3 : 1;
-}
 
 // Whether the joint turns; else its position is a length.
 inline bool turns(JointType type) {
@@ -185,6 +178,9 @@ struct Library {
   bool uses_passive_forces = true;  // those of `drive` are part of the dynamics
   std::vector<LinkData> links;      // [0] is the base; empty: a library without robot, of transforms of `variables`
   std::vector<JointData> joints;    // those of joint arrays
+  // Of a robot with spherical joints the elements of q, which are more: in front of the components of such a joint is
+  // the scalar part of its quaternion. Else empty.
+  std::vector<std::string> positions = {};
   std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
   std::vector<LimbData> limbs = {};
@@ -212,6 +208,16 @@ struct Library {
   bool has_batches = false;              // each function also over many states at once: C++, robots
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
 
+  bool has_spherical_joints() const { return !positions.empty(); }
+  // Elements of q at which quaternions begin.
+  std::vector<int> quaternions() const {
+    std::vector<int> first;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const bool follows = j > 0 && joints[j - 1].child == joints[j].child;
+      if (joints[j].type == JointType::spherical && !follows) first.push_back(static_cast<int>(j + first.size()));
+    }
+    return first;
+  }
   bool has_robot() const { return !links.empty(); }
   std::vector<JointData> coupled_joints() const {
     std::vector<JointData> list;

@@ -99,12 +99,24 @@ template <class Function>
 Function differentiated(Function function, const Derivative& derivative, DerivativeMode mode) {
   std::vector<symbolic::DerivativeBlock> blocks;
   const auto values = static_cast<int>(function.program.outputs.size());
+  int place = values;
+  bool is_by_turns = false;
   for (const std::string& input : derivative.inputs)
-    for (int k = 0; k < values; ++k) blocks.push_back({k, input, values + static_cast<int>(blocks.size())});
+    for (int k = 0; k < values; ++k, ++place) {
+      // Columns by quaternions are not those of their elements.
+      const bool has_quaternions = std::any_of(
+          function.program.inputs.begin(), function.program.inputs.end(),
+          [&](const auto& array) { return array.name == input && !array.quaternions.empty(); });
+      is_by_turns = is_by_turns || has_quaternions;
+      if (!has_quaternions) blocks.push_back({k, input, place});
+    }
   function.derivatives = std::move(blocks);
   function.program = differentiated(function.program, derivative, mode);
   function.name += suffix_of(derivative);
   function.summary.push_back(summary_of(derivative));
+  if (is_by_turns)
+    function.summary.emplace_back(
+        "In place of the four elements of a quaternion: turns (rad) about the three axes of the child.");
   return function;
 }
 

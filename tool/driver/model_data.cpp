@@ -54,17 +54,19 @@ class Constants {
     return data;
   }
 
-  // Of a joint by its first component, if there are several.
+  // A component of a spherical joint is between the links of that joint.
   backend::JointData of_joint(int index) const {
     const model::Joint& joint = tree_.joints[at(index)];
-    const model::Joint& last = tree_.joints[at(joint.spherical.empty() ? index : index + 2)];
+    const int first_index = tree_.first_component_of(index);
+    const model::Joint& first = tree_.joints[at(first_index)];
+    const model::Joint& last = tree_.joints[at(joint.spherical.empty() ? index : first_index + 2)];
     return {
-        joint.declared_name(),
+        joint.name,
         type_of(joint.type),
-        joint.parent,
+        first.parent,
         last.child,
-        values(joint.placement.translation),
-        values(joint.placement.rotation),
+        values(first.placement.translation),
+        values(first.placement.rotation),
         {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
         drive_of(joint),
         value(joint.pitch)};
@@ -92,7 +94,6 @@ class Constants {
   backend::CoupledJointData of(const model::Coupling& coupling) const {
     backend::CoupledJointData data = {of_joint(coupling.joint), {}, value(coupling.offset)};
     for (const int j : tree_.coordinates()) {
-      if (!tree_.joints[at(j)].is_first()) continue;
       const auto term = std::find_if(
           coupling.terms.begin(), coupling.terms.end(), [&](const auto& candidate) { return candidate.joint == j; });
       data.factors.push_back(term == coupling.terms.end() ? 0.0 : value(term->factor));
@@ -147,12 +148,12 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   const Constants constants(tree);
   for (const model::Link& link : tree.links)
     if (!link.is_repeated) library.links.push_back(constants.of(link));
-  const std::vector<int> order = model::declared_joints_first(tree);
-  for (const int j : order)
-    if (tree.coupling_of(j) == nullptr) library.joints.push_back(constants.of_joint(j));
+  for (const int j : tree.coordinates()) library.joints.push_back(constants.of_joint(j));
+  if (!tree.spherical_joints().empty()) library.positions = model::position_names(tree);
   for (const model::Coupling& coupling : tree.couplings) library.coupled.push_back(constants.of(coupling));
   const std::vector<backend::JointData> joints = library.all_joints();
-  for (std::size_t k = 0; k < joints.size(); ++k) library.links[at(joints[k].child)].parent_joint = static_cast<int>(k);
+  // Of a spherical joint the first component.
+  for (std::size_t k = joints.size(); k-- > 0;) library.links[at(joints[k].child)].parent_joint = static_cast<int>(k);
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
   library.limbs = limbs_of(tree, library);
   for (const model::Parameter& p : tree.parameters) {

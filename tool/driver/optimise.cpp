@@ -119,7 +119,9 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   functions = run_accurate_passes(*robot, std::move(functions), steps.formulation(), splits ? Passes() : passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
   if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
-  if (features.takes_sines) functions = split_angles(*robot, std::move(functions));
+  // Of quaternions there are no sines.
+  if (features.takes_sines && robot->tree.spherical_joints().empty())
+    functions = split_angles(*robot, std::move(functions));
   return functions;
 }
 

@@ -103,10 +103,25 @@ std::vector<int> independent_joints_first(const KinematicTree& tree) {
   return joints;
 }
 
+std::vector<std::string> position_names(const KinematicTree& tree) {
+  std::vector<std::string> names;
+  for (const int joint : tree.coordinates()) {
+    const Joint& own = tree.joints[at(joint)];
+    if (!own.spherical.empty() && own.is_first()) names.push_back(own.spherical + kQuaternionSuffixes[0]);
+    names.push_back(own.name);
+  }
+  return names;
+}
+
 std::vector<int> declared_joints_first(const KinematicTree& tree) {
   std::vector<int> joints = independent_joints_first(tree);
   std::erase_if(joints, [&](int joint) { return !tree.joints[at(joint)].is_first(); });
   return joints;
+}
+
+int KinematicTree::first_component_of(int joint) const {
+  const Joint& own = joints[at(joint)];
+  return own.spherical.empty() ? joint : joint - own.axis;
 }
 
 std::vector<int> KinematicTree::spherical_joints() const {

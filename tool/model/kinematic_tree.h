@@ -167,6 +167,8 @@ class KinematicTree {
 
   // Independent coordinates: what qd, tau, … have elements of.
   int dof() const { return static_cast<int>(joints.size() - couplings.size()); }
+  // Itself, or of a component of a spherical joint the first one.
+  int first_component_of(int joint) const;
   // First components of spherical joints.
   std::vector<int> spherical_joints() const;
   // Elements of q: coordinates, but four of a spherical joint: w, x, y, z of the unit quaternion that rotates
@@ -208,6 +210,9 @@ class KinematicTree {
 std::vector<int> independent_joints_first(const KinematicTree& tree);
 // The same without the components that only follow the first one of their joint: the joints of the document.
 std::vector<int> declared_joints_first(const KinematicTree& tree);
+
+// Of the elements of q: those of joints, and `<joint>_w` of quaternions.
+std::vector<std::string> position_names(const KinematicTree& tree);
 
 // The suffixes of the names of a spherical joint's positions, scalar first; of its velocities the last three.
 inline constexpr std::array<const char*, 4> kQuaternionSuffixes = {"_w", "_x", "_y", "_z"};

@@ -5,7 +5,8 @@
 //     const robcogen::AnyRobot robot = robcogen::make_any<hyl::Robot>(hyl::reflection::robot);
 //     robot.inverse_dynamics(q, v, qdd, tau);
 //
-// Vectors of positions q and joint forces tau have dof() elements. Velocities v, accelerations a and generalised forces
+// Vectors of positions q have position_count() elements (positions.h: more than dof() with spherical joints), those of
+// joint forces tau dof() elements. Velocities v, accelerations a and generalised forces
 // f have size() elements: with a floating base, its twist, spatial acceleration or wrench (angular first, base
 // coordinates), then the joints; otherwise only the joints. All units are SI.
 //
@@ -80,11 +81,11 @@ class FunctionsOf final : public Functions {
       const Loads& loads) const noexcept override {
     return with(loads, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
-        const auto result = robot_.inverse_dynamics(joints(q), qd_of(v), joints(qdd), Twist(base(v)), extra...);
+        const auto result = robot_.inverse_dynamics(positions(q), qd_of(v), joints(qdd), Twist(base(v)), extra...);
         Eigen::Map<JointState>{tau} = result.tau;
         return result.base_acceleration;
       } else {
-        Eigen::Map<JointState>{tau} = robot_.inverse_dynamics(joints(q), qd_of(v), joints(qdd), extra...);
+        Eigen::Map<JointState>{tau} = robot_.inverse_dynamics(positions(q), qd_of(v), joints(qdd), extra...);
         return SpatialAcceleration();
       }
     });
@@ -95,9 +96,9 @@ class FunctionsOf final : public Functions {
       if constexpr (R::kFloatingBase) {
         set_forces(
             f, robot_.inverse_dynamics_fully_actuated(
-                   joints(q), qd_of(v), qd_of(a), Twist(base(v)), SpatialAcceleration(base(a)), extra...));
+                   positions(q), qd_of(v), qd_of(a), Twist(base(v)), SpatialAcceleration(base(a)), extra...));
       } else {
-        set_forces(f, robot_.inverse_dynamics(joints(q), joints(v), joints(a), extra...));
+        set_forces(f, robot_.inverse_dynamics(positions(q), joints(v), joints(a), extra...));
       }
     });
   }
@@ -105,35 +106,35 @@ class FunctionsOf final : public Functions {
       const noexcept override {
     with(loads, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
-        const auto result = robot_.forward_dynamics(joints(q), qd_of(v), joints(tau), Twist(base(v)), extra...);
+        const auto result = robot_.forward_dynamics(positions(q), qd_of(v), joints(tau), Twist(base(v)), extra...);
         Eigen::Map<Vector6>{a} = result.base_acceleration.vector();
         Eigen::Map<JointState>{a + 6} = result.qdd;
       } else {
-        Eigen::Map<JointState>{a} = robot_.forward_dynamics(joints(q), joints(v), joints(tau), extra...);
+        Eigen::Map<JointState>{a} = robot_.forward_dynamics(positions(q), joints(v), joints(tau), extra...);
       }
     });
   }
   void bias_forces(const double* q, const double* v, double* f, const Loads& loads) const noexcept override {
     with(loads, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
-        set_forces(f, robot_.bias_forces(joints(q), qd_of(v), Twist(base(v)), extra...));
+        set_forces(f, robot_.bias_forces(positions(q), qd_of(v), Twist(base(v)), extra...));
       } else {
-        set_forces(f, robot_.bias_forces(joints(q), joints(v), extra...));
+        set_forces(f, robot_.bias_forces(positions(q), joints(v), extra...));
       }
     });
   }
   void gravity_forces(const double* q, double* f, const Gravity& gravity) const noexcept override {
-    set_forces(f, robot_.gravity_forces(joints(q), gravity));
+    set_forces(f, robot_.gravity_forces(positions(q), gravity));
   }
   void coriolis_forces(const double* q, const double* v, double* f) const noexcept override {
     if constexpr (R::kFloatingBase) {
-      set_forces(f, robot_.coriolis_forces(joints(q), qd_of(v), Twist(base(v))));
+      set_forces(f, robot_.coriolis_forces(positions(q), qd_of(v), Twist(base(v))));
     } else {
-      set_forces(f, robot_.coriolis_forces(joints(q), joints(v)));
+      set_forces(f, robot_.coriolis_forces(positions(q), joints(v)));
     }
   }
   void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept override {
-    H = robot_.joint_space_inertia(joints(q));
+    H = robot_.joint_space_inertia(positions(q));
   }
   const JointLimits* joint_limits() const noexcept override { return R::kJointLimits.data(); }
   const double* cache() const noexcept override {
@@ -148,7 +149,8 @@ class FunctionsOf final : public Functions {
   using JointState = typename R::JointState;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-  static JointState joints(const double* q) noexcept { return Eigen::Map<const JointState>(q); }
+  static JointPositions<R> positions(const double* q) noexcept { return Eigen::Map<const JointPositions<R>>(q); }
+  static JointState joints(const double* v) noexcept { return Eigen::Map<const JointState>(v); }
   static JointState qd_of(const double* v) noexcept { return joints(v + (R::kFloatingBase ? 6 : 0)); }
   static Eigen::Map<const Vector6> base(const double* v) noexcept { return Eigen::Map<const Vector6>(v); }
 
@@ -189,13 +191,15 @@ class AnyRobot {
   requires(FixedBaseRobot<R> || FloatingBaseRobot<R>) &&
       std::same_as<typename R::Scalar, double> AnyRobot(const R& robot, const reflection::Robot& tables)
       : tables_(&tables),
-  functions_(std::make_shared<const any::FunctionsOf<R> >(robot)) {
-    if (tables.dof() != R::kDof || tables.links.size != R::kLinkCount || tables.floating_base != R::kFloatingBase)
+  functions_(std::make_shared<const any::FunctionsOf<R>>(robot)) {
+    if (tables.dof() != R::kDof || tables.position_count() != kPositionCount<R> || tables.links.size != R::kLinkCount ||
+        tables.floating_base != R::kFloatingBase)
       throw std::invalid_argument("AnyRobot: the tables belong to another robot");
   }
 
   const char* name() const noexcept { return tables_->name; }
   int dof() const noexcept { return tables_->dof(); }
+  int position_count() const noexcept { return tables_->position_count(); }
   int size() const noexcept { return dof() + (floating_base() ? 6 : 0); }
   bool floating_base() const noexcept { return tables_->floating_base; }
   // Names of joints, links and frames, transforms and Jacobians; of a robot with parameters, numbers are of the
@@ -219,7 +223,7 @@ class AnyRobot {
   SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau, const Gravity& gravity, External external = {})
       const {
     constexpr const char* kFunction = "inverse_dynamics";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "v", v.size(), size());
     expect(kFunction, "qdd", qdd.size(), dof());
     expect(kFunction, "tau", tau.size(), dof());
@@ -233,7 +237,7 @@ class AnyRobot {
   }
   void inverse_dynamics_fully_actuated(In q, In v, In a, Out f, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "inverse_dynamics_fully_actuated";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "v", v.size(), size());
     expect(kFunction, "a", a.size(), size());
     expect(kFunction, "f", f.size(), size());
@@ -247,7 +251,7 @@ class AnyRobot {
   }
   void forward_dynamics(In q, In v, In tau, Out a, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "forward_dynamics";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "v", v.size(), size());
     expect(kFunction, "tau", tau.size(), dof());
     expect(kFunction, "a", a.size(), size());
@@ -259,7 +263,7 @@ class AnyRobot {
   void bias_forces(In q, In v, Out f) const { bias_forces(q, v, f, default_gravity("bias_forces")); }
   void bias_forces(In q, In v, Out f, const Gravity& gravity, External external = {}) const {
     constexpr const char* kFunction = "bias_forces";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "v", v.size(), size());
     expect(kFunction, "f", f.size(), size());
     functions_->bias_forces(q.data(), v.data(), f.data(), loads(kFunction, gravity, external));
@@ -267,13 +271,13 @@ class AnyRobot {
   void gravity_forces(In q, Out f) const { gravity_forces(q, f, default_gravity("gravity_forces")); }
   void gravity_forces(In q, Out f, const Gravity& gravity) const {
     constexpr const char* kFunction = "gravity_forces";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "f", f.size(), size());
     functions_->gravity_forces(q.data(), f.data(), gravity);
   }
   void coriolis_forces(In q, In v, Out f) const {
     constexpr const char* kFunction = "coriolis_forces";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "v", v.size(), size());
     expect(kFunction, "f", f.size(), size());
     functions_->coriolis_forces(q.data(), v.data(), f.data());
@@ -282,7 +286,7 @@ class AnyRobot {
   // size() x size(), symmetric, base first.
   void joint_space_inertia(In q, OutMatrix H) const {
     constexpr const char* kFunction = "joint_space_inertia";
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "H, in rows,", H.rows(), size());
     expect(kFunction, "H, in columns,", H.cols(), size());
     functions_->joint_space_inertia(q.data(), H);
@@ -313,7 +317,7 @@ class AnyRobot {
     constexpr const char* kFunction = "jacobian";
     expect_index(kFunction, jacobian, tables_->jacobians.size);
     const reflection::Jacobian& table = tables_->jacobians[jacobian];
-    expect(kFunction, "q", q.size(), dof());
+    expect(kFunction, "q", q.size(), position_count());
     expect(kFunction, "J, in rows,", J.rows(), 6);
     expect(kFunction, "J, in columns,", J.cols(), table.column_count);
     if (J.outerStride() != 6) throw std::invalid_argument("jacobian: the columns of J must be contiguous");
@@ -360,7 +364,7 @@ class AnyRobot {
   template <int n, class Kernel>
   Eigen::Matrix<double, n, n> of_kernel(const char* function, int index, In q, const Kernel& kernel) const {
     expect_index(function, index, tables_->transforms.size);
-    expect(function, "q", q.size(), dof());
+    expect(function, "q", q.size(), position_count());
     Eigen::Matrix<double, n, n> X;
     kernel(tables_->transforms[index])(functions_->cache(), q.data(), X.data());
     return X;

@@ -6,6 +6,7 @@
 //
 // The requirements are on a value: the functions of a robot with parameters read those that it carries, and a robot
 // without is empty. A library that was generated with fewer algorithms satisfies the finer concepts of those it has.
+// Positions q are JointPositions<R> (positions.h): with spherical joints they have more elements than velocities qd.
 // Transforms and Jacobians have different names in each library and are not part of the concepts; see
 // robcogen/generic/inverse_kinematics.h for how generic code receives them.
 #pragma once
@@ -15,6 +16,7 @@
 #include <Eigen/Core>
 #include <concepts>
 
+#include "robcogen/positions.h"
 #include "robcogen/results.h"
 #include "robcogen/spatial.h"
 
@@ -26,6 +28,7 @@ concept RobotTraits = requires {
   { R::kDof } -> std::convertible_to<int>;
   { R::kLinkCount } -> std::convertible_to<int>;
   { R::kFloatingBase } -> std::convertible_to<bool>;
+  requires(kPositionCount<R> == R::kDof + static_cast<int>(kQuaternions<R>.size()));
   requires std::floating_point<typename R::Scalar>;
   requires std::same_as<typename R::JointState, Eigen::Matrix<typename R::Scalar, R::kDof, 1>>;
   requires R::InertiaMatrix::RowsAtCompileTime == R::kDof + (R::kFloatingBase ? 6 : 0);
@@ -48,28 +51,30 @@ template <class R>
 concept HasInverseDynamics = (FixedBase<R> &&
                               requires(
                                   const R& robot,
-                                  const typename R::JointState& q,
+                                  const JointPositions<R>& q,
+                                  const typename R::JointState& qd,
                                   const typename R::Gravity& gravity,
                                   const typename R::LinkWrenches& external) {
-                                { robot.inverse_dynamics(q, q, q) }
+                                { robot.inverse_dynamics(q, qd, qd) }
                                 noexcept->std::same_as<typename R::JointState>;
-                                { robot.inverse_dynamics(q, q, q, gravity) }
+                                { robot.inverse_dynamics(q, qd, qd, gravity) }
                                 noexcept->std::same_as<typename R::JointState>;
-                                { robot.inverse_dynamics(q, q, q, gravity, external) }
+                                { robot.inverse_dynamics(q, qd, qd, gravity, external) }
                                 noexcept->std::same_as<typename R::JointState>;
                               }) ||
                              (FloatingBase<R> && requires(
                                                      const R& robot,
-                                                     const typename R::JointState& q,
+                                                     const JointPositions<R>& q,
+                                                     const typename R::JointState& qd,
                                                      const typename R::Twist& v,
                                                      const typename R::SpatialAcceleration& a,
                                                      const typename R::Gravity& gravity,
                                                      const typename R::LinkWrenches& external) {
-                               { robot.inverse_dynamics(q, q, q, v, gravity) }
+                               { robot.inverse_dynamics(q, qd, qd, v, gravity) }
                                noexcept->std::same_as<typename R::InverseDynamics>;
-                               { robot.inverse_dynamics(q, q, q, v, gravity, external) }
+                               { robot.inverse_dynamics(q, qd, qd, v, gravity, external) }
                                noexcept->std::same_as<typename R::InverseDynamics>;
-                               { robot.inverse_dynamics_fully_actuated(q, q, q, v, a, gravity, external) }
+                               { robot.inverse_dynamics_fully_actuated(q, qd, qd, v, a, gravity, external) }
                                noexcept->std::same_as<typename R::GeneralizedForce>;
                              });
 
@@ -79,31 +84,33 @@ template <class R>
 concept HasForwardDynamics = (FixedBase<R> &&
                               requires(
                                   const R& robot,
-                                  const typename R::JointState& q,
+                                  const JointPositions<R>& q,
+                                  const typename R::JointState& qd,
                                   const typename R::Gravity& gravity,
                                   const typename R::LinkWrenches& external) {
-                                { robot.forward_dynamics(q, q, q) }
+                                { robot.forward_dynamics(q, qd, qd) }
                                 noexcept->std::same_as<typename R::JointState>;
-                                { robot.forward_dynamics(q, q, q, gravity) }
+                                { robot.forward_dynamics(q, qd, qd, gravity) }
                                 noexcept->std::same_as<typename R::JointState>;
-                                { robot.forward_dynamics(q, q, q, gravity, external) }
+                                { robot.forward_dynamics(q, qd, qd, gravity, external) }
                                 noexcept->std::same_as<typename R::JointState>;
                               }) ||
                              (FloatingBase<R> && requires(
                                                      const R& robot,
-                                                     const typename R::JointState& q,
+                                                     const JointPositions<R>& q,
+                                                     const typename R::JointState& qd,
                                                      const typename R::Twist& v,
                                                      const typename R::Gravity& gravity,
                                                      const typename R::LinkWrenches& external) {
-                               { robot.forward_dynamics(q, q, q, v, gravity) }
+                               { robot.forward_dynamics(q, qd, qd, v, gravity) }
                                noexcept->std::same_as<typename R::GeneralizedAcceleration>;
-                               { robot.forward_dynamics(q, q, q, v, gravity, external) }
+                               { robot.forward_dynamics(q, qd, qd, v, gravity, external) }
                                noexcept->std::same_as<typename R::GeneralizedAcceleration>;
                              });
 
 // joint_space_inertia(q): symmetric; with a floating base (6 + n) x (6 + n), base first.
 template <class R>
-concept HasJointSpaceInertia = RobotTraits<R> && requires(const R& robot, const typename R::JointState& q) {
+concept HasJointSpaceInertia = RobotTraits<R> && requires(const R& robot, const JointPositions<R>& q) {
   { robot.joint_space_inertia(q) }
   noexcept->std::same_as<typename R::InertiaMatrix>;
 };
@@ -112,7 +119,7 @@ concept HasJointSpaceInertia = RobotTraits<R> && requires(const R& robot, const 
 template <class R>
 concept HasJointSpaceInertiaFactor = RobotTraits<R> && requires(
     const R& robot,
-    const typename R::JointState& q,
+    const JointPositions<R>& q,
     const typename R::InertiaFactor& factor,
     const Eigen::Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>& x) {
   { robot.joint_space_inertia_factor(q) }
@@ -131,49 +138,58 @@ concept HasJointSpaceInertiaFactor = RobotTraits<R> && requires(
 // the wrench on it.
 template <class R>
 concept HasBiasForces = (FixedBase<R> &&
-                         requires(const R& robot, const typename R::JointState& q, const typename R::Gravity& gravity) {
-                           { robot.bias_forces(q, q) }
+                         requires(
+                             const R& robot,
+                             const JointPositions<R>& q,
+                             const typename R::JointState& qd,
+                             const typename R::Gravity& gravity) {
+                           { robot.bias_forces(q, qd) }
                            noexcept->std::same_as<typename R::JointState>;
-                           { robot.bias_forces(q, q, gravity) }
+                           { robot.bias_forces(q, qd, gravity) }
                            noexcept->std::same_as<typename R::JointState>;
                            { robot.gravity_forces(q, gravity) }
                            noexcept->std::same_as<typename R::JointState>;
-                           { robot.coriolis_forces(q, q) }
+                           { robot.coriolis_forces(q, qd) }
                            noexcept->std::same_as<typename R::JointState>;
                          }) ||
                         (FloatingBase<R> && requires(
                                                 const R& robot,
-                                                const typename R::JointState& q,
+                                                const JointPositions<R>& q,
+                                                const typename R::JointState& qd,
                                                 const typename R::Twist& v,
                                                 const typename R::Gravity& gravity) {
-                          { robot.bias_forces(q, q, v, gravity) }
+                          { robot.bias_forces(q, qd, v, gravity) }
                           noexcept->std::same_as<typename R::GeneralizedForce>;
                           { robot.gravity_forces(q, gravity) }
                           noexcept->std::same_as<typename R::GeneralizedForce>;
-                          { robot.coriolis_forces(q, q, v) }
+                          { robot.coriolis_forces(q, qd, v) }
                           noexcept->std::same_as<typename R::GeneralizedForce>;
                         });
 
 // kinetic_energy(q, qd), with a floating base its velocity too; potential_energy(q, gravity).
 template <class R>
 concept HasEnergy = ((FixedBase<R> &&
-                      requires(const R& robot, const typename R::JointState& q) {
-                        { robot.kinetic_energy(q, q) }
+                      requires(const R& robot, const JointPositions<R>& q, const typename R::JointState& qd) {
+                        { robot.kinetic_energy(q, qd) }
                         noexcept->std::same_as<typename R::Scalar>;
                       }) ||
                      (FloatingBase<R> &&
-                      requires(const R& robot, const typename R::JointState& q, const typename R::Twist& v) {
-                        { robot.kinetic_energy(q, q, v) }
+                      requires(
+                          const R& robot,
+                          const JointPositions<R>& q,
+                          const typename R::JointState& qd,
+                          const typename R::Twist& v) {
+                        { robot.kinetic_energy(q, qd, v) }
                         noexcept->std::same_as<typename R::Scalar>;
                       })) &&
-                    requires(const R& robot, const typename R::JointState& q, const typename R::Gravity& gravity) {
+                    requires(const R& robot, const JointPositions<R>& q, const typename R::Gravity& gravity) {
   { robot.potential_energy(q, gravity) }
   noexcept->std::same_as<typename R::Scalar>;
 };
 
 // center_of_mass(q), its Jacobian and the centroidal momentum matrix.
 template <class R>
-concept HasCentroidal = RobotTraits<R> && requires(const R& robot, const typename R::JointState& q) {
+concept HasCentroidal = RobotTraits<R> && requires(const R& robot, const JointPositions<R>& q) {
   { robot.center_of_mass(q) }
   noexcept->std::same_as<typename R::Vector3>;
   robot.center_of_mass_jacobian(q);

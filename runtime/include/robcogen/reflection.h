@@ -12,6 +12,8 @@
 
 namespace robcogen::reflection {
 
+// A spherical joint has three of these in a row with one parent and one child, its components: the angular velocities
+// about the x, y and z axis of the child.
 struct Joint {
   const char* name;
   JointType type;
@@ -238,7 +240,7 @@ struct Parameter {
 
 // A joint whose position follows others: offset + the sum of factor * q.
 struct Coupling {
-  const double* factors;  // one an element of q
+  const double* factors;  // one an element of qd
   double offset;          // rad or m
 };
 
@@ -263,7 +265,7 @@ struct Robot {
   const char* name;
   bool floating_base;
   Table<Link> links;    // [0] is the base
-  Table<Joint> joints;  // those of the elements of q, then coupled ones
+  Table<Joint> joints;  // those of the elements of qd, then coupled ones
   Table<Frame> frames;
   Table<Transform> transforms;
   Table<Jacobian> jacobians;
@@ -288,7 +290,31 @@ struct Robot {
   bool numbers_of_pitches = false;
   Limbs limbs = {};
 
-  constexpr int dof() const { return joints.size - couplings.size; }  // elements of q
+  constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
+  // Elements of q: those of qd, and the scalar part of the quaternion of each spherical joint.
+  constexpr int position_count() const { return dof() + quaternions_up_to(dof() - 1); }
+  // The element of q that belongs to an element of qd; of a component of a spherical joint that of the vector part of
+  // its quaternion, whose scalar part is in front of the first one.
+  constexpr int position_of(int joint) const { return joint + quaternions_up_to(joint); }
+  // 0, 1, 2 of the components of a spherical joint, and 2 of other joints: the axis of the child that it turns about.
+  constexpr int axis_of(int joint) const {
+    if (joints[joint].type != JointType::spherical) return 2;
+    int axis = 0;
+    while (axis < 2 && joint - axis > 0 && joints[joint - axis - 1].child == joints[joint].child) ++axis;
+    return axis;
+  }
+  // Whether a joint is a component of a spherical one behind the first.
+  constexpr bool is_follower(int joint) const {
+    return joints[joint].type == JointType::spherical && axis_of(joint) > 0;
+  }
+
+ private:
+  constexpr int quaternions_up_to(int joint) const {
+    int count = 0;
+    for (int j = 0; j <= joint; ++j)
+      if (joints[j].type == JointType::spherical && !is_follower(j)) ++count;
+    return count;
+  }
 };
 
 }  // namespace robcogen::reflection

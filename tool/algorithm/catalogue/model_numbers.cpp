@@ -66,10 +66,11 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
     add_link({trace, links}, link);
   }
   const bool has_drives = tree.has_drives(), has_pitches = tree.has_pitches();
-  for (const int j : model::declared_joints_first(tree)) {
+  for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint " + joint.name);
-    add_placement({trace, joints}, joint.placement);
+    // Components of a spherical joint have that of the first.
+    add_placement({trace, joints}, tree.joints[at(tree.first_component_of(j))].placement);
     if (has_drives) add_drive({trace, joints}, joint);
     if (has_pitches) Column{trace, joints}.add(joint.pitch);
   }

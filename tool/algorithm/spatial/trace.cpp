@@ -56,18 +56,10 @@ std::vector<Expression> Trace::coordinate_input(const std::string& name, Role ro
 }
 
 std::vector<Expression> Trace::position_input(const std::string& name) {
-  std::vector<std::string> names;
-  std::vector<int> quaternions;
   const std::vector<int> elements = tree.position_elements();
-  for (const int joint : tree.coordinates()) {
-    const model::Joint& own = tree.joints[at(joint)];
-    if (at(elements[at(joint)]) > names.size()) {
-      quaternions.push_back(static_cast<int>(names.size()));
-      names.push_back(own.spherical + model::kQuaternionSuffixes[0]);
-    }
-    names.push_back(own.name);
-  }
-  const std::vector<Expression> given = input(name, Role::joint_position, std::move(names));
+  std::vector<int> quaternions;
+  for (const int first : tree.spherical_joints()) quaternions.push_back(elements[at(first)] - 1);
+  const std::vector<Expression> given = input(name, Role::joint_position, model::position_names(tree));
   inputs_.back().quaternions = quaternions;
   std::vector<Expression> positions;
   for (const int joint : tree.coordinates()) positions.push_back(given[at(elements[at(joint)])]);

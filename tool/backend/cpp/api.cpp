@@ -205,6 +205,8 @@ Api api(const Library& library) {
   result.library = &library;
   result.space = whole_namespace(library);
   result.joints = enumerators(library.joints);
+  NameScope of_positions;
+  result.positions = claim_all(of_positions, library.positions);
   result.coupled = enumerators(library.coupled_joints());
   result.links = enumerators(library.links);
   result.frames = enumerators(library.frames);
@@ -250,6 +252,7 @@ std::string matrix_type(int rows, int columns) {
 }
 
 std::string type_of(const InputArray& input) {
+  if (!input.quaternions.empty()) return "JointPositions";
   const std::string name = alias(input.role);
   return name.empty() ? matrix_type(static_cast<int>(input.elements.size()), 1) : name;
 }

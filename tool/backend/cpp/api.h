@@ -32,11 +32,11 @@ struct Callable {
 
 struct Api {
   const Library* library = nullptr;
-  std::string space;                                               // the whole namespace: `a::hyl`
-  std::vector<std::string> joints, coupled, links, frames, limbs;  // enumerators
-  std::vector<std::string> variables;                              // arguments
-  std::vector<std::string> parameters;                             // members of Parameters
-  std::vector<Callable> callables;                                 // in the order of Library::functions
+  std::string space;                                                          // the whole namespace: `a::hyl`
+  std::vector<std::string> joints, positions, coupled, links, frames, limbs;  // enumerators
+  std::vector<std::string> variables;                                         // arguments
+  std::vector<std::string> parameters;                                        // members of Parameters
+  std::vector<Callable> callables;                                            // in the order of Library::functions
   // Of robots with parameters, whose functions take these first:
   std::vector<std::string> fields, getters;  // by parameter
   std::vector<Callable> updates, numbers;

@@ -101,6 +101,7 @@ std::string types_of_members(const Api& api) {
       "  template <int kRows, int kColumns>\n  using Matrix = Eigen::Matrix<Scalar, kRows, kColumns>;\n  using "
       "InertiaMatrix = Matrix<" +
       size + ", " + size + ">;\n  using JointState = JointVector<Scalar>;\n";
+  if (api.library->has_spherical_joints()) text += "  using JointPositions = PositionVector<Scalar>;\n";
   if (api.takes_sines())
     text += "  using " + std::string(kTrigonometryType) + " = Basic" + kTrigonometryType + "<Scalar>;\n";
   return text;
@@ -196,6 +197,13 @@ std::string member_function(const Overload& overload) {
   return fits ? line : declaration(head, parameters, tail, 2) + body(4) + "  }\n";
 }
 
+// `{0, 5}`.
+std::string numbers_of(const std::vector<int>& numbers) {
+  std::vector<std::string> texts;
+  for (const int number : numbers) texts.push_back(std::to_string(number));
+  return braced(texts);
+}
+
 std::string robot_type(const Api& api) {
   const Library& library = *api.library;
   const auto constant = [](const std::string& type, const std::string& name, const std::string& value) {
@@ -211,11 +219,19 @@ std::string robot_type(const Api& api) {
     if (returns_object(c.function->program)) names.push_back(result_type(*c.function));
   for (const Callable* c : callables_with_structures(api)) names.push_back(c->result);
   if (api.takes_sines()) names.push_back(kTrigonometryType);
+  if (library.has_spherical_joints()) names.emplace_back("JointPositions");
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";
+  std::string quaternions;
+  if (library.has_spherical_joints()) {
+    const std::string first = numbers_of(library.quaternions());
+    quaternions =
+        constant("int", "kPositions", std::to_string(library.positions.size())) +
+        constant("std::array<int, " + std::to_string(library.quaternions().size()) + ">", "kQuaternions", first);
+  }
   std::vector<std::string> parts = {
       types,
-      constant("int", "kDof", std::to_string(library.joints.size())) +
+      constant("int", "kDof", std::to_string(library.joints.size())) + quaternions +
           constant("int", "kLinkCount", std::to_string(library.links.size())) +
           constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
           constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
@@ -241,6 +257,9 @@ std::string conventions(const Api& api) {
   const Library& library = *api.library;
   std::string text = "They are pure functions: no state, no allocation, no exceptions. Units are SI, angles in rad.";
   if (library.has_robot()) text += " Joint vectors are in the order of " + api.space + "::Joint.";
+  if (library.has_spherical_joints())
+    text += " Positions are in the order of " + api.space +
+            "::Position; their quaternions must be of unit length (robcogen/positions.h).";
   text += " " + api.space + "::f32 has the same types and functions in single precision.";
   if (!library.has_robot()) return comment(text);
   text += " " + api.space +

@@ -62,7 +62,10 @@ std::string sizes(const Library& library) {
   if (!library.has_robot()) return constant("int kFrameCount", count(library.frames.size()));
   const std::string coupled =
       library.coupled.empty() ? "" : constant(std::string("int ") + kCoupledCount, count(library.coupled.size()));
-  const std::string result = constant("int kDof", count(library.joints.size())) + coupled +
+  std::string positions;
+  if (library.has_spherical_joints())
+    positions = constant("int kPositions", count(library.positions.size()), "elements of q; kDof are those of qd");
+  const std::string result = constant("int kDof", count(library.joints.size())) + positions + coupled +
                              constant("int kLinkCount", count(library.links.size())) +
                              constant("int kFrameCount", count(library.frames.size())) +
                              constant("bool kFloatingBase", library.floating_base ? "true" : "false");
@@ -113,11 +116,18 @@ std::string enumerations(const Api& api) {
   if (!api.library->has_robot()) return paragraphs({frames, index_of_frame});
   const bool is_coupled = !api.coupled.empty();
   return paragraphs(
-      {"// In the order of joint vectors.\n" + enumeration("Joint", api.joints),
+      {(api.positions.empty() ? "// In the order of joint vectors.\n"
+                              : "// In the order of joint vectors, but for positions: spherical joints have three.\n") +
+           enumeration("Joint", api.joints),
+       api.positions.empty() ? ""
+                             : "// In the order of positions: of spherical joints a unit quaternion, scalar part "
+                               "first.\n" +
+                                   enumeration("Position", api.positions),
        is_coupled
            ? "// Joints that follow those: no elements of joint vectors.\n" + enumeration("CoupledJoint", api.coupled)
            : "",
        "// The base first.\n" + enumeration("Link", api.links), frames, index_function("Joint", "joint"),
+       api.positions.empty() ? "" : index_function("Position", "position"),
        is_coupled ? index_function("CoupledJoint", "joint") : "", index_function("Link", "link"), index_of_frame});
 }
 

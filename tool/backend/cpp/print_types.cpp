@@ -28,10 +28,12 @@ std::string parameters_struct(const Api& api, const std::string& scalar) {
 // One set of aliases; the text is the same for both scalars.
 std::string aliases(const Library& library, const std::string& scalar) {
   const std::string size = library.floating_base ? "6 + kDof" : "kDof";
-  std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
-                       "using JointState = JointVector<" + scalar + ">;\n" + "using InertiaMatrix = Eigen::Matrix<" +
-                       scalar + ", " + size + ", " + size + ">;\n" + "using LinkWrenches = robcogen::LinkWrenches<" +
-                       scalar + ", Link, kLinkCount>;\n";
+  std::string result =
+      "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
+      "using JointState = JointVector<" + scalar + ">;\n" +
+      (library.has_spherical_joints() ? "using JointPositions = PositionVector<" + scalar + ">;\n" : "") +
+      "using InertiaMatrix = Eigen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
+      "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
   for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
     result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
   if (library.floating_base)
@@ -121,6 +123,12 @@ std::string print_types(const Api& api, const std::string& path) {
   const std::string body = paragraphs(
       {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
        "Eigen::Matrix<Scalar, kDof, 1>;\n",
+       library.has_spherical_joints()
+           ? comment(
+                 "Positions, in the order of Position. Quaternions must be of unit length: rounding is harmless, and "
+                 "robcogen/positions.h keeps them so. Nothing checks it.") +
+                 "template <class Scalar>\nusing PositionVector = Eigen::Matrix<Scalar, kPositions, 1>;\n"
+           : "",
        trigonometry, factor, structures(api), both("double"),
        "// The same in single precision.\n" + in_namespace("f32", both("float"))});
   return paragraphs(

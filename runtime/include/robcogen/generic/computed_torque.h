@@ -10,7 +10,7 @@ namespace robcogen {
 // A point of a trajectory.
 template <RobotTraits R>
 struct Setpoint {
-  typename R::JointState q = R::JointState::Zero();
+  JointPositions<R> q = neutral_positions<R>();
   typename R::JointState qd = R::JointState::Zero();
   typename R::JointState qdd = R::JointState::Zero();
 };
@@ -36,8 +36,8 @@ typename R::JointState computed_torque(
     const State<R>& state,
     const Setpoint<R>& wanted,
     const Gains<R>& gains) noexcept {
-  const typename R::JointState qdd =
-      wanted.qdd + gains.damping.cwiseProduct(wanted.qd - state.qd) + gains.stiffness.cwiseProduct(wanted.q - state.q);
+  const typename R::JointState qdd = wanted.qdd + gains.damping.cwiseProduct(wanted.qd - state.qd) +
+                                     gains.stiffness.cwiseProduct(position_difference<R>(state.q, wanted.q));
   return joint_forces(robot, state, qdd);
 }
 

@@ -16,15 +16,17 @@ namespace robcogen {
 
 namespace simulation {
 
-// Time derivative of a state, its parts one after another: position, then velocity; for a floating base the
+// Time derivative of a state, its parts one after another: positions, then velocities; for a floating base the
 // coefficients of the orientation (x, y, z, w), position, velocity.
 template <RobotTraits R>
-using Rate = Eigen::Matrix<typename R::Scalar, 2 * R::kDof + (R::kFloatingBase ? 13 : 0), 1>;
+inline constexpr int kBaseRate = kPositionCount<R> + R::kDof;
+template <RobotTraits R>
+using Rate = Eigen::Matrix<typename R::Scalar, kBaseRate<R> + (R::kFloatingBase ? 13 : 0), 1>;
 
 template <FixedBase R>
 Rate<R> rate(const State<R>& state, const typename R::JointState& qdd) noexcept {
   Rate<R> result;
-  result << state.qd, qdd;
+  result << position_rates<R>(state.q, state.qd), qdd;
   return result;
 }
 
@@ -35,7 +37,7 @@ Rate<R> rate(const State<R>& state, const typename R::GeneralizedAcceleration& a
   Eigen::Quaternion<Scalar> spin(0, 0, 0, 0);
   spin.vec() = state.base_velocity.angular() / 2;
   Rate<R> result;
-  result << state.qd, a.qdd, (state.pose.quaternion() * spin).coeffs(),
+  result << position_rates<R>(state.q, state.qd), a.qdd, (state.pose.quaternion() * spin).coeffs(),
       state.pose.to_world_axes(state.base_velocity.linear()), a.base_acceleration.vector();
   return result;
 }
@@ -43,15 +45,16 @@ Rate<R> rate(const State<R>& state, const typename R::GeneralizedAcceleration& a
 template <RobotTraits R>
 State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar h) noexcept {
   State<R> result = state;
-  result.q += h * rate.template head<R::kDof>();
-  result.qd += h * rate.template segment<R::kDof>(R::kDof);
+  // Quaternions are projected to the unit sphere, like that of the base below.
+  result.q = normalised_positions<R>(state.q + h * rate.template head<kPositionCount<R>>());
+  result.qd += h * rate.template segment<R::kDof>(kPositionCount<R>);
   if constexpr (R::kFloatingBase) {
     // The pose projects the quaternion to the unit sphere. The exact motion stays on it, so the order of the method
     // does not change.
     using Pose = BasicBasePose<typename R::Scalar>;
-    const typename Pose::Vector4 quaternion = state.pose.quaternion_xyzw() + h * rate.template segment<4>(2 * R::kDof);
+    const typename Pose::Vector4 quaternion = state.pose.quaternion_xyzw() + h * rate.template segment<4>(kBaseRate<R>);
     result.pose = Pose::from_quaternion(
-        typename Pose::Quaternion(quaternion), state.pose.position() + h * rate.template segment<3>(2 * R::kDof + 4));
+        typename Pose::Quaternion(quaternion), state.pose.position() + h * rate.template segment<3>(kBaseRate<R> + 4));
     result.base_velocity = typename R::Twist(result.base_velocity.vector() + h * rate.template tail<6>());
   }
   return result;
@@ -65,7 +68,7 @@ template <FixedBase R>
 State<R> integrate(const State<R>& state, const typename R::JointState& qdd, typename R::Scalar h) noexcept {
   State<R> result = state;
   result.qd += h * qdd;
-  result.q += h * result.qd;
+  result.q = integrate_positions<R>(state.q, result.qd, h);
   return result;
 }
 
@@ -74,7 +77,7 @@ template <FloatingBase R>
 State<R> integrate(const State<R>& state, const typename R::GeneralizedAcceleration& a, typename R::Scalar h) noexcept {
   State<R> result = state;
   result.qd += h * a.qdd;
-  result.q += h * result.qd;
+  result.q = integrate_positions<R>(state.q, result.qd, h);
   result.base_velocity = typename R::Twist(state.base_velocity.vector() + h * a.base_acceleration.vector());
   result.pose = integrate(state.pose, result.base_velocity, h);
   return result;

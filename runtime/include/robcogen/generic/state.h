@@ -6,20 +6,21 @@
 
 #include "robcogen/concepts.h"
 #include "robcogen/pose.h"
+#include "robcogen/positions.h"
 
 namespace robcogen {
 
 // In rad, m and per second.
 template <RobotTraits R>
 struct State {
-  typename R::JointState q = R::JointState::Zero();
+  JointPositions<R> q = neutral_positions<R>();
   typename R::JointState qd = R::JointState::Zero();
 };
 
 // The velocity of the base is in base coordinates, like all quantities of the base.
 template <FloatingBase R>
 struct State<R> {
-  typename R::JointState q = R::JointState::Zero();
+  JointPositions<R> q = neutral_positions<R>();
   typename R::JointState qd = R::JointState::Zero();
   BasicBasePose<typename R::Scalar> pose;
   typename R::Twist base_velocity;

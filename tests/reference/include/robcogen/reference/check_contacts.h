@@ -77,7 +77,7 @@ class ContactCheck {
   Values base_acceleration() const { return c_.floating ? c_.sample.motion.base_acceleration.values() : Values(); }
   // As results have them: of the joints, then of the base.
   Vector<Real> joints_first(const Vector<Real>& x) const {
-    const int n = c_.motion.q.rows();
+    const int n = c_.robot.dof();
     return c_.floating ? stacked(x.block(6, 0, n, 1), x.head(6)) : x.head(n);
   }
   Vector<Real> velocity() const { return c_.floating ? stacked(c_.motion.base_velocity, c_.motion.qd) : c_.motion.qd; }
@@ -104,7 +104,7 @@ class ContactCheck {
 
   void forward_dynamics() {
     const Motion<double>& m = c_.sample.motion;
-    const int n = m.q.rows();
+    const int n = c_.robot.dof();
     const Values tau = random(n, -20, 20), wanted = random(rows_, -5, 5);
     const Values active = random_activity(), compliance = random(rows_, 0.1, 1);
     Values external;
@@ -165,7 +165,7 @@ class ContactCheck {
     const Matrix<Real> K = transpose(J_b) * weighted + Real(r) * Matrix<Real>::identity(6);
     const Vector<Real> f = weighted * solve(K, needed.head(6));
     const Vector<Real> left = joints_first(needed - transpose(J_) * f);
-    const int n = m.q.rows();
+    const int n = c_.robot.dof();
     record(
         "constrained_inverse_dynamics",
         call(

@@ -79,7 +79,9 @@ void check_free_fall(const Subject& subject, const Case& c, Checks& checks) {
   double speed = 1;
   for (int j = 0; j < m.qd.rows(); ++j) speed += std::abs(m.qd(j));
   const double step = 1e-2 / speed;  // s: the longest chain turns by 0.01 rad at most
-  const auto matrix = [&](double steps) { return subject.centroidal_momentum_matrix(m.q + steps * step * m.qd); };
+  const auto matrix = [&](double steps) {
+    return subject.centroidal_momentum_matrix(moved(c.robot, m.q, steps * step * m.qd));
+  };
   const Matrix<double> change = 1 / (12 * step) * (8.0 * (matrix(1) - matrix(-1)) - (matrix(2) - matrix(-2)));
   const Loads<Real> gravity = loads<Real>(c.sample.gravity);
   const Vector<double> tau = inverse_dynamics(c.robot, c.motion, gravity).tau.cast<double>();
@@ -126,7 +128,7 @@ template <class Subject>
 void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks, const std::string& of = "") {
   const Matrix<Real> C = subject.coriolis_matrix(c.sample.motion).template cast<Real>();
   const Vector<Real> velocity = coordinates(c.floating, c.motion.base_velocity, c.motion.qd);
-  Motion<double> steady = at_rest(c.sample.motion.q);
+  Motion<double> steady = at_rest(c.robot, c.sample.motion.q);
   steady.qd = c.sample.motion.qd;
   steady.base_velocity = c.sample.motion.base_velocity;
   Expected forces = expected_forces(c, steady, without_passive<Real>(Vector<double>(3)));
@@ -139,7 +141,7 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
   for (int j = 0; j < c.motion.qd.rows(); ++j) speed += std::abs(c.motion.qd(j));
   const Real step = 1e-4L / speed;  // s: the longest chain turns by 1e-4 rad at most
   const auto inertia = [&](Real steps) {
-    const Vector<Real> q = c.motion.q + steps * step * c.motion.qd;
+    const Vector<Real> q = moved(c.robot, c.motion.q, steps * step * c.motion.qd);
     return joint_space_inertia(c.robot, q);
   };
   const Matrix<Real> change = 1 / (12 * step) * (Real(8) * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));

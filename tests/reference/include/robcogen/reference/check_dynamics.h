@@ -89,7 +89,7 @@ inline Expected expected_free_motion(const Case& c, const Loads<Real>& loads) {
   Motion<double> motion = c.sample.motion;
   motion.base_acceleration = free.base_acceleration.cast<double>();
   const Vector<Real> force = expected_forces(c, motion, loads).terms;
-  const int n = c.motion.q.rows();
+  const int n = c.robot.dof();
   const Matrix<Real> composite = c.H.block(0, 0, 6, 6);
   const Vector<Real> acceleration = magnitude(solve(composite, Matrix<Real>::identity(6))) * force.head(6);
   const Vector<Real> joints = force.tail(n) + magnitude(c.H.block(6, 0, n, 6)) * acceleration;
@@ -129,7 +129,7 @@ void check_inverse_dynamics(const Subject& subject, const Case& c, Checks& check
 template <class Subject>
 void check_bias_forces(const Subject& subject, const Case& c, Checks& checks) {
   const Sample& s = c.sample;
-  const Motion<double> rest = at_rest(s.motion.q);
+  const Motion<double> rest = at_rest(c.robot, s.motion.q);
   Motion<double> steady = rest;
   steady.qd = s.motion.qd;
   steady.base_velocity = s.motion.base_velocity;
@@ -151,10 +151,10 @@ void check_bias_forces(const Subject& subject, const Case& c, Checks& checks) {
 template <class Subject>
 void check_passive_forces(const Subject& subject, const Case& c, Checks& checks) {
   Motion<double> rest = c.sample.motion;
-  rest.qd = Vector<double>(rest.q.rows());
+  rest.qd = Vector<double>(c.robot.dof());
   const auto compare = [&](const char* name, const Motion<double>& motion) {
     const Vector<Real> expected = passive_forces(c.robot, cast<Real>(motion));
-    const Vector<Real> terms = force_terms(c.robot, motion, {}).tail(motion.q.rows()).template cast<Real>();
+    const Vector<Real> terms = force_terms(c.robot, motion, {}).tail(c.robot.dof()).template cast<Real>();
     checks.record(
         name, kForce, relative_error(subject.passive_forces(motion).template cast<Real>(), expected, terms), c.index);
   };

@@ -35,10 +35,10 @@ Matrix<Scalar> spatial_jacobian(const Robot& robot, const Vector<Scalar>& q, int
 
 // The derivative by time of f(q, qd) by a complex step: exact to rounding.
 template <class Function>
-Matrix<Real> rate_of(const Function& f, const Motion<Real>& m) {
+Matrix<Real> rate_of(const Robot& robot, const Function& f, const Motion<Real>& m) {
   using Complex = std::complex<Real>;
   const Real step = 1e-30L;
-  const Vector<Complex> q = m.q.cast<Complex>() + Complex(0, step) * m.qd.cast<Complex>();
+  const Vector<Complex> q = moved(robot, m.q.cast<Complex>(), Complex(0, step) * m.qd.cast<Complex>());
   const Vector<Complex> qd = m.qd.cast<Complex>() + Complex(0, step) * m.qdd.cast<Complex>();
   const Matrix<Complex> value = f(q, qd);
   return value.mapped([&](const Complex& x) { return x.imag() / step; });
@@ -52,7 +52,8 @@ inline Matrix<Real> frame_quantity(
     int left,
     int right) {
   const auto derivative = [&] {
-    return rate_of([&](const auto& q, const auto&) { return frame_jacobian(robot, q, left, right); }, m);
+    return rate_of(
+        robot, [&](const auto& q, const auto&) { return frame_jacobian(robot, q, left, right); }, m);
   };
   const auto twist = [&](const auto& q, const auto& qd) { return spatial_jacobian(robot, q, left, right) * qd; };
   switch (quantity) {
@@ -67,7 +68,7 @@ inline Matrix<Real> frame_quantity(
     case FrameQuantity::frame_velocity:
       return twist(m.q, m.qd);
     case FrameQuantity::frame_acceleration:
-      return rate_of(twist, m);
+      return rate_of(robot, twist, m);
   }
   return Matrix<Real>(6, 0);
 }

@@ -149,10 +149,10 @@ class ImpliedCoriolisMatrix {
   }
 
   Matrix<double> coriolis_matrix(const Motion<double>&) const {
-    const Vector<Real> rest = forces(at_rest(c_.sample.motion.q), {});
+    const Vector<Real> rest = forces(at_rest(c_.robot, c_.sample.motion.q), {});
     Matrix<double> C(rest.rows(), rest.rows());
     for (int k = 0; k < C.cols(); ++k) {
-      Motion<double> unit = at_rest(c_.sample.motion.q);
+      Motion<double> unit = at_rest(c_.robot, c_.sample.motion.q);
       const int first = c_.floating ? 6 : 0;
       (k < first ? unit.base_velocity(k) : unit.qd(k - first)) = 1;
       C.set_block(0, k, (forces(unit, {}) - rest).template cast<double>());

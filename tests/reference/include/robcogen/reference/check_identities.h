@@ -17,7 +17,7 @@ inline constexpr Tolerance kDifference{
 template <class Subject>
 void check_round_trips(const Subject& subject, const Case& c, Checks& checks) {
   const Motion<double>& given = c.sample.motion;
-  const int n = given.q.rows();
+  const int n = c.robot.dof();
   for (const Overload& o : overloads(c.sample)) {
     const Vector<double> forces = subject.inverse_dynamics(given, o.arguments);
     const Vector<double> tau = forces.tail(n);
@@ -88,7 +88,7 @@ void check_inertia_columns(const Subject& subject, const Case& c, Checks& checks
   Matrix<double> columns(c.H.rows(), c.H.cols());
   Matrix<Real> terms = inertia_magnitude(c);
   for (int k = 0; k < columns.cols(); ++k) {
-    Motion<double> unit = at_rest(c.sample.motion.q);
+    Motion<double> unit = at_rest(c.robot, c.sample.motion.q);
     // Springs act at rest too, and their forces are rounded.
     const Vector<double> none = subject.inverse_dynamics_fully_actuated(unit, {&weightless, nullptr});
     if (k < first) unit.base_acceleration(k) = 1;
@@ -125,7 +125,9 @@ void check_power(const Subject& subject, const Case& c, Checks& checks) {
   double speed = 1;
   for (int j = 0; j < m.qd.rows(); ++j) speed += std::abs(m.qd(j));
   const double step = 1e-2 / speed;  // s: the longest chain turns by 0.01 rad at most
-  const auto inertia = [&](double steps) { return subject.joint_space_inertia(m.q + steps * step * m.qd); };
+  const auto inertia = [&](double steps) {
+    return subject.joint_space_inertia(moved(c.robot, m.q, steps * step * m.qd));
+  };
   const Matrix<double> change = 1 / (12 * step) * (8.0 * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
   const Vector<double> velocity = coordinates(c.floating, m.base_velocity, m.qd);
   const Vector<double> coriolis = subject.coriolis_forces(m);
@@ -141,19 +143,19 @@ void check_power(const Subject& subject, const Case& c, Checks& checks) {
 template <class Subject>
 void check_gravity_gradient(const Subject& subject, const Case& c, Checks& checks) {
   const Real step = 1e-3L;
-  const int n = c.motion.q.rows();
+  const int n = c.robot.dof();
   const Loads<Real> gravity = loads<Real>(c.sample.gravity);
   Vector<Real> slope(n);
   for (int j = 0; j < n; ++j) {
     const auto energy = [&](Real steps) {
-      Vector<Real> q = c.motion.q;
-      q(j) += steps * step;
-      return potential_energy(c.robot, q, gravity.gravity);
+      Vector<Real> way(n);
+      way(j) = steps * step;
+      return potential_energy(c.robot, moved(c.robot, c.motion.q, way), gravity.gravity);
     };
     slope(j) = (8 * (energy(1) - energy(-1)) - (energy(2) - energy(-2))) / (12 * step);
   }
   const Vector<double> forces = subject.gravity_forces(c.sample.motion.q, {&c.sample.gravity, nullptr}).tail(n);
-  const Vector<Real> terms = expected_forces(c, at_rest(c.sample.motion.q), gravity).terms.tail(n);
+  const Vector<Real> terms = expected_forces(c, at_rest(c.robot, c.sample.motion.q), gravity).terms.tail(n);
   checks.record(
       "P3: gravity_forces = gradient of potential energy", kDifference,
       relative_error(forces.cast<Real>(), slope, terms), c.index);

@@ -37,8 +37,8 @@ inline Vector<double> frame_velocity(
     int right) {
   using Complex = std::complex<double>;
   const double step = 1e-30;
-  const Vector<Complex> moved = q.cast<Complex>() + Complex(0, step) * qd.cast<Complex>();
-  const Matrix<Complex> pose = transform(robot, moved, left, right);
+  const Vector<Complex> there = moved(robot, q.cast<Complex>(), Complex(0, step) * qd.cast<Complex>());
+  const Matrix<Complex> pose = transform(robot, there, left, right);
   const Matrix<double> X = pose.mapped([](const Complex& x) { return x.real(); });
   const Matrix<double> rate = pose.mapped([&](const Complex& x) { return x.imag() / step; });
   return stacked(axis_of(rotation_of(rate) * transpose(rotation_of(X))), origin_of(rate));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robcogen/link_wrenches.h"
+#include "robcogen/positions.h"
 #include "robcogen/reference/check_factor.h"
 #include "robcogen/reference/subject.h"
 
@@ -46,7 +47,8 @@ class CompiledRobot {
   // (base acceleration, tau): the results of the library, given qdd.
   Vector<double> inverse_dynamics(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
-      const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+      const JointPositions q = positions(m.q);
+      const JointState qd = joints(m.qd), qdd = joints(m.qdd);
       if constexpr (R::kFloatingBase) {
         const auto result = robot_.inverse_dynamics(q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
         return stacked(vector(result.base_acceleration.vector()), vector(result.tau));
@@ -61,7 +63,7 @@ class CompiledRobot {
     if constexpr (R::kFloatingBase) {
       return with(arguments, [&](const auto&... extra) {
         const auto result = robot_.inverse_dynamics_fully_actuated(
-            joints(m.q), joints(m.qd), joints(m.qdd), spatial<BasicTwist<Scalar>>(m.base_velocity),
+            positions(m.q), joints(m.qd), joints(m.qdd), spatial<BasicTwist<Scalar>>(m.base_velocity),
             spatial<BasicSpatialAcceleration<Scalar>>(m.base_acceleration), extra...);
         return stacked(vector(result.base_wrench.vector()), vector(result.tau));
       });
@@ -75,10 +77,10 @@ class CompiledRobot {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
         const auto result = robot_.forward_dynamics(
-            joints(m.q), joints(m.qd), joints(tau), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
+            positions(m.q), joints(m.qd), joints(tau), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
         return stacked(vector(result.base_acceleration.vector()), vector(result.qdd));
       } else {
-        return vector(robot_.forward_dynamics(joints(m.q), joints(m.qd), joints(tau), extra...));
+        return vector(robot_.forward_dynamics(positions(m.q), joints(m.qd), joints(tau), extra...));
       }
     });
   }
@@ -88,37 +90,37 @@ class CompiledRobot {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
         return forces(
-            robot_.bias_forces(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...));
+            robot_.bias_forces(positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...));
       } else {
-        return forces(robot_.bias_forces(joints(m.q), joints(m.qd), extra...));
+        return forces(robot_.bias_forces(positions(m.q), joints(m.qd), extra...));
       }
     });
   }
 
   // (base wrench, tau); `external` does not enter.
   Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
-    return with_gravity(arguments, [&](const auto&... g) { return forces(robot_.gravity_forces(joints(q), g...)); });
+    return with_gravity(arguments, [&](const auto&... g) { return forces(robot_.gravity_forces(positions(q), g...)); });
   }
 
   // (base wrench, tau).
   Vector<double> coriolis_forces(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
+      return forces(robot_.coriolis_forces(positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
     } else {
-      return forces(robot_.coriolis_forces(joints(m.q), joints(m.qd)));
+      return forces(robot_.coriolis_forces(positions(m.q), joints(m.qd)));
     }
   }
 
   Vector<double> passive_forces(const State& m) const {
-    return vector(robot_.passive_forces(joints(m.q), joints(m.qd)));
+    return vector(robot_.passive_forces(positions(m.q), joints(m.qd)));
   }
 
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
-    return matrix(robot_.joint_space_inertia(joints(q)));
+    return matrix(robot_.joint_space_inertia(positions(q)));
   }
 
   FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
-    const auto factor = robot_.joint_space_inertia_factor(joints(q));
+    const auto factor = robot_.joint_space_inertia_factor(positions(q));
     std::decay_t<decltype(factor.inverse_diagonal())> right;
     std::copy(x.data(), x.data() + x.rows(), right.data());
     return {matrix(factor.L()), matrix(factor.inverse_L()), matrix(factor.inverse()), vector(factor.solve(right))};
@@ -127,16 +129,17 @@ class CompiledRobot {
   // For (base twist, qd), as H.
   Matrix<double> coriolis_matrix(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
+      return matrix(robot_.coriolis_matrix(positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
     } else {
-      return matrix(robot_.coriolis_matrix(joints(m.q), joints(m.qd)));
+      return matrix(robot_.coriolis_matrix(positions(m.q), joints(m.qd)));
     }
   }
 
   // Of (base wrench, tau), or of tau on a fixed base.
   Derivatives inverse_dynamics_fully_actuated_derivatives(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
-      const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+      const JointPositions q = positions(m.q);
+      const JointState qd = joints(m.qd), qdd = joints(m.qdd);
       if constexpr (R::kFloatingBase) {
         const auto d = robot_.inverse_dynamics_fully_actuated_derivatives(
             q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity),
@@ -155,7 +158,7 @@ class CompiledRobot {
   Derivatives inverse_dynamics_derivatives(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       const auto d = robot_.inverse_dynamics_derivatives(
-          joints(m.q), joints(m.qd), joints(m.qdd), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
+          positions(m.q), joints(m.qd), joints(m.qdd), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
       return derivatives(d, stacked(vector(d.base_acceleration.vector()), vector(d.tau)), d.d_qdd);
     });
   }
@@ -166,10 +169,10 @@ class CompiledRobot {
     return with(arguments, [&](const auto&... extra) {
       if constexpr (R::kFloatingBase) {
         const auto d = robot_.forward_dynamics_derivatives(
-            joints(m.q), joints(m.qd), joints(tau), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
+            positions(m.q), joints(m.qd), joints(tau), spatial<BasicTwist<Scalar>>(m.base_velocity), extra...);
         return derivatives(d, stacked(vector(d.base_acceleration.vector()), vector(d.qdd)), d.d_tau);
       } else {
-        const auto d = robot_.forward_dynamics_derivatives(joints(m.q), joints(m.qd), joints(tau), extra...);
+        const auto d = robot_.forward_dynamics_derivatives(positions(m.q), joints(m.qd), joints(tau), extra...);
         return derivatives(d, vector(d.qdd), d.d_tau);
       }
     });
@@ -181,7 +184,8 @@ class CompiledRobot {
     return with(arguments, [&](const auto&... extra) {
       Eigen::Matrix<Scalar, R::InertiaMatrix::RowsAtCompileTime, 1> w;
       for (int i = 0; i < weights.rows(); ++i) w[i] = static_cast<Scalar>(weights(i));
-      const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+      const JointPositions q = positions(m.q);
+      const JointState qd = joints(m.qd), qdd = joints(m.qdd);
       if constexpr (R::kFloatingBase) {
         const auto d = robot_.inverse_dynamics_gradient(
             q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity),
@@ -204,7 +208,7 @@ class CompiledRobot {
   // Blocks q and base_rotation alone; `external` does not enter.
   Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
-      const auto d = robot_.gravity_forces_derivative(joints(q), g...);
+      const auto d = robot_.gravity_forces_derivative(positions(q), g...);
       Derivatives result;
       if constexpr (R::kFloatingBase) {
         result.q = matrix(d.d_q);
@@ -248,9 +252,9 @@ class CompiledRobot {
     return with_gravity(arguments, [&](const auto&... g) {
       if constexpr (R::kFloatingBase) {
         return matrix(
-            robot_.energy_regressor(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), g...));
+            robot_.energy_regressor(positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), g...));
       } else {
-        return matrix(robot_.energy_regressor(joints(m.q), joints(m.qd), g...));
+        return matrix(robot_.energy_regressor(positions(m.q), joints(m.qd), g...));
       }
     });
   }
@@ -258,7 +262,8 @@ class CompiledRobot {
   // `r`: the reference velocities, and accelerations.
   Matrix<double> slotine_li_regressor(const State& m, const State& r, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
-      const JointState q = joints(m.q), qd = joints(m.qd), qd_r = joints(r.qd), qdd_r = joints(r.qdd);
+      const JointPositions q = positions(m.q);
+      const JointState qd = joints(m.qd), qd_r = joints(r.qd), qdd_r = joints(r.qdd);
       if constexpr (R::kFloatingBase) {
         return matrix(robot_.slotine_li_regressor(
             q, qd, qd_r, qdd_r, spatial<BasicTwist<Scalar>>(m.base_velocity),
@@ -272,24 +277,24 @@ class CompiledRobot {
 
   // Of robots with parameters; else it is a constant.
   double total_mass() const { return robot_.total_mass(); }
-  Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(joints(q))); }
+  Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(positions(q))); }
   Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
-    return matrix(robot_.center_of_mass_jacobian(joints(q)));
+    return matrix(robot_.center_of_mass_jacobian(positions(q)));
   }
   Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
-    return matrix(robot_.centroidal_momentum_matrix(joints(q)));
+    return matrix(robot_.centroidal_momentum_matrix(positions(q)));
   }
 
   double kinetic_energy(const State& m) const {
     if constexpr (R::kFloatingBase) {
-      return robot_.kinetic_energy(joints(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity));
+      return robot_.kinetic_energy(positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity));
     } else {
-      return robot_.kinetic_energy(joints(m.q), joints(m.qd));
+      return robot_.kinetic_energy(positions(m.q), joints(m.qd));
     }
   }
   // `external` does not enter.
   double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
-    return with_gravity(arguments, [&](const auto&... g) { return robot_.potential_energy(joints(q), g...); });
+    return with_gravity(arguments, [&](const auto&... g) { return robot_.potential_energy(positions(q), g...); });
   }
 
   // By index into the tables.
@@ -322,7 +327,13 @@ class CompiledRobot {
 
  private:
   using JointState = typename R::JointState;
+  using JointPositions = robcogen::JointPositions<R>;
 
+  static JointPositions positions(const Vector<double>& q) {
+    JointPositions result;
+    for (int i = 0; i < q.rows(); ++i) result.data()[i] = static_cast<Scalar>(q(i));
+    return result;
+  }
   static JointState joints(const Vector<double>& v) {
     JointState result;
     for (int i = 0; i < v.rows(); ++i) result.data()[i] = static_cast<Scalar>(v(i));
@@ -382,7 +393,8 @@ class CompiledRobot {
   // Calls a function of the whole motion.
   template <class Call>
   static Matrix<double> of_motion(const State& m, const Call& call) {
-    const JointState q = joints(m.q), qd = joints(m.qd), qdd = joints(m.qdd);
+    const JointPositions q = positions(m.q);
+    const JointState qd = joints(m.qd), qdd = joints(m.qdd);
     if constexpr (R::kFloatingBase) {
       return matrix(call(
           q, qd, qdd, spatial<BasicTwist<Scalar>>(m.base_velocity),

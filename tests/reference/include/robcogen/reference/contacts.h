@@ -62,8 +62,9 @@ Matrix<Scalar> rows_of_contacts(const Robot& robot, int columns, const OfFrame& 
 
 template <class Scalar>
 Matrix<Scalar> contact_jacobian(const Robot& robot, const Vector<Scalar>& q) {
-  return rows_of_contacts<Scalar>(
-      robot, (robot.floating_base ? 6 : 0) + q.rows(), [&](int frame) { return jacobian_with_base(robot, q, frame); });
+  return rows_of_contacts<Scalar>(robot, (robot.floating_base ? 6 : 0) + robot.dof(), [&](int frame) {
+    return jacobian_with_base(robot, q, frame);
+  });
 }
 
 template <class Scalar>

@@ -83,7 +83,7 @@ void add_body(const Matrix<Scalar>& J, const Matrix<Scalar>& M, Matrix<Scalar>& 
 template <class Scalar>
 Matrix<Scalar> full_inertia(const Robot& robot, const Vector<Scalar>& q) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
-  Matrix<Scalar> H(6 + q.rows(), 6 + q.rows());
+  Matrix<Scalar> H(6 + robot.dof(), 6 + robot.dof());
   for (int i = 0; i < robot.links.size; ++i) {
     const reflection::Link& link = robot.links[i];
     const Matrix<Scalar> R = rotation_of(poses[static_cast<std::size_t>(i)]);
@@ -100,7 +100,7 @@ Matrix<Scalar> full_inertia(const Robot& robot, const Vector<Scalar>& q) {
 template <class Scalar>
 Matrix<Scalar> joint_space_inertia(const Robot& robot, const Vector<Scalar>& q) {
   const Matrix<Scalar> H = full_inertia(robot, q);
-  return robot.floating_base ? H : H.block(6, 6, q.rows(), q.rows());
+  return robot.floating_base ? H : H.block(6, 6, robot.dof(), robot.dof());
 }
 
 // An external wrench of a link, taken to the link's centre of mass and to base axes.
@@ -138,7 +138,7 @@ Vector<Scalar> generalized_forces(const Robot& robot, const Motion<Scalar>& moti
   const std::vector<LinkMotion<Scalar>> links = link_motions(robot, motion);
   std::vector<Matrix<Scalar>> poses;
   for (const LinkMotion<Scalar>& link : links) poses.push_back(link.pose);
-  Vector<Scalar> forces(6 + motion.q.rows());
+  Vector<Scalar> forces(6 + robot.dof());
   for (int i = 0; i < robot.links.size; ++i) {
     const Matrix<Scalar> J = body_jacobian(robot, poses, i, center_of_mass<Scalar>(robot.links[i]));
     forces += transpose(J) * required_wrench(robot, i, links[static_cast<std::size_t>(i)], loads);
@@ -179,7 +179,7 @@ InverseDynamics<Scalar> inverse_dynamics(const Robot& robot, Motion<Scalar> moti
 // The accelerations of `motion` are ignored.
 template <class Scalar>
 Forces<Scalar> bias_forces(const Robot& robot, Motion<Scalar> motion, const Loads<Scalar>& loads) {
-  motion.qdd = Vector<Scalar>(motion.q.rows());
+  motion.qdd = Vector<Scalar>(robot.dof());
   motion.base_acceleration = Vector<Scalar>(6);
   return split(generalized_forces(robot, motion, loads));
 }
@@ -187,7 +187,7 @@ Forces<Scalar> bias_forces(const Robot& robot, Motion<Scalar> motion, const Load
 // Joint forces and base wrench that hold the robot still against gravity; no external wrenches, nor passive forces.
 template <class Scalar>
 Forces<Scalar> gravity_forces(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
-  return bias_forces(robot, at_rest(q), {gravity, {}, false});
+  return bias_forces(robot, at_rest(robot, q), {gravity, {}, false});
 }
 
 // Bias forces without gravity, external wrenches and passive forces.

@@ -47,10 +47,13 @@ Vector<Scalar> joint_rates(const Robot& robot, const Vector<Scalar>& rates) {
   return all;
 }
 
-// Positions of all joints.
+// Positions of all joints; zero of spherical ones, whose positions are no numbers.
 template <class Scalar>
 Vector<Scalar> joint_positions(const Robot& robot, const Vector<Scalar>& q) {
-  Vector<Scalar> all = joint_rates(robot, q);
+  Vector<Scalar> numbers(robot.dof());
+  for (int j = 0; j < robot.dof(); ++j)
+    if (robot.joints[j].type != JointType::spherical) numbers(j) = q(robot.position_of(j));
+  Vector<Scalar> all = joint_rates(robot, numbers);
   for (int k = 0; k < robot.couplings.size; ++k) all(robot.dof() + k) += Scalar(robot.couplings[k].offset);
   return all;
 }
@@ -66,30 +69,68 @@ struct Motion {
 
 // A motion at rest in the configuration q.
 template <class Scalar>
+Motion<Scalar> at_rest(const Robot& robot, const Vector<Scalar>& q) {
+  return {q, Vector<Scalar>(robot.dof()), Vector<Scalar>(robot.dof())};
+}
+// Of a robot without spherical joints.
+template <class Scalar>
 Motion<Scalar> at_rest(const Vector<Scalar>& q) {
   return {q, Vector<Scalar>(q.rows()), Vector<Scalar>(q.rows())};
 }
 
-// Joints sorted so that each comes after the joint that supports its parent link.
+// The positions after all joints have moved by `way`, an element a velocity: a spherical joint by the turn `way` about
+// axes of its child. The scalar may be complex.
+template <class Scalar>
+Vector<Scalar> moved(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& way) {
+  Vector<Scalar> result = q;
+  for (int j = 0; j < robot.dof(); ++j) {
+    if (robot.is_follower(j)) continue;
+    const int k = robot.position_of(j);
+    if (robot.joints[j].type != JointType::spherical) {
+      result(k) += way(j);
+      continue;
+    }
+    const Vector<Scalar> turn{way(j) / Scalar(2), way(j + 1) / Scalar(2), way(j + 2) / Scalar(2)};
+    const Scalar square = dot(turn, turn);
+    Scalar cosine = Scalar(1) - square / Scalar(2) + square * square / Scalar(24);
+    Scalar quotient = Scalar(1) - square / Scalar(6) + square * square / Scalar(120);
+    constexpr double kSmall = 1e-7;
+    if (std::abs(square) > kSmall) {
+      cosine = std::cos(std::sqrt(square));
+      quotient = std::sin(std::sqrt(square)) / std::sqrt(square);
+    }
+    const Scalar w = q(k - 1);
+    const Vector<Scalar> v{q(k), q(k + 1), q(k + 2)}, sine = quotient * turn;
+    const Vector<Scalar> vector = cosine * v + w * sine + cross(v, sine);
+    result(k - 1) = w * cosine - dot(v, sine);
+    for (int i = 0; i < 3; ++i) result(k + i) = vector(i);
+  }
+  return result;
+}
+
+// Joints sorted so that each comes after the joint that supports its parent link; of a spherical one the first
+// component alone.
 inline std::vector<int> outward_order(const Robot& robot) {
   std::vector<int> joints;
   std::vector<int> links{0};
   for (std::size_t k = 0; k < links.size(); ++k) {
     for (int j = 0; j < robot.joints.size; ++j) {
-      if (robot.joints[j].parent != links[k]) continue;
+      if (robot.joints[j].parent != links[k] || robot.is_follower(j)) continue;
       joints.push_back(j);
       links.push_back(robot.joints[j].child);
     }
   }
-  assert(static_cast<int>(joints.size()) == robot.joints.size && "the joints do not form a tree");
+  assert(static_cast<int>(links.size()) == robot.links.size && "the joints do not form a tree");
   return joints;
 }
 
 // The joints between a link and the base, from the link inwards.
 inline std::vector<int> supporting_joints(const Robot& robot, int link) {
   std::vector<int> joints;
-  for (int j = robot.links[link].parent_joint; j >= 0; j = robot.links[robot.joints[j].parent].parent_joint)
-    joints.push_back(j);
+  for (int j = robot.links[link].parent_joint; j >= 0; j = robot.links[robot.joints[j].parent].parent_joint) {
+    const int components = robot.joints[j].type == JointType::spherical ? 3 : 1;
+    for (int k = components - 1; k >= 0; --k) joints.push_back(j + k);
+  }
   return joints;
 }
 
@@ -132,6 +173,47 @@ Matrix<Scalar> joint_matrix_second_derivative(const reflection::Joint& joint, co
   return m;
 }
 
+// The rotation of a spherical joint, by its first component: v + 2 w u x v + 2 u x (u x v) for the quaternion (w, u).
+template <class Scalar>
+Matrix<Scalar> spherical_matrix(const Robot& robot, int joint, const Vector<Scalar>& q) {
+  const int k = robot.position_of(joint);
+  const Matrix<Scalar> u = skew(Vector<Scalar>{q(k), q(k + 1), q(k + 2)});
+  Matrix<Scalar> m = Matrix<Scalar>::identity(4);
+  m.set_block(0, 0, Matrix<Scalar>::identity(3) + Scalar(2) * q(k - 1) * u + Scalar(2) * (u * u));
+  return m;
+}
+
+// How the placed frame of a joint moves: its pose as a matrix, and the first two derivatives by time.
+template <class Scalar>
+struct JointMotion {
+  Matrix<Scalar> pose, rate, second_rate;
+};
+
+// With positions, velocities and accelerations of all joints.
+template <class Scalar>
+JointMotion<Scalar> joint_motion(
+    const Robot& robot,
+    int j,
+    const Motion<Scalar>& motion,
+    const Vector<Scalar>& positions,
+    const Vector<Scalar>& velocities,
+    const Vector<Scalar>& accelerations) {
+  const reflection::Joint& joint = robot.joints[j];
+  const Scalar q = positions(j), qd = velocities(j), qdd = accelerations(j);
+  if (joint.type != JointType::spherical)
+    return {
+        joint_matrix(joint, q), qd * joint_matrix_derivative(joint, q),
+        qd * qd * joint_matrix_second_derivative(joint, q) + qdd * joint_matrix_derivative(joint, q)};
+  // With axes of the child: R' = R [w]x.
+  const auto spin = [&](const Vector<Scalar>& rates) {
+    Matrix<Scalar> m(4, 4);
+    m.set_block(0, 0, skew(Vector<Scalar>{rates(j), rates(j + 1), rates(j + 2)}));
+    return m;
+  };
+  const Matrix<Scalar> R = spherical_matrix(robot, j, motion.q), W = spin(velocities);
+  return {R, R * W, R * (W * W + spin(accelerations))};
+}
+
 // Pose of each link in the base frame; the scalar may be complex.
 template <class Scalar>
 std::vector<Matrix<Scalar>> link_poses(const Robot& robot, const Vector<Scalar>& q) {
@@ -139,9 +221,10 @@ std::vector<Matrix<Scalar>> link_poses(const Robot& robot, const Vector<Scalar>&
   const Vector<Scalar> positions = joint_positions(robot, q);
   for (const int j : outward_order(robot)) {
     const reflection::Joint& joint = robot.joints[j];
-    poses[static_cast<std::size_t>(joint.child)] = poses[static_cast<std::size_t>(joint.parent)] *
-                                                   placement<Scalar>(joint.translation, joint.rotation) *
-                                                   joint_matrix(joint, positions(j));
+    const bool is_spherical = joint.type == JointType::spherical;
+    poses[static_cast<std::size_t>(joint.child)] =
+        poses[static_cast<std::size_t>(joint.parent)] * placement<Scalar>(joint.translation, joint.rotation) *
+        (is_spherical ? spherical_matrix(robot, j, q) : joint_matrix(joint, positions(j)));
   }
   return poses;
 }
@@ -198,14 +281,9 @@ std::vector<LinkMotion<Scalar>> link_motions(const Robot& robot, const Motion<Sc
   for (const int j : outward_order(robot)) {
     const reflection::Joint& joint = robot.joints[j];
     const LinkMotion<Scalar>& parent = links[static_cast<std::size_t>(joint.parent)];
-    const Scalar q = positions(j);
-    const Scalar qd = velocities(j);
-    const Scalar qdd = accelerations(j);
     const Matrix<Scalar> P = placement<Scalar>(joint.translation, joint.rotation);
-    const Matrix<Scalar> Q = P * joint_matrix(joint, q);
-    const Matrix<Scalar> Q_rate = P * (qd * joint_matrix_derivative(joint, q));
-    const Matrix<Scalar> Q_second_rate =
-        P * (qd * qd * joint_matrix_second_derivative(joint, q) + qdd * joint_matrix_derivative(joint, q));
+    const JointMotion<Scalar> own = joint_motion(robot, j, motion, positions, velocities, accelerations);
+    const Matrix<Scalar> Q = P * own.pose, Q_rate = P * own.rate, Q_second_rate = P * own.second_rate;
     LinkMotion<Scalar>& child = links[static_cast<std::size_t>(joint.child)];
     child.pose = parent.pose * Q;
     child.rate = parent.rate * Q + parent.pose * Q_rate;
@@ -228,9 +306,9 @@ Matrix<Scalar> body_jacobian(
   J.set_block(0, 0, Matrix<Scalar>::identity(6));
   J.set_block(3, 0, -skew(p));
   for (const int j : supporting_joints(robot, link)) {
-    // The z axis of the child's frame is the joint's axis, and its origin lies on it.
+    // The z axis of the child's frame is the joint's axis, and its origin lies on it; a spherical joint has all three.
     const Matrix<Scalar>& child = poses[static_cast<std::size_t>(robot.joints[j].child)];
-    const Vector<Scalar> axis = child.block(0, 2, 3, 1);
+    const Vector<Scalar> axis = child.block(0, robot.axis_of(j), 3, 1);
     const reflection::Joint& joint = robot.joints[j];
     Vector<Scalar> angular(3), linear = slide_per_unit<Scalar>(joint) * axis;
     if (turns(joint.type)) {

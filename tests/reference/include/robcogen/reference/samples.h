@@ -37,12 +37,28 @@ inline Vector<double> uniform_vector(std::mt19937_64& engine, int size, double l
   return v;
 }
 
+inline Vector<double> unit_vector(std::mt19937_64& engine, int size) {
+  constexpr double kShort = 0.1;
+  while (true) {
+    const Vector<double> v = uniform_vector(engine, size, 1);
+    const double length = std::sqrt(dot(v, v));
+    if (length > kShort) return 1 / length * v;
+  }
+}
+
 inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
   constexpr double kAngle = 3.14159265358979323846, kStroke = 1, kRate = 3, kAcceleration = 10, kLoad = 20;
   const int n = robot.dof();
   Sample s;
-  s.motion.q = Vector<double>(n);
-  for (int j = 0; j < n; ++j) s.motion.q(j) = uniform(engine, turns(robot.joints[j].type) ? kAngle : kStroke);
+  s.motion.q = Vector<double>(robot.position_count());
+  for (int j = 0; j < n; ++j) {
+    const int k = robot.position_of(j);
+    if (robot.is_follower(j)) continue;
+    if (robot.joints[j].type == JointType::spherical)
+      s.motion.q.set_block(k - 1, 0, unit_vector(engine, 4));
+    else
+      s.motion.q(k) = uniform(engine, turns(robot.joints[j].type) ? kAngle : kStroke);
+  }
   s.motion.qd = uniform_vector(engine, n, kRate);
   s.motion.qdd = uniform_vector(engine, n, kAcceleration);
   if (robot.floating_base) {

@@ -1,0 +1,150 @@
+// Joint positions of any robot: their type, how they move, and the way between two of them.
+//
+// The positions of a spherical joint are a unit quaternion: four elements w, x, y, z of q, for three of qd. It rotates
+// coordinates of the child to those of the joint frame, and its velocity is the angular velocity (rad/s) of the child
+// with respect to the parent, in axes of the child. All other positions are numbers (rad, m), one for each element of
+// qd. A robot with spherical joints has a type JointPositions of its own, and lists the elements of q at which its
+// quaternions begin: kQuaternions. With all other robots these are vectors of the same type, and they are added.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace robcogen {
+
+namespace positions {
+
+template <class R, class = void>
+struct Of {
+  using Type = typename R::JointState;
+  static constexpr std::array<int, 0> kQuaternions = {};
+};
+template <class R>
+struct Of<R, std::void_t<typename R::JointPositions>> {
+  using Type = typename R::JointPositions;
+  static constexpr auto kQuaternions = R::kQuaternions;
+};
+
+}  // namespace positions
+
+// The type of q, and how many elements it has. `R` is the type Robot of a generated library.
+template <class R>
+using JointPositions = typename positions::Of<R>::Type;
+template <class R>
+inline constexpr int kPositionCount = JointPositions<R>::SizeAtCompileTime;
+// The elements of q at which quaternions begin, in order.
+template <class R>
+inline constexpr auto kQuaternions = positions::Of<R>::kQuaternions;
+
+namespace positions {
+
+// Calls quaternion(first of q, first of qd) for each, and number(of q, of qd) for all other elements.
+template <class R, class Quaternion, class Number>
+void visit(const Quaternion& quaternion, const Number& number) noexcept {
+  int velocity = 0;
+  std::size_t next = 0;
+  for (int k = 0; k < kPositionCount<R>;) {
+    if (next < kQuaternions<R>.size() && kQuaternions<R>[next] == k) {
+      quaternion(k, velocity);
+      k += 4;
+      velocity += 3;
+      ++next;
+    } else {
+      number(k++, velocity++);
+    }
+  }
+}
+
+template <class Vector>
+auto quaternion_at(const Vector& q, int k) noexcept {
+  return Eigen::Quaternion<typename Vector::Scalar>(q[k], q[k + 1], q[k + 2], q[k + 3]);
+}
+
+template <class Vector, class Quaternion>
+void set_quaternion(Vector& q, int k, const Quaternion& value) noexcept {
+  q[k] = value.w();
+  q[k + 1] = value.x();
+  q[k + 2] = value.y();
+  q[k + 3] = value.z();
+}
+
+}  // namespace positions
+
+// Zero, and of spherical joints the frames of child and joint coincide.
+template <class R>
+JointPositions<R> neutral_positions() noexcept {
+  JointPositions<R> q = JointPositions<R>::Zero();
+  for (const int k : kQuaternions<R>) q[k] = 1;
+  return q;
+}
+
+// The same with quaternions of unit length, as functions of robots require.
+template <class R>
+JointPositions<R> normalised_positions(JointPositions<R> q) noexcept {
+  for (const int k : kQuaternions<R>) q.template segment<4>(k).normalize();
+  return q;
+}
+
+// Where q is after `duration` (s) with constant velocities qd: spherical joints turn about a fixed axis, exactly.
+// Quaternions keep unit length.
+template <class R>
+JointPositions<R> integrate_positions(
+    const JointPositions<R>& q,
+    const typename R::JointState& qd,
+    typename R::Scalar duration) noexcept {
+  using Scalar = typename R::Scalar;
+  using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+  JointPositions<R> result;
+  positions::visit<R>(
+      [&](int k, int velocity) {
+        const Vector3 half = qd.template segment<3>(velocity) * (duration / 2);
+        const Scalar angle = half.norm();
+        // sin(angle) / angle, where the next term of its series is not seen.
+        constexpr Scalar kSmall = Scalar(1e-3);
+        const Scalar quotient = angle > kSmall ? std::sin(angle) / angle : 1 - angle * angle / 6;
+        Eigen::Quaternion<Scalar> turn(std::cos(angle), 0, 0, 0);
+        turn.vec() = quotient * half;
+        positions::set_quaternion(result, k, (positions::quaternion_at(q, k) * turn).normalized());
+      },
+      [&](int k, int velocity) { result[k] = q[k] + duration * qd[velocity]; });
+  return result;
+}
+
+// The way from one position to another, an element a velocity: integrate_positions(from, way, 1) = to. A spherical
+// joint takes the shorter way, of at most half a turn (rad, in axes of the child).
+template <class R>
+typename R::JointState position_difference(const JointPositions<R>& from, const JointPositions<R>& to) noexcept {
+  using Scalar = typename R::Scalar;
+  typename R::JointState way;
+  positions::visit<R>(
+      [&](int k, int velocity) {
+        const Eigen::Quaternion<Scalar> turn =
+            positions::quaternion_at(from, k).conjugate() * positions::quaternion_at(to, k);
+        const Scalar sine = turn.vec().norm(), cosine = std::abs(turn.w());
+        // 2 angle / sine of half the turn, without loss near none.
+        const Scalar factor = sine > 0 ? 2 * std::atan2(sine, cosine) / sine : Scalar(2);
+        way.template segment<3>(velocity) = (turn.w() < 0 ? -factor : factor) * turn.vec();
+      },
+      [&](int k, int velocity) { way[velocity] = to[k] - from[k]; });
+  return way;
+}
+
+// dq/dt at velocities qd: of a quaternion Q (0, w) / 2, which is not of unit length.
+template <class R>
+JointPositions<R> position_rates(const JointPositions<R>& q, const typename R::JointState& qd) noexcept {
+  using Scalar = typename R::Scalar;
+  JointPositions<R> result;
+  positions::visit<R>(
+      [&](int k, int velocity) {
+        Eigen::Quaternion<Scalar> spin(0, 0, 0, 0);
+        spin.vec() = qd.template segment<3>(velocity) / 2;
+        positions::set_quaternion(result, k, positions::quaternion_at(q, k) * spin);
+      },
+      [&](int k, int velocity) { result[k] = qd[velocity]; });
+  return result;
+}
+
+}  // namespace robcogen
