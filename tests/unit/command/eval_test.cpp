@@ -353,8 +353,8 @@ TEST_F(Eval, QuaternionsOfSphericalJoints) {
 
 TEST_F(Eval, GenerateRefusesSphericalJoints) {
   write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
-  const Outcome refused =
-      run_tool("generate " + quoted(model_) + " -o " + quoted(scratch_.path / "out") + " --name p", "");
+  const Outcome refused = run_tool(
+      "generate " + quoted(model_) + " -o " + quoted(scratch_.path / "out") + " --name p --language matlab", "");
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.errors.find("[spherical-joint]"), std::string::npos) << refused.errors;
   EXPECT_FALSE(std::filesystem::exists(scratch_.path / "out"));
