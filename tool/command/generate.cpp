@@ -135,7 +135,7 @@ void require_spherical_joints(const driver::Model& model, const backend::Languag
   if (!model.robot() || language.features.has_spherical_joints) return;
   refuse_spherical_joints(
       model.robot()->tree, fmt::format("--language {} has no spherical joints", language.name),
-      "robcogen eval, ops and print --program have them");
+      "--language cpp, and robcogen eval, ops and print --program have them");
 }
 
 Status write_libraries(const GenerateOptions& options, const driver::Model& model) {
