@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "command/output.h"
+#include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "support/files.h"
@@ -112,13 +113,19 @@ Status write(const ViewOptions& options, const driver::Model& model, const std::
   return ok;
 }
 
+// A Failure where the model is not a robot, or has joints that pictures have none of.
+view::ViewedRobot viewed_robot(const driver::Model& model) {
+  if (model.robot()) refuse_spherical_joints(model.robot()->tree, "pictures have no spherical joints");
+  return view::viewed(model);
+}
+
 }  // namespace
 
 Status draw(const ViewOptions& options) {
   require_robot(options, "draw");
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = view::viewed(*model);
+  const view::ViewedRobot robot = viewed_robot(*model);
   view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr};
   view::Pattern pattern;
   if (options.pattern) {
@@ -134,7 +141,7 @@ Status view(const ViewOptions& options) {
   Diagnostics diagnostics;
   const std::optional<driver::Model> model = options.model.load({}, diagnostics);
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = view::viewed(*model);
+  const view::ViewedRobot robot = viewed_robot(*model);
   const view::PageOptions page = {positions(options, robot), parameters(options, robot)};
   return write(options, *model, view::page(*model, robot, diagnostics, page));
 }

@@ -31,6 +31,17 @@ TEST(Draw, WritesADrawing) {
   EXPECT_NE(with_pattern.find(text.substr(first, text.rfind("<text", last) - first)), std::string::npos);
 }
 
+TEST(Draw, RefusesSphericalJoints) {
+  const Scratch scratch("draw-spherical");
+  const std::string leg = quoted(robot("ball_leg")), picture = quoted(scratch.path / "picture");
+  for (const char* command : {"draw ", "view "}) {
+    const Outcome run = run_tool(command + leg + " -o " + picture);
+    EXPECT_EQ(run.status, 1) << command;
+    EXPECT_NE(run.errors.find("pictures have no spherical joints"), std::string::npos) << run.errors;
+    EXPECT_FALSE(fs::exists(scratch.path / "picture"));
+  }
+}
+
 TEST(Draw, SaysWhatIsWrongWithNumbers) {
   const Scratch scratch("draw-wrong");
   const std::string draw = "draw " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "a.svg") + " ";
