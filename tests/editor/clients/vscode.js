@@ -1,7 +1,10 @@
 // The extension of VS Code, with stand-ins for the modules that VS Code and npm give it.
+//
+//     node vscode.js EXTENSION ROBCOGEN ROBOT
 'use strict';
 
 const assert = require('assert');
+const fs = require('fs');
 const Module = require('module');
 
 const seen = { clients: [], messages: [], stopped: 0 };
@@ -22,10 +25,40 @@ class LanguageClient {
   }
 }
 
+const commands = {};
+const panels = [];
+let changed;
+const disposable = { dispose() {} };
+
+function createWebviewPanel(type, title) {
+  const panel = { title, webview: { html: '' }, revealed: 0, disposed: false };
+  panel.onDidDispose = (listener) => (panel.listener = listener);
+  panel.reveal = () => (panel.revealed += 1);
+  panel.dispose = () => {
+    panel.disposed = true;
+    panel.listener();
+  };
+  panels.push(panel);
+  return panel;
+}
+
 const stand_ins = {
   vscode: {
-    workspace: { getConfiguration: (section) => ({ get: (key) => settings[`${section}.${key}`] }) },
-    window: { showErrorMessage: (text) => seen.messages.push(text) },
+    workspace: {
+      getConfiguration: (section) => ({ get: (key) => settings[`${section}.${key}`] }),
+      onDidChangeTextDocument: (listener) => {
+        changed = listener;
+        return disposable;
+      },
+    },
+    window: { showErrorMessage: (text) => seen.messages.push(text), createWebviewPanel, activeTextEditor: undefined },
+    commands: {
+      registerCommand: (name, action) => {
+        commands[name] = action;
+        return disposable;
+      },
+    },
+    ViewColumn: { Beside: -2 },
   },
   'vscode-languageclient/node': { LanguageClient, TransportKind: { stdio: 0 } },
 };
@@ -35,7 +68,54 @@ Module._load = (request, ...rest) => stand_ins[request] || load(request, ...rest
 const extension = require(process.argv[2]);
 const context = () => ({ subscriptions: [] });
 
+// Until the page or its title is as wanted.
+async function until(condition) {
+  for (let i = 0; i < 200 && !condition(); ++i) await new Promise((done) => setTimeout(done, 50));
+  assert.ok(condition(), condition.toString());
+}
+
+async function preview() {
+  settings = { 'robcogen.path': process.argv[3] };
+  const subscribed = context();
+  await extension.activate(subscribed);
+  assert.strictEqual(await commands['robcogen.view'](), undefined); // no editor is active
+  const fileName = process.argv[4];
+  let text = fs.readFileSync(fileName, 'utf8');
+  const document = { fileName, getText: () => text };
+  stand_ins.vscode.window.activeTextEditor = { document };
+
+  await commands['robcogen.view']();
+  const [panel] = panels;
+  assert.match(panel.webview.html, /<canvas/);
+  assert.match(panel.webview.html, /HyL/);
+  await commands['robcogen.view']();
+  assert.strictEqual(panels.length, 1);
+  assert.strictEqual(panel.revealed, 1);
+
+  const right = text;
+  text = right.replace('Robot HyL', 'Robot HyL {');
+  changed({ document });
+  await until(() => panel.title === 'hyl.kindsl: errors');
+  assert.match(panel.webview.html, /<canvas/);
+  text = right.replace('Robot HyL', 'Robot Unsaved');
+  changed({ document });
+  await until(() => /Unsaved/.test(panel.webview.html));
+  assert.strictEqual(panel.title, 'hyl.kindsl');
+
+  panel.dispose();
+  text = right.replace('Robot HyL', 'Robot');
+  await commands['robcogen.view']();
+  assert.match(panels[1].webview.html, /^<pre>hyl\.kindsl:\d+:\d+: error/);
+  subscribed.subscriptions.forEach((s) => s.dispose());
+  assert.ok(panels[1].disposed);
+  seen.clients.pop();
+  seen.stopped = 0;
+  settings = {};
+}
+
 async function run() {
+  await preview();
+
   await extension.activate(context());
   const [first] = seen.clients;
   assert.strictEqual(first.server.command, 'robcogen');
