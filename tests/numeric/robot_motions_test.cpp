@@ -39,7 +39,7 @@ std::vector<path> documents(const path& folder) {
   return result;
 }
 
-// nullopt for documents that are malformed on purpose.
+// nullopt for documents that are malformed on purpose, and for those of parts alone.
 std::optional<model::KinematicTree> robot_of(const path& document) {
   std::ifstream file(document, std::ios::binary);
   const auto source =
@@ -47,7 +47,7 @@ std::optional<model::KinematicTree> robot_of(const path& document) {
   Diagnostics diagnostics;
   const auto read = import::robot_document(source, {}, diagnostics);
   const auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
-  return diagnostics.has_errors() ? std::nullopt : tree;
+  return diagnostics.has_errors() || tree->name.empty() ? std::nullopt : tree;
 }
 
 // As `robcogen convert robot.kindsl robot.motdsl` writes it.
