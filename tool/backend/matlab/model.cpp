@@ -115,25 +115,16 @@ std::string frame_fields(const std::vector<FrameData>& frames) {
   return text + columns("frame_rotation", frames, 3, [](const FrameData& f) { return f.rotation; });
 }
 
-// `[1; 2]`, and `{'a'; 'b'}`: the elements of a limb.
-std::string indices(const std::vector<LimbData::Element>& elements) {
-  if (elements.empty()) return "zeros(0, 1)";
-  return "[" + joined(texts(elements, [](const auto& e) { return std::to_string(e.index + 1); }), "; ") + "]";
-}
-std::string own_names(const std::vector<LimbData::Element>& elements) {
-  if (elements.empty()) return "cell(0, 1)";
-  return "{" + joined(texts(elements, [](const auto& e) { return quoted(e.own); }), "; ") + "}";
-}
-
 std::string limb_fields(const std::vector<LimbData>& limbs) {
   std::string text;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    const std::string limb = "  model.limbs(" + std::to_string(i + 1) + ").";
+    const std::string field = "limbs(" + std::to_string(i + 1) + ").", limb = "  model." + field;
     const LimbData& l = limbs[i];
     text += limb + "name = " + quoted(l.name) + ";\n" + limb + "part = " + quoted(l.part) + ";\n";
     text += limb + "first_link = " + std::to_string(l.first_link + 1) + ";\n";
     const auto elements = [&](const std::string& what, const std::vector<LimbData::Element>& list) {
-      text += limb + what + "s = " + indices(list) + ";\n" + limb + what + "_names = " + own_names(list) + ";\n";
+      text += column(field + what + "s", texts(list, [](const auto& e) { return std::to_string(e.index + 1); }));
+      text += names(field + what + "_names", texts(list, [](const auto& e) { return quoted(e.own); }));
     };
     elements("link", l.links);
     elements("joint", l.joints);
