@@ -1,5 +1,7 @@
 // Any list of desired transforms, on a robot with the frames that the seeds like to name: traced, through all passes,
 // into the interpreter.
+#include <algorithm>
+
 #include "algorithm/catalogue/catalogue.h"
 #include "check.h"
 #include "import/kinematics.h"
@@ -36,6 +38,18 @@ model::KinematicTree robot() {
   return *tree;
 }
 
+// What must exist: contacts, instances of parts and what loops make of them.
+bool asks_by_name(const language::desired::Document& document) {
+  const auto names_instance = [](const language::desired::Name& name) { return !name.instance.empty(); };
+  const auto has_instance = [&](const language::desired::Pair& pair) {
+    return names_instance(pair.left) || names_instance(pair.right);
+  };
+  return !document.contacts.empty() || !document.loops.empty() ||
+         std::any_of(document.frames.begin(), document.frames.end(), names_instance) ||
+         std::any_of(document.transforms.begin(), document.transforms.end(), has_instance) ||
+         std::any_of(document.jacobians.begin(), document.jacobians.end(), has_instance);
+}
+
 void check_list(const std::shared_ptr<const Source>& text) {
   static const model::KinematicTree tree = robot();
   constexpr std::size_t kMaxPairs = 20;
@@ -44,9 +58,8 @@ void check_list(const std::shared_ptr<const Source>& text) {
   if (diagnostics.has_errors()) return;
   const model::DesiredTransforms desired = import::desired_transforms(document, tree, diagnostics);
   const std::string messages = diagnostics.render();
-  // Contacts are asked for by name, transforms may be a list for several robots.
-  require(
-      !diagnostics.has_errors() || !document.contacts.empty(), "what the robot lacks is more than a warning", messages);
+  // Transforms may be a list for several robots.
+  require(!diagnostics.has_errors() || asks_by_name(document), "what the robot lacks is more than a warning", messages);
   if (diagnostics.has_errors()) return;
   if (desired.transforms.size() + desired.jacobians.size() > kMaxPairs) return;
   for (const char* group : {"transforms", "jacobians"})

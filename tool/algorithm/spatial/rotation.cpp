@@ -86,17 +86,17 @@ Vector3 turn(const QuarterTurns& q, const Vector3& v) {
 }  // namespace
 
 PlaneRotation rotation_by_quaternion(Graph& graph, const std::array<Expression, 4>& q) {
-  const auto& [w, x, y, z] = q;
-  const Expression X = x + x, Y = y + y, Z = z + z;
-  const Expression xX = x * X, yY = y * Y, zZ = z * Z;
-  const Expression xY = x * Y, xZ = x * Z, yZ = y * Z;
-  const Expression wX = w * X, wY = w * Y, wZ = w * Z;
+  const auto& [w, a, b, c] = q;  // w + a i + b j + c k
+  const Expression A = a + a, B = b + b, C = c + c;
+  const Expression aA = a * A, bB = b * B, cC = c * C;
+  const Expression aB = a * B, aC = a * C, bC = b * C;
+  const Expression wA = w * A, wB = w * B, wC = w * C;
   const Expression one = graph.one();
   PlaneRotation rotation;
   rotation.axis = PlaneRotation::kAnyAxis;
   rotation.matrix = Matrix3{
-      {Vector3{one - (yY + zZ), xY - wZ, xZ + wY}, Vector3{xY + wZ, one - (xX + zZ), yZ - wX},
-       Vector3{xZ - wY, yZ + wX, one - (xX + yY)}}};
+      {Vector3{one - (bB + cC), aB - wC, aC + wB}, Vector3{aB + wC, one - (aA + cC), bC - wA},
+       Vector3{aC - wB, bC + wA, one - (aA + bB)}}};
   return rotation;
 }
 
