@@ -68,7 +68,7 @@ Counts count(const Arguments& arguments) {
     if (!output) throw std::runtime_error(command_of(arguments.groups) + " failed");
     std::vector<Counted>& functions = counts[robot];
     functions = read_operations(*output);
-    // Of those that this robot lacks, the generator's message is no news. What all groups have, such as the update of
+    // Messages about groups that this robot lacks are not shown. What all groups have, such as the update of
     // parameters, is that of the first ones.
     for (const std::string& group : split(arguments.further_groups))
       if (const auto further = output_of(command_of(group) + " 2>/dev/null"))

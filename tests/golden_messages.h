@@ -32,7 +32,7 @@ inline std::shared_ptr<const Source> source_of_file(const std::filesystem::path&
   return std::make_shared<Source>(path.filename().string(), contents(path));
 }
 
-// Files of a folder with one of these extensions, sorted; none when there is no such folder.
+// Files of a folder with one of these extensions, sorted; an empty list if the folder does not exist.
 inline std::vector<std::filesystem::path> files(
     const std::filesystem::path& folder,
     const std::set<std::string>& extensions) {

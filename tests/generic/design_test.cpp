@@ -51,7 +51,7 @@ TEST(SquatJump, RisesByTheEnergyOfLiftOff) {
   const double ballistic = jump.lift_off_speed * jump.lift_off_speed / (2 * 9.81);
   EXPECT_GT(jump.rise, 0.5 * ballistic);
   EXPECT_LT(jump.rise, ballistic);
-  // The trunk goes up, level: all feet recede alike.
+  // The trunk rises and stays level: all feet move away from it by the same distance.
   const Feet moved = jump.feet.back() - jump.feet.front();
   for (int foot = 0; foot < 4; ++foot) {
     EXPECT_LT(moved[3 * foot + 2], -0.05);

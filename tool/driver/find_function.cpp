@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "backend/common/names.h"
 #include "driver/failure.h"
 
 namespace robcogen::driver {
@@ -70,9 +71,7 @@ std::vector<std::string> groups_of_robot(const std::string& name) {
 }  // namespace
 
 std::string dotted(const std::string& scope, const std::string& name) {
-  std::string result = scope.empty() ? name : scope + "::" + name;
-  for (std::size_t at; (at = result.find("::")) != std::string::npos;) result.replace(at, 2, ".");
-  return result;
+  return backend::dotted(scope.empty() ? name : scope + "::" + name);
 }
 
 FoundFunctions find_functions(

@@ -230,7 +230,7 @@ TEST(C, OtherCompilersTakeIt) {
   write(scratch.path, library(kRobots / "hyl_parametric" / "hyl_parametric.kindsl", "leg"));
   test::write_text(scratch.path / "header.cpp", "#include \"leg_c/leg_c.h\"\n");
   EXPECT_EQ(run(scratch.path, "g++ -std=c++17 -Wall -Wextra -pedantic -Werror -fsyntax-only -I. header.cpp"), "");
-  if (std::string(CLANG).empty()) GTEST_SKIP() << "there is no clang";
+  if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
   EXPECT_EQ(run(scratch.path, CLANG " " + (kStrict + std::string("-fsyntax-only -I. all.c"))), "");
 }
 

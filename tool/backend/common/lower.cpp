@@ -279,6 +279,14 @@ class Emission {
 
 }  // namespace
 
+Dialect returning_dialect(std::size_t columns) {
+  Dialect d;
+  d.line_limit = columns - d.indentation;
+  d.pairs_angles = false;
+  d.stores = false;
+  return d;
+}
+
 Kernel lower(const Program& program, const std::string& name, const Dialect& dialect) {
   return Emission(program, name, dialect).run();
 }

@@ -90,6 +90,10 @@ struct Dialect {
   std::string (*text)(const Line& line) = nullptr;
 };
 
+// Of a language whose functions return their results: the sine and the cosine of an argument are two definitions, and
+// the printer puts the outputs together at the end. `columns` is what a line may have with its indentation.
+Dialect returning_dialect(std::size_t columns);
+
 // Inputs, then outputs, under the names that they have in the function; all marked as used. Variables keep their names
 // before arrays do.
 std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);

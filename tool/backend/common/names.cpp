@@ -67,4 +67,9 @@ std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wa
   return wanted;
 }
 
+std::string dotted(std::string scope) {
+  for (std::size_t at; (at = scope.find("::")) != std::string::npos;) scope.replace(at, 2, ".");
+  return scope;
+}
+
 }  // namespace robcogen::backend

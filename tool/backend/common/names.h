@@ -36,4 +36,7 @@ class NameScope {
 // One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
 std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted);
 
+// `transforms.homogeneous` of `transforms::homogeneous`.
+std::string dotted(std::string scope);
+
 }  // namespace robcogen::backend

@@ -21,7 +21,7 @@ Enclosed enclosed(const Spelling& v, bool parentheses) {
 
 // `a operation b`, with a sign in front or "". Equal precedence needs parentheses on the right, and behind a sign,
 // only: operators associate to the left.
-std::string_view binary(
+std::string_view operation_text(
     std::string_view sign,
     const Spelling& a,
     std::string_view operation,
@@ -42,8 +42,8 @@ Spelling sum(Spelling a, Spelling b, Texts& texts) {
   // Two negative terms leave one sign in front.
   const char* const sign = a.negative ? "-" : "";
   const char* const operation = b.negative ? " - " : " + ";
-  result.text = binary(sign, a, operation, b, Precedence::sum, texts);
-  if (b.negative && !a.negative) result.opposite = binary("", b, operation, a, Precedence::sum, texts);
+  result.text = operation_text(sign, a, operation, b, Precedence::sum, texts);
+  if (b.negative && !a.negative) result.opposite = operation_text("", b, operation, a, Precedence::sum, texts);
   return result;
 }
 
@@ -52,7 +52,7 @@ Spelling product(Op op, Spelling a, Spelling b, Texts& texts) {
   Spelling result;
   result.precedence = Precedence::product;
   result.negative = a.negative != b.negative;
-  result.text = binary("", a, op == Op::multiply ? " * " : " / ", b, Precedence::product, texts);
+  result.text = operation_text("", a, op == Op::multiply ? " * " : " / ", b, Precedence::product, texts);
   result.literal_first = a.literal_first;
   if (a.literal_first) result.opposite = texts.add({a.opposite, result.text.substr(a.text.size())});
   return result;

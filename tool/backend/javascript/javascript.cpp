@@ -15,18 +15,13 @@ using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Role;
 
-std::string dotted(std::string scope) {
-  for (std::size_t at = scope.find("::"); at != std::string::npos; at = scope.find("::")) scope.replace(at, 2, ".");
-  return scope.empty() ? "" : scope + ".";
-}
-
 // With scopes as `transforms.homogeneous.`, and legal names. A member may have any name.
 std::vector<Callable> named_callables(const Library& library) {
   std::vector<Callable> result = callables(library);
   NameScope names(dialect().is_reserved);
   for (Callable& callable : result) {
     if (callable.scope.empty()) callable.name = names.claim(callable.name);
-    callable.scope = dotted(callable.scope);
+    if (!callable.scope.empty()) callable.scope = dotted(callable.scope) + ".";
   }
   return result;
 }

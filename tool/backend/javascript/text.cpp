@@ -42,13 +42,10 @@ std::string text(const Line& line) {
 
 const Dialect& dialect() {
   static const Dialect javascript = [] {
-    Dialect d;
+    Dialect d = returning_dialect(kColumns);
     d.is_reserved = is_reserved;
     d.used_names = {"Rx", "Ry", "Rz", "Tx", "Ty", "Tz", "cos", "multiply", "primitives", "sin", "sqrt"};
-    d.line_limit = kColumns - 2;
     d.name_limit = 26;  // three such operands and their operators fit in one line
-    d.pairs_angles = false;
-    d.stores = false;
     d.binds_parameters = true;
     d.names_variables = true;
     d.literal = literal;

@@ -144,14 +144,11 @@ bool is_reserved(const std::string& name) {
 
 const Dialect& dialect() {
   static const Dialect matlab = [] {
-    Dialect d;
+    Dialect d = returning_dialect(kColumns);
     d.is_reserved = is_reserved;
     d.used_names = {"cos", "error", "isempty", "isstruct", "nargin", "names", "numel",
                     "sin", "size",  "sqrt",    "strjoin",  "tril",   "zeros"};
-    d.line_limit = kColumns - 2;
     d.name_limit = 26;  // three such operands and their operators fit in one line
-    d.pairs_angles = false;
-    d.stores = false;
     d.binds_parameters = true;
     d.names_variables = true;
     d.literal = literal;

@@ -51,12 +51,9 @@ std::string element(const std::string& array, std::size_t k) {
 
 const Dialect& dialect() {
   static const Dialect maxima = [] {
-    Dialect d;
+    Dialect d = returning_dialect(kColumns);
     d.is_reserved = is_reserved;
-    d.line_limit = kColumns - 2;
     d.name_limit = 28;  // two of them and a fraction fit in one line
-    d.pairs_angles = false;
-    d.stores = false;
     d.literal = literal;
     d.element = element;
     d.text = [](const Line& line) { return line.targets.front() + ": " + line.expression + ","; };

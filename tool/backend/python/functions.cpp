@@ -4,17 +4,14 @@
 #include <cmath>
 #include <map>
 
+#include "backend/common/names.h"
+
 namespace robcogen::backend::python {
 namespace {
 
 using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Role;
-
-std::string dotted(std::string scope) {
-  for (std::size_t at = scope.find("::"); at != std::string::npos; at = scope.find("::")) scope.replace(at, 2, ".");
-  return scope;
-}
 
 Array argument(const InputArray& input, const std::string& name) {
   const auto size = static_cast<int>(input.elements.size());
