@@ -31,9 +31,14 @@ Arrays<double> random_inputs(const Program& program, std::mt19937_64& engine) {
   constexpr double kLimit = 2;
   Arrays<double> inputs;
   for (const symbolic::InputArray& array : program.inputs) {
+    std::vector<double>& values = inputs[array.name];
     for (std::size_t k = 0; k < array.elements.size(); ++k) {
       const double value = reference::uniform(engine, kLimit);
-      inputs[array.name].push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
+      values.push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
+    }
+    for (const int first : array.quaternions) {
+      const reference::Vector<double> unit = reference::unit_vector(engine, 4);
+      for (int k = 0; k < 4; ++k) values[static_cast<std::size_t>(first + k)] = unit(k);
     }
   }
   return inputs;

@@ -7,11 +7,12 @@ import sys
 import numpy as np
 
 import arm
+import ball_leg
 import leg
 import walker
 
 ROBOTS = os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "robots")
-MODELS = {arm: "iiwa14", leg: "hyl_parametric", walker: "geared_leg"}
+MODELS = {arm: "iiwa14", leg: "hyl_parametric", walker: "geared_leg", ball_leg: "ball_leg"}
 RANDOM = np.random.default_rng(5)
 
 
@@ -24,6 +25,15 @@ def scopes(module, prefix=""):
             yield prefix + name, item
         elif type(item).__name__ == "module":
             yield from scopes(item, prefix + name + ".")
+
+
+def random_values(module, name, shape):
+    """Between -1 and 1; positions of spherical joints are unit quaternions."""
+    values = RANDOM.uniform(-1, 1, shape)
+    for k, element in enumerate(module.position_names) if name == "q" else ():
+        if element not in module.joint_names:
+            values[..., k : k + 4] /= np.linalg.norm(values[..., k : k + 4], axis=-1, keepdims=True)
+    return values
 
 
 def plain(value):

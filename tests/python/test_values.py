@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from common import RANDOM, arm, evaluate, leg, scopes, walker
+from common import RANDOM, arm, ball_leg, evaluate, leg, random_values, scopes, walker
 
 
 def shapes(function):
@@ -32,7 +32,7 @@ class Values(unittest.TestCase):
                 given[key] = module.Parameters(**asked[key])
                 continue
             if key not in state:
-                state[key] = RANDOM.uniform(-1, 1, shape)
+                state[key] = random_values(module, key, shape)
             given[key] = state[key]
             asked[key] = state[key]
             if key == "external":
@@ -56,7 +56,7 @@ class Values(unittest.TestCase):
 
     def test_all_functions(self):
         count = 0
-        for module in (arm, leg, walker):
+        for module in (arm, leg, walker, ball_leg):
             for name, function in scopes(module):
                 if name.startswith("inertia_factor"):
                     continue
@@ -83,6 +83,14 @@ class Values(unittest.TestCase):
             moved = leg.transforms.homogeneous.fr_base_X_fr_foot(p, q + step * np.eye(3)[k])
             np.testing.assert_allclose((moved - X)[:3, 3] / step, J[3:, k], atol=1e-5)
 
+    def test_many_states_with_quaternions(self):
+        states = [random_values(ball_leg, name, (7, size)) for name, size in (("q", 9), ("qd", 7), ("qdd", 7))]
+        many = ball_leg.inverse_dynamics(*states)
+        self.assertEqual(many.shape, (7, 7))
+        for k in range(7):
+            np.testing.assert_allclose(many[k], ball_leg.inverse_dynamics(*(s[k] for s in states)), atol=1e-10)
+        self.assertIn("hip_w hip_x hip_y hip_z", ball_leg.inverse_dynamics.__doc__)
+
     def test_default_gravity_is_standard(self):
         q, zero = RANDOM.uniform(-1, 1, 7), np.zeros(7)
         wrench = np.zeros((len(arm.link_names), 6))
@@ -95,6 +103,10 @@ class Values(unittest.TestCase):
         self.assertEqual((arm.dof, leg.dof), (7, 3))
         self.assertEqual(leg.joint_names, ("SLIDE", "HFE", "KFE"))
         self.assertEqual(leg.link_parents, (-1, 0, 1, 2))
+        self.assertEqual(arm.position_names, arm.joint_names)
+        self.assertEqual((ball_leg.dof, len(ball_leg.position_names)), (7, 9))
+        self.assertEqual(ball_leg.position_names[:5], ("hip_w", "hip_x", "hip_y", "hip_z", "knee"))
+        self.assertEqual(ball_leg.link_parents, (-1, 0, 1, 2))
         self.assertEqual(len(arm.link_names), 8)
         self.assertEqual(leg.Parameters(upperleg_length=0.4).upperleg_length, 0.4)
         self.assertAlmostEqual(leg.Parameters().lowerleg_length, 0.33)

@@ -12,7 +12,7 @@ namespace robcogen::backend {
 const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
       {.name = "cpp",
-       .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true, .has_spherical_joints = true},
+       .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true},
        .takes_transforms = true,
        .print = cpp::print},
       {.name = "c", .takes_transforms = true, .print = c::print},

@@ -164,7 +164,6 @@ struct Features {
       false;                 // functions read values that depend on parameters alone from a cache: Library::updates
   bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
   bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
-  bool has_spherical_joints = false;  // positions may be unit quaternions
 };
 
 struct Library {

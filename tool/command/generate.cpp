@@ -130,16 +130,10 @@ void write(const fs::path& path, const std::string& text) {
   if (!file) throw Failure{wrong_usage, fmt::format("robcogen: error: cannot write '{}'", path.string())};
 }
 
-// Fails where the robot has spherical joints that a language has none of.
-void require_spherical_joints(const driver::Model& model, const backend::Language& language) {
-  if (!model.robot() || language.features.has_spherical_joints) return;
-  refuse_spherical_joints(
-      model.robot()->tree, fmt::format("--language {} has no spherical joints", language.name),
-      "--language cpp, and robcogen eval, ops and print --program have them");
-}
-
 Status write_libraries(const GenerateOptions& options, const driver::Model& model) {
-  for (const backend::Language* language : languages_of(options)) require_spherical_joints(model, *language);
+  if (!options.primitives.empty() && model.robot())
+    refuse_spherical_joints(
+        model.robot()->tree, "products of primitives (--primitives) have no rotations by quaternions");
   std::vector<OutputFile> files;
   std::vector<Listed> lists;
   std::string hash;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <random>
 
 #include "../../unit/command/run_tool.h"
@@ -84,6 +85,11 @@ std::vector<Real> random_values(const Library& library, const symbolic::InputArr
     const double u = std::uniform_real_distribution<double>(-1, 1)(dice);
     values.push_back(static_cast<Real>(around == 0 ? 3 * u : around * (1 + u / 5)));
   }
+  for (const int first : input.quaternions) {
+    const auto begin = values.begin() + first;
+    const Real norm = std::sqrt(std::inner_product(begin, begin + 4, begin, Real(0)));
+    for (auto e = begin; e < begin + 4; ++e) *e /= norm;
+  }
   return values;
 }
 
@@ -156,7 +162,8 @@ std::string differences(const Library& library) {
 class CRobots : public testing::TestWithParam<std::string> {};
 
 TEST_P(CRobots, GiveWhatTheInterpreterGives) {
-  const bool has_all = GetParam() == "hyl" || GetParam() == "hyl_parametric" || GetParam() == "gripper";
+  const bool has_all =
+      GetParam() == "hyl" || GetParam() == "hyl_parametric" || GetParam() == "gripper" || GetParam() == "ball_leg";
   const Library robot = library(
       kRobots / GetParam() / (GetParam() + ".kindsl"), GetParam(),
       {has_all ? algorithm::groups() : algorithm::default_groups()});
@@ -167,7 +174,7 @@ TEST_P(CRobots, GiveWhatTheInterpreterGives) {
 INSTANTIATE_TEST_SUITE_P(
     Of,
     CRobots,
-    testing::Values("hyl", "hyl_parametric", "geared_leg", "gripper", "scara", "puma560", "quadruped"),
+    testing::Values("hyl", "hyl_parametric", "geared_leg", "gripper", "scara", "ball_leg", "puma560", "quadruped"),
     [](const auto& robot) { return robot.param; });
 
 TEST(C, DerivativesAndContactsGiveWhatTheInterpreterGives) {

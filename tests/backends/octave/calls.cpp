@@ -40,6 +40,11 @@ std::vector<double> draw(const Argument& argument, std::mt19937& engine) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(size(argument)); ++i)
     values.push_back(
         argument.around.empty() ? uniform(engine, -kWide, kWide) : argument.around[i] * uniform(engine, 0.8, 1.2));
+  for (const int first : argument.quaternions) {
+    double square = 0;
+    for (int k = first; k < first + 4; ++k) square += values[std::size_t(k)] * values[std::size_t(k)];
+    for (int k = first; k < first + 4; ++k) values[std::size_t(k)] /= std::sqrt(square);
+  }
   return values;
 }
 

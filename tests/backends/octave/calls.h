@@ -14,7 +14,8 @@ struct Argument {
   int columns = 1;
   // `array`; `scalars`: Octave gets the elements one by one; `struct:a,b`: a field each.
   std::string kind = "array";
-  std::vector<double> around = {};  // values are drawn within a fifth of these; else of all signs and a few turns
+  std::vector<int> quaternions = {};  // the elements that begin unit quaternions
+  std::vector<double> around = {};    // values are drawn within a fifth of these; else of all signs and a few turns
 };
 
 struct Result {

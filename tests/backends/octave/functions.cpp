@@ -22,6 +22,7 @@ std::string dotted(const std::string& scope) {
 
 Argument argument(const backend::Library& library, const InputArray& array) {
   Argument result{array.name, static_cast<int>(array.elements.size())};
+  result.quaternions = array.quaternions;
   if (array.role == Role::link_wrenches) {
     result.rows = 6;
     result.columns = static_cast<int>(library.links.size());

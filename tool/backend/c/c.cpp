@@ -12,10 +12,12 @@ namespace {
 constexpr const char* kModel = "model";
 
 // Names that model.h has, without the prefix.
-const std::vector<std::string> kOthers = {"default_parameters", "default_parametersf", "dof",         "frame_names",
-                                          "joint_effort",       "joint_lower",         "joint_names", "joint_upper",
-                                          "joint_velocity",     "link_count",          "link_names",  "parameter_count",
-                                          "parameter_names",    "parameters",          "parametersf", "restrict"};
+const std::vector<std::string> kOthers = {"default_parameters", "default_parametersf", "dof",
+                                          "frame_names",        "joint_effort",        "joint_lower",
+                                          "joint_names",        "joint_upper",         "joint_velocity",
+                                          "link_count",         "link_names",          "parameter_count",
+                                          "parameter_names",    "parameters",          "parametersf",
+                                          "position_names",     "positions",           "restrict"};
 
 bool is_free(const std::string&) {
   return false;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "backend/c/printers.h"
+#include "backend/common/meaning.h"
 #include "backend/common/parts.h"
 #include "support/concat.h"
 
@@ -62,6 +63,7 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
   for (std::size_t i = 0; i < list.size(); ++i)
     text += comment(
         i < count ? describe(f.program.inputs[i], list[i].name) : describe(f.program.outputs[i - count], list[i].name));
+  if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) text += comment(remark);
   std::vector<std::string> columns;
   for (const int j : f.columns) columns.push_back(names.library.joints[static_cast<std::size_t>(j)].name);
   if (!columns.empty()) text += comment("Columns: " + joined(columns) + ".");

@@ -33,7 +33,14 @@ std::vector<Table> tables(const Library& library) {
     all.push_back({name, names, what + "; a null pointer ends them.", std::move(values)});
   };
   if (library.has_robot()) {
-    add_names("joint_names", "The joints, in the order of all arrays of joints", names_of(library.joints));
+    const std::string but = library.has_spherical_joints() ? " but q, of spherical joints three" : "";
+    add_names("joint_names", "The joints, in the order of all arrays of joints" + but, names_of(library.joints));
+    if (library.has_spherical_joints()) {
+      std::vector<std::string> positions;
+      for (const std::string& name : library.positions) positions.push_back(quoted(name));
+      add_names(
+          "position_names", "The elements of q: of spherical joints unit quaternions, scalar part first", positions);
+    }
     add_names("link_names", "The links, the base first", names_of(library.links));
   }
   add_names("frame_names", "The frames of transforms", names_of(library.frames));
@@ -62,6 +69,7 @@ std::string enumeration(const Names& names) {
   };
   std::vector<std::string> entries;
   if (library.has_robot()) entries = {entry("dof", library.joints.size()), entry("link_count", library.links.size())};
+  if (library.has_spherical_joints()) entries.push_back(entry("positions", library.positions.size()));
   if (!library.parameters.empty()) entries.push_back(entry("parameter_count", library.parameters.size()));
   return entries.empty() ? "" : "\n" + wrapped("enum { ", entries, " };");
 }

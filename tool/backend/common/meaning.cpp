@@ -1,5 +1,10 @@
 #include "backend/common/meaning.h"
 
+#include <vector>
+
+#include "support/concat.h"
+#include "support/index.h"
+
 namespace robcogen::backend {
 
 using symbolic::Role;
@@ -29,6 +34,22 @@ std::string meaning(Role role) {
     default:
       return "";
   }
+}
+
+std::string remark_on_quaternions(const symbolic::Program& program) {
+  std::string list;
+  for (const symbolic::InputArray& input : program.inputs) {
+    if (input.role != Role::joint_position) continue;
+    for (const int first : input.quaternions) {
+      std::vector<std::string> names;
+      for (int k = first; k < first + 4; ++k) names.push_back(input.elements[at(k)]);
+      list += (list.empty() ? "" : ", and ") + joined(names, " ");
+    }
+  }
+  if (list.empty()) return "";
+  return "Quaternions of unit length, scalar part first, that rotate coordinates of the child to those of the joint "
+         "frame: " +
+         list + ". Velocities are those of the child with respect to the parent, in axes of the child.";
 }
 
 bool is_of_joints(Role role) {

@@ -99,7 +99,9 @@ std::string parameter_line(const Library& library, const InputArray& input, cons
     what = std::to_string(side(input)) + " rows: factor of the inertia matrix H = L^T L";
   } else {
     what = size + (input.elements.size() == 1 ? " number" : " numbers") + (what.empty() ? "" : ": " + what);
-    if (input.role == Role::joint_position && !input.elements.empty()) what += ": " + joined(input.elements);
+    const bool differs = library.has_spherical_joints() && is_of_joints(input.role);
+    if ((input.role == Role::joint_position || differs) && !input.elements.empty())
+      what += ": " + joined(input.elements);
   }
   if (is_required) return "@param {" + type + "} " + p.name + " " + what;
   return "@param {" + type + "} [" + p.name + "] " + what + "; default " +
@@ -148,6 +150,7 @@ std::string documentation(const Library& library, const Callable& callable, cons
     else
       lines.push_back(parameter_line(library, f.program.inputs[i], p, i < required));
   }
+  if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) lines.push_back(remark);
   std::vector<std::string> columns;
   for (const int j : f.columns) columns.push_back(library.joints[static_cast<std::size_t>(j)].name);
   lines.push_back(returns_line(f.program.outputs) + (columns.empty() ? "" : "; columns: " + joined(columns)));

@@ -69,18 +69,29 @@ std::vector<std::string> joint_members(const JointData& j) {
 std::string print_model(const Library& library) {
   std::vector<std::string> documentation = {
       "Constants of the robot, in SI units. Indices count from 0; link 0 is the base, whose parent_joint is -1.",
-      "joints: those of q, with the pose of the joint frame in the frame of the parent link: translation, then "
+      "joints: those of joint arrays, with the pose of the joint frame in the frame of the parent link: translation, "
+      "then "
       "rotation about the axes x, y', z''; limits.",
       "coupled_joints: those that follow, counted behind the others: factors * q + offset.",
       "links: mass, com, and about the origin of the link frame moments of inertia xx, yy, zz and products of inertia "
       "xy, xz, yz, of positive sign.",
       "frames: the link that a frame moves with, and its pose in the frame of this link."};
+  if (library.has_spherical_joints())
+    documentation.push_back(
+        "positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
+        "three "
+        "components, its angular velocities about the axes of the child.");
   if (!library.parameters.empty())
     documentation.push_back(
         "Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");
   std::string text = "\n/**\n" + comment_lines(documentation, " * ") + " */\nexport const model = {\n";
   text += "  name: " + quoted(library.robot) + ",\n";
   text += "  dof: " + std::to_string(library.joints.size()) + ",\n";
+  if (library.has_spherical_joints()) {
+    std::vector<std::string> names;
+    for (const std::string& name : library.positions) names.push_back(quoted(name));
+    text += wrapped("  positions: [", names, "],");
+  }
   text += std::string("  floating_base: ") + (library.floating_base ? "true" : "false") + ",\n  joints: [\n";
   for (const JointData& j : library.joints) text += item(joint_members(j));
   text += "  ],\n  coupled_joints: [\n";

@@ -77,7 +77,7 @@ std::string heading(const std::string& name, const std::vector<std::string>& sum
 
 std::string describe_arguments(const std::vector<InputArray>& inputs, const Kernel& kernel, std::size_t required) {
   std::string text;
-  bool names_joints = true;
+  std::vector<std::string> named;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const InputArray& input = inputs[i];
     const std::string& name = kernel.parameters[i].name;
@@ -87,9 +87,9 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
       continue;
     }
     std::string what = meaning_of(input.role);
-    if (is_of_joints(input.role) && names_joints && size > 0) {
+    if (is_of_joints(input.role) && input.elements != named && size > 0) {
       what += ": " + joined(input.elements);
-      names_joints = false;
+      named = input.elements;
     }
     if (i >= required) what += default_of(input);
     if (input.role == Role::link_wrenches) {
@@ -108,9 +108,11 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
 
 std::string help(const Library& library, const Callable& callable, const Kernel& kernel) {
   const Function& function = callable.longest();
+  const std::string remark = remark_on_quaternions(function.program);
   return heading(callable.name, summary(callable)) +
          describe_arguments(function.program.inputs, kernel, required_inputs(library, callable)) +
-         results(library, function) + comment(describe_operations(function.program));
+         (remark.empty() ? "" : comment(remark)) + results(library, function) +
+         comment(describe_operations(function.program));
 }
 
 std::string origin(const Library& library) {

@@ -38,11 +38,16 @@ std::string columns(const std::string& field, const Items& items, std::size_t ro
   return matrix("model." + field, cells);
 }
 
+// Whether each joint is of this type.
+std::string type_field(const std::string& field, const std::vector<JointData>& joints, JointType type) {
+  return column(
+      field, texts(joints, [&](const JointData& j) { return std::string(j.type == type ? "true" : "false"); }));
+}
+
 std::string joint_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
   std::string text = names(prefix + "joints", texts(joints, [](const JointData& j) { return quoted(j.name); }));
   const auto field = [&](const std::string& name, auto value) { text += column(prefix + name, texts(joints, value)); };
-  field(
-      "is_revolute", [](const JointData& j) { return std::string(j.type == JointType::revolute ? "true" : "false"); });
+  text += type_field(prefix + "is_revolute", joints, JointType::revolute);
   field("parent_link", [](const JointData& j) { return std::to_string(j.parent + 1); });
   field("child_link", [](const JointData& j) { return std::to_string(j.child + 1); });
   field("lower_limit", [](const JointData& j) { return number(j.limits.lower); });
@@ -77,11 +82,7 @@ std::string drive_fields(const std::vector<JointData>& joints, const std::string
 
 // Of robots with helical joints.
 std::string pitch_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
-  return column(
-             prefix + "is_helical",
-             texts(
-                 joints,
-                 [](const JointData& j) { return std::string(j.type == JointType::helical ? "true" : "false"); })) +
+  return type_field(prefix + "is_helical", joints, JointType::helical) +
          column(prefix + "pitch", texts(joints, [](const JointData& j) { return number(j.pitch); }));
 }
 
@@ -153,6 +154,10 @@ std::string print_model(const Library& library) {
         "  joints also have drives: damping, friction and the velocity below which it falls to zero, armature, "
         "stiffness and rest of a spring, and of a rotor its inertia, ratio, axis and rotor_carrier, a link, 0 without "
         "rotor.");
+  if (library.has_spherical_joints())
+    text += comment(
+        "  positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
+        "three components, is_spherical, its angular velocities about the axes of the child.");
   if (library.has_pitches())
     text += comment("  joints also have is_helical, and the pitch of those that are, m a radian; 0 of others.");
   text += comment(
@@ -173,10 +178,12 @@ std::string print_model(const Library& library) {
   text += "\n" + origin(library) + "\n";
   text += "  model.name = " + quoted(library.robot) + ";\n";
   text += "  model.dof = " + std::to_string(library.joints.size()) + ";\n";
+  if (library.has_spherical_joints()) text += names("positions", texts(library.positions, quoted));
   text += std::string("  model.floating_base = ") + (library.floating_base ? "true" : "false") + ";\n";
   text += "\n" + joint_fields(library.joints);
   if (library.has_drives()) text += drive_fields(library.joints);
   if (library.has_pitches()) text += pitch_fields(library.joints);
+  if (library.has_spherical_joints()) text += type_field("is_spherical", library.joints, JointType::spherical);
   text += coupling_fields(library) + "\n" + link_fields(library.links) + "\n" + frame_fields(library.frames);
   if (!library.limbs.empty()) text += "\n" + limb_fields(library.limbs);
   return text + "end\n";

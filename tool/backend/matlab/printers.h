@@ -25,7 +25,8 @@ std::string print_checks(
 std::string first_line(const Callable& callable);
 
 // The comment below the signature, and its parts: what the function is; the arguments in their order, of which the
-// first `required` have no default. Joints are named once: all arrays of joints have this order.
+// first `required` have no default. Joints are named once, as all arrays of joints have this order,
+// and the elements of q apart where they are others.
 std::string heading(const std::string& name, const std::vector<std::string>& summary);
 std::string describe_arguments(
     const std::vector<symbolic::InputArray>& inputs,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "backend/common/meaning.h"
 #include "backend/common/product.h"
 #include "support/concat.h"
 #include "support/number.h"
@@ -152,6 +153,7 @@ std::vector<std::string> documentation(const Library& library, const Function& f
   if (!f.method.empty()) lines.push_back(f.method);
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i)
     lines.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
+  if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) lines.push_back(remark);
   std::vector<std::string> outputs, columns;
   for (const OutputArray& output : f.program.outputs) outputs.push_back(describe(output));
   lines.push_back("returns " + joined(outputs));

@@ -55,8 +55,8 @@ struct Module {
   const char* documentation;
   std::vector<Function> functions;
   ParameterTable parameters;
-  std::vector<const char*> joints, links, frames;
-  std::vector<int> parents;  // by link; -1: the base
+  std::vector<const char*> joints, positions, links, frames;  // positions: the elements of q
+  std::vector<int> parents;                                   // by link; -1: the base
   std::vector<double> lower, upper, velocity, effort;
 };
 
