@@ -1,12 +1,12 @@
 // Keeps operation counts from rising.
 //
-//     count_operations check  <file> <generator> <groups> <further groups> <robot>=<document> …
-//     count_operations update <file> <generator> <groups> <further groups> <robot>=<document> …
+//     count_operations check  <file> <generator> <groups> <further groups> <robot>=<document>[@<contacts>] …
+//     count_operations update <file> <generator> <groups> <further groups> <robot>=<document>[@<contacts>] …
 //
 // `check` counts the functions of these robots anew and compares with the file: exit status 1, and a line for each,
 // when one rose or is gone; 77 when none did but some fell or are new. `update` writes the file. `groups` are the
-// groups of functions, separated by commas; further groups are counted for the robots that have them. Exit status 2:
-// usage, input or output.
+// groups of functions, separated by commas; further groups are counted for the robots that have them, and functions of
+// contacts for those with contact frames. Exit status 2: usage, input or output.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,22 +26,33 @@ namespace robcogen::bench {
 namespace {
 
 constexpr int kWorse = 1, kWrong = 2, kOther = 77;
+constexpr char kContactsFollow = '@';
+
+struct Robot {
+  std::string name, document, contacts;
+};
 
 struct Arguments {
   bool update = false;
   std::string file, generator, groups, further_groups;
-  std::vector<std::pair<std::string, std::string>> robots;  // names and documents
+  std::vector<Robot> robots;
 };
 
 Arguments read_arguments(const std::vector<std::string>& words) {
   const std::string usage =
-      "usage: count_operations check|update <file> <generator> <groups> <further groups> <robot>=<document> ...";
+      "usage: count_operations check|update <file> <generator> <groups> <further groups> "
+      "<robot>=<document>[@<contacts>] ...";
   if (words.size() < 6 || (words[0] != "check" && words[0] != "update")) throw std::runtime_error(usage);
   Arguments arguments = {words[0] == "update", words[1], words[2], words[3], words[4], {}};
   for (std::size_t i = 5; i < words.size(); ++i) {
-    const std::size_t equals = words[i].find('=');
+    // A folder may have the sign in its name.
+    const std::size_t equals = words[i].find('='), folder = words[i].rfind('/');
+    const std::size_t sign = words[i].find(kContactsFollow, folder == std::string::npos ? 0 : folder);
     if (equals == std::string::npos) throw std::runtime_error(usage);
-    arguments.robots.emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
+    const bool has_contacts = sign != std::string::npos;
+    arguments.robots.push_back(
+        {words[i].substr(0, equals), words[i].substr(equals + 1, has_contacts ? sign - equals - 1 : sign),
+         has_contacts ? words[i].substr(sign + 1) : ""});
   }
   return arguments;
 }
@@ -59,10 +70,10 @@ bool has(const std::vector<Counted>& functions, const std::string& name) {
 
 Counts count(const Arguments& arguments) {
   Counts counts;
-  for (const auto& [robot, document] : arguments.robots) {
-    const auto command_of = [&](const std::string& groups) {
-      return fmt::format(
-          "{} ops --json --algorithms {} -- {}", quoted(arguments.generator), quoted(groups), quoted(document));
+  for (const auto& [robot, document, contacts] : arguments.robots) {
+    const std::string generator = quoted(arguments.generator), model = quoted(document);
+    const auto command_of = [&](const std::string& groups, const std::string& options = "") {
+      return fmt::format("{} ops --json{} --algorithms {} -- {}", generator, options, quoted(groups), model);
     };
     const std::optional<std::string> output = output_of(command_of(arguments.groups));
     if (!output) throw std::runtime_error(command_of(arguments.groups) + " failed");
@@ -70,10 +81,13 @@ Counts count(const Arguments& arguments) {
     functions = read_operations(*output);
     // Messages about groups that this robot lacks are not shown. What all groups have, such as the update of
     // parameters, is that of the first ones.
-    for (const std::string& group : split(arguments.further_groups))
-      if (const auto further = output_of(command_of(group) + " 2>/dev/null"))
+    const auto add = [&](const std::string& command) {
+      if (const auto further = output_of(command + " 2>/dev/null"))
         for (Counted& counted : read_operations(*further))
           if (!has(functions, counted.first)) functions.push_back(std::move(counted));
+    };
+    for (const std::string& group : split(arguments.further_groups)) add(command_of(group));
+    if (!contacts.empty()) add(command_of("contacts,operational_space", " --contacts " + quoted(contacts)));
   }
   return counts;
 }

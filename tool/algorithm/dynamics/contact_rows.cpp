@@ -23,13 +23,25 @@ std::vector<Expression> elements_of(const model::ContactFrame& contact, const Mo
   return values;
 }
 
+// Of a point without angular parts, which nothing reads.
+std::vector<Motion> columns_of(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const model::FramePair& frames,
+    bool is_surface) {
+  if (is_surface) return columns_with_base(trace, q, frames);
+  std::vector<Motion> columns;
+  for (const Vector3& linear : point_columns(trace, q, frames)) columns.push_back({{}, linear});
+  return columns;
+}
+
 }  // namespace
 
 ContactRows::ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts)
     : names(motion_elements(contacts)) {
   const model::Frame base = trace.tree.frames().front();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const std::vector<Motion> columns = columns_with_base(trace, q, {base, contacts[c].frame});
+    const std::vector<Motion> columns = columns_of(trace, q, {base, contacts[c].frame}, contacts[c].is_surface);
     const std::size_t first = J.size();
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const std::vector<Expression> elements = elements_of(contacts[c], columns[k]);

@@ -24,6 +24,11 @@ ChainColumns chain_columns(
 // The columns of jacobian_with_base.
 std::vector<Motion> columns_with_base(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames);
 
+// Their linear parts alone, for a left frame of the base: the velocity of a point of the robot by each coordinate. They
+// are made in the cheaper of two ways: axes and origins of the joints are placed in the base, or the columns are found
+// in axes of the joints and turned to the base by the joints in front of them.
+std::vector<Vector3> point_columns(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames);
+
 // Column by column, angular rows first.
 std::vector<Expression> elements_of(const std::vector<Motion>& columns);
 
