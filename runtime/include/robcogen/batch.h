@@ -44,11 +44,12 @@ struct ByElement {
   std::ptrdiff_t stride;
 };
 
-// Array of structures: element k of state i is at data[i * stride + k].
+// Array of structures: element k of state i is at data[(first + i) * stride + k].
 template <class Value, class Number>
 struct ByState {
   Number* data;
   std::ptrdiff_t stride;  // 0: states are contiguous
+  std::ptrdiff_t first = 0;
 };
 
 // `stride` is at least the number of states. Best are data that are aligned to 64 bytes and a stride that is a multiple
@@ -82,8 +83,17 @@ constexpr bool kFits = std::is_same_v<Value, T> || (std::is_same_v<Value, AnyVec
 template <class T, class Value, class Number, class From>
 constexpr bool kTakes = kFits<Value, T>&& std::is_same_v<std::remove_const_t<From>, Number>;
 
-template <class T>
-constexpr std::ptrdiff_t kElements = sizeof(T) / sizeof(typename NumberOf<T>::type);
+// The array as one of T.
+template <class T, class Value, class Number>
+constexpr Strided<Number> strided(const ByElement<Value, Number>& states) noexcept {
+  return {states.data, states.stride, 1};
+}
+template <class T, class Value, class Number>
+constexpr Strided<Number> strided(const ByState<Value, Number>& states) noexcept {
+  constexpr std::ptrdiff_t kElements = sizeof(T) / sizeof(typename NumberOf<T>::type);
+  const std::ptrdiff_t stride = states.stride != 0 ? states.stride : kElements;
+  return {states.data + states.first * stride, 1, stride};
+}
 
 }  // namespace detail
 
@@ -110,16 +120,20 @@ class Input {
   using Number = typename detail::NumberOf<T>::type;
 
   template <class Value, class From, class = std::enable_if_t<detail::kTakes<T, Value, Number, From>>>
-  Input(const ByElement<Value, From>& states) noexcept : array_{states.data, states.stride, 1} {}
+  Input(const ByElement<Value, From>& states) noexcept : array_(constant(detail::strided<T>(states))) {}
   template <class Value, class From, class = std::enable_if_t<detail::kTakes<T, Value, Number, From>>>
-  Input(const ByState<Value, From>& states) noexcept
-      : array_{states.data, 1, states.stride != 0 ? states.stride : detail::kElements<T>} {}
+  Input(const ByState<Value, From>& states) noexcept : array_(constant(detail::strided<T>(states))) {}
   // The same in all states. It must live as long as the call.
   Input(const T& value) noexcept : array_{reinterpret_cast<const Number*>(&value), 1, 0} {}
 
   const Strided<const Number>& array() const noexcept { return array_; }
 
  private:
+  template <class From>
+  static Strided<const Number> constant(const Strided<From>& a) noexcept {
+    return {a.data, a.element, a.state};
+  }
+
   Strided<const Number> array_;
 };
 
@@ -130,10 +144,9 @@ class Output {
   using Number = typename detail::NumberOf<T>::type;
 
   template <class Value, class = std::enable_if_t<detail::kFits<Value, T>>>
-  Output(const ByElement<Value, Number>& states) noexcept : array_{states.data, states.stride, 1} {}
+  Output(const ByElement<Value, Number>& states) noexcept : array_(detail::strided<T>(states)) {}
   template <class Value, class = std::enable_if_t<detail::kFits<Value, T>>>
-  Output(const ByState<Value, Number>& states) noexcept
-      : array_{states.data, 1, states.stride != 0 ? states.stride : detail::kElements<T>} {}
+  Output(const ByState<Value, Number>& states) noexcept : array_(detail::strided<T>(states)) {}
 
   const Strided<Number>& array() const noexcept { return array_; }
 
