@@ -3,13 +3,17 @@
 // node code.mjs TOOL FOLDER ROBOTS
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { makeRobot, postureOf, swing } from "../../tool/view/page/posture.js";
+import { elementsOf, quaternionOf, turnOf } from "../../tool/view/page/positions.js";
+import { makeRobot, makeState, postureOf, setCoordinate, swing } from "../../tool/view/page/posture.js";
 import { dot, place, principal, rotate } from "../../tool/view/page/vectors.js";
 
 const [tool, folder, robots] = process.argv.slice(2);
+
+mkdirSync(folder, { recursive: true });
 
 // The same numbers in every run.
 let seed = 7;
@@ -18,8 +22,10 @@ const random = () => {
   return (2 * seed) / 2147483648 - 1;
 };
 
+// Without friction, for the energy's sake.
 async function load(name) {
-  const document = join(robots, name, `${name}.kindsl`);
+  const document = join(folder, `${name}.kindsl`), text = readFileSync(join(robots, name, `${name}.kindsl`), "utf8");
+  writeFileSync(document, text.replaceAll(/\bdamping = \S+/g, ""));
   const words = ["generate", document, "-o", folder, "--name", name, "--language", "javascript"];
   execFileSync(tool, [...words, "--algorithms", "energy,forward_dynamics,bias_forces,transforms"], { stdio: "pipe" });
   const module = await import(pathToFileURL(join(folder, "javascript", `${name}.mjs`)).href);
@@ -46,7 +52,7 @@ for (let k = 0; k < 200; ++k) {
 // Solid ellipsoids have the moments that they are drawn for; masses add up.
 {
   const robot = await load("hyl");
-  const posture = postureOf(robot, { q: [0.1, 0.7, -1.2], qd: [0, 0, 0], parameters: {} });
+  const posture = postureOf(robot, makeState(robot, [0.1, 0.7, -1.2], {}));
   const moving = robot.model.links.filter((link) => link.mass > 0);
   near(posture.carried[0].mass, moving.reduce((sum, link) => sum + link.mass, 0), 1e-12, "whole mass");
   robot.model.links.forEach((link, l) => {
@@ -76,10 +82,11 @@ function transposed(pose) {
 }
 
 // Without friction the energy stays. A robot that falls freely, and a chain.
-for (const name of ["hyl", "tree5"]) {
+for (const name of ["hyl", "tree5", "ball_leg"]) {
   const robot = await load(name);
   robot.joints = robot.joints.map((joint) => ({ ...joint, lower: -Infinity, upper: Infinity }));
-  const state = { q: robot.joints.map(() => 0.4 + 0.3 * random()), qd: robot.joints.map(() => 0), parameters: {} };
+  const q = elementsOf(robot.model.joints, robot.joints.map(() => 0.4 + 0.3 * random()));
+  const state = makeState(robot, q, {});
   const energy = () => robot.module.kinetic_energy(state.q, state.qd) + robot.module.potential_energy(state.q);
   const before = energy(), start = [...state.q];
   let kinetic = 0;
@@ -92,11 +99,36 @@ for (const name of ["hyl", "tree5"]) {
   assert.notDeepEqual(state.q, start);
 }
 
+// Quaternions of turns and back, also of none, of nearly half a turn, and of the other sign.
+for (const size of [0, 1e-9, 1e-5, 0.7, 3.14159]) {
+  const axis = [random(), random(), random()], norm = Math.hypot(...axis), turn = axis.map((v) => (size * v) / norm);
+  const quaternion = quaternionOf(turn);
+  near(Math.hypot(...quaternion), 1, 1e-15, "unit quaternion");
+  for (const sign of [1, -1])
+    turnOf(quaternion.map((e) => sign * e)).forEach((v, k) => near(v, turn[k], 1e-14, "turn"));
+}
+
+// A slider of a spherical joint turns the child about its axis, and what it shows is what it was set to.
+{
+  const robot = await load("ball_leg"), state = makeState(robot, [1, 0, 0, 0, 0.4, 1, 0, 0, 0], {});
+  const j = robot.joints.findIndex((joint) => joint.name === "ankle_y"), child = robot.joints[j].child;
+  const before = postureOf(robot, state).poses[child];
+  setCoordinate(robot, state, j, 2.5);
+  const posture = postureOf(robot, state), after = posture.poses[child];
+  assert.equal(posture.positions[j], 2.5);
+  const [c, s] = [Math.cos(2.5), Math.sin(2.5)];
+  [0, 1, 2].forEach((r) => {
+    near(after[r][0], c * before[r][0] - s * before[r][2], 1e-14, "x axis");
+    near(after[r][1], before[r][1], 1e-14, "y axis");
+    near(after[r][3], before[r][3], 1e-14, "origin");
+  });
+}
+
 // A joint stops at its limit.
 {
   const robot = await load("hyl");
   robot.joints = robot.joints.map((joint, j) => (j === 0 ? { ...joint, lower: -0.1, upper: 0.1 } : joint));
-  const state = { q: [0, 0.2, 0.3], qd: [0, 0, 0], parameters: {} };
+  const state = makeState(robot, [0, 0.2, 0.3], {});
   for (let k = 0; k < 240; ++k) swing(robot, state, 1 / 240);
   assert.equal(state.q[0], -0.1);
 }

@@ -68,8 +68,9 @@ TEST_P(Drawing, StaysOnThePaper) {
 TEST_P(Drawing, HasEveryJointAndMass) {
   const view::ViewedRobot robot = view::viewed(load_robot(GetParam()));
   const std::string text = drawn(GetParam(), false);
-  const auto hubs = matches(text, "<circle [^>]*class=\"(hub|sledge)\"");
-  EXPECT_EQ(hubs.size(), robot.library.all_joints().size());
+  const auto hubs = matches(text, "<circle [^>]*class=\"(hub|sledge|ball)\"");
+  EXPECT_EQ(hubs.size(), robot.library.all_joints().size() - 2 * robot.library.quaternions().size());
+  EXPECT_EQ(matches(text, "class=\"ball\"").size(), robot.library.quaternions().size());
   const view::Posture posture = view::posture(robot, some_positions(robot), declared_parameters(robot));
   const auto masses = std::count_if(posture.masses.begin(), posture.masses.end(), [](double m) { return m > 0; });
   EXPECT_EQ(matches(text, "<g transform").size(), static_cast<std::size_t>(masses + 1));
@@ -78,7 +79,7 @@ TEST_P(Drawing, HasEveryJointAndMass) {
 INSTANTIATE_TEST_SUITE_P(
     Of,
     Drawing,
-    testing::Values("hyl", "hyl_parametric", "scara", "gripper", "quadruped"),
+    testing::Values("hyl", "hyl_parametric", "scara", "gripper", "ball_leg", "quadruped"),
     [](const auto& robot) { return robot.param; });
 
 double luminance(int r, int g, int b) {

@@ -51,11 +51,28 @@ const carriedBy = (page, joint) =>
     return [...item.querySelectorAll("button")].map((b) => b.querySelector("span").textContent);
   })()`);
 
+// Arguments q of functions from what sliders show: of a spherical joint, whose three are the vector of its turn, the
+// unit quaternion of half the angle.
+function elementsOf(joints, positions) {
+  const q = [];
+  for (let j = 0; j < joints.length; ++j) {
+    if (joints[j] !== "spherical") {
+      q.push(positions[j]);
+      continue;
+    }
+    const turn = positions.slice(j, j + 3), angle = Math.hypot(...turn);
+    q.push(Math.cos(angle / 2), ...turn.map((v) => (v / angle) * Math.sin(angle / 2)));
+    j += 2;
+  }
+  return q;
+}
+
 // Each slider moves the links that its joint carries, and no others.
 async function checkSliders(page) {
   const data = await page.evaluate("JSON.parse(document.getElementById('data').textContent)");
   const links = await page.evaluate("robcogen.links().map((l) => l.name)");
-  const list = await sliders(page), q = [];
+  const list = await sliders(page), q = [], types = await page.evaluate("robcogen.types()");
+  const nameOf = (type, component) => (type === "spherical" ? component.slice(0, -2) : component);
   for (let k = 0; k < list.length; ++k) {
     const before = await poses(page);
     const { joint, low, high } = list[k];
@@ -67,9 +84,9 @@ async function checkSliders(page) {
       .map((f) => links[f.link]);
     if (low === high) assert.deepEqual(moved, [], `${joint} cannot move`);
     else if (Object.keys(positions).length > list.length) assert.ok(moved.length > 0, `${joint} moves nothing`);
-    else assert.deepEqual(moved.sort(), (await carriedBy(page, joint)).sort(), `what ${joint} moves`);
+    else assert.deepEqual(moved.sort(), (await carriedBy(page, nameOf(types[k], joint))).sort(), `what ${joint} moves`);
   }
-  return { q, data };
+  return { q: elementsOf(types.slice(0, list.length), q), data };
 }
 
 async function checkPoses(page, model, given, data) {
@@ -218,7 +235,7 @@ async function checkRobot(browser, model) {
   assert.deepEqual(page.faults, []);
   await page.close();
   assert.ok(time < kMaxFrameTime, `a frame takes ${time} ms`);
-  console.log(`${name}: ${q.length} joints, ${time.toFixed(1)} ms a frame. ${status ?? "It cannot swing."}`);
+  console.log(`${name}: ${q.length} positions, ${time.toFixed(1)} ms a frame. ${status ?? "It cannot swing."}`);
 }
 
 mkdirSync(folder, { recursive: true });

@@ -19,9 +19,33 @@ Matrix<double> placement(const Placed& placed) {
   return reference::placement<double>(t, r);
 }
 
+// The element of q of a joint; of the first component of a spherical joint that behind the scalar part.
+int element_of(const backend::Library& library, std::size_t joint) {
+  int element = static_cast<int>(joint);
+  for (std::size_t j = 0; j <= joint; ++j)
+    if (library.joints[j].type == backend::JointType::spherical && !library.is_follower(j)) ++element;
+  return element;
+}
+
+// Of a unit quaternion, by its angle and its axis: Rodrigues' formula.
+Matrix<double> turn_of(double w, const std::array<double, 3>& vector) {
+  const double sine = std::hypot(vector[0], vector[1], vector[2]), angle = 2 * std::atan2(sine, w);
+  Matrix<double> K(3, 3), result = Matrix<double>::identity(4);
+  for (int i = 0; i < 3; ++i) {
+    const double u = vector[static_cast<std::size_t>(i)] / sine;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    K(k, j) = u;
+    K(j, k) = -u;
+  }
+  const Matrix<double> square = K * K;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) result(r, c) += std::sin(angle) * K(r, c) + (1 - std::cos(angle)) * square(r, c);
+  return result;
+}
+
 double position(const backend::Library& library, const std::vector<double>& q, std::size_t joint) {
-  if (joint < q.size()) return q[joint];
-  const backend::CoupledJointData& coupled = library.coupled[joint - q.size()];
+  if (joint < library.joints.size()) return q[static_cast<std::size_t>(element_of(library, joint))];
+  const backend::CoupledJointData& coupled = library.coupled[joint - library.joints.size()];
   double sum = coupled.offset;
   for (std::size_t k = 0; k < q.size(); ++k) sum += coupled.factors[k] * q[k];
   return sum;
@@ -40,6 +64,12 @@ void place(
   for (std::size_t j = 0; j < all.size(); ++j) {
     if (all[j].parent != link) continue;
     joints[j] = pose * placement(all[j]);
+    if (library.is_follower(j)) continue;
+    if (all[j].type == backend::JointType::spherical) {
+      const auto k = static_cast<std::size_t>(element_of(library, j)) - 1;
+      place(library, q, all[j].child, joints[j] * turn_of(q[k], {q[k + 1], q[k + 2], q[k + 3]}), links, joints);
+      continue;
+    }
     const double value = position(library, q, j);
     const double turn = backend::turns(all[j].type) ? value : 0;
     const double slide = all[j].type == backend::JointType::prismatic ? value : all[j].pitch * value;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,8 +13,8 @@
 
 namespace robcogen::test {
 
-inline const std::string kRobots[] = {"hyl",    "hyl_parametric", "tree5",           "scara", "gripper",
-                                      "iiwa14", "quadruped",      "quadruped_fixed", "wrist", "humanoid"};
+inline const std::string kRobots[] = {"hyl",       "hyl_parametric",  "tree5", "scara",    "gripper", "iiwa14",
+                                      "quadruped", "quadruped_fixed", "wrist", "ball_leg", "humanoid"};
 
 inline driver::Model load_robot(const std::string& name) {
   Diagnostics diagnostics;
@@ -26,7 +27,13 @@ inline driver::Model load_robot(const std::string& name) {
 // Positions that differ between joints.
 inline std::vector<double> some_positions(const view::ViewedRobot& robot) {
   std::vector<double> q;
-  for (std::size_t k = 0; k < robot.library.joints.size(); ++k) q.push_back(0.3 + 0.17 * static_cast<double>(k % 7));
+  const std::size_t count = robot.library.position_names().size();
+  for (std::size_t k = 0; k < count; ++k) q.push_back(0.3 + 0.17 * static_cast<double>(k % 7));
+  for (const int first : robot.library.quaternions()) {
+    const auto begin = q.begin() + first;
+    const double norm = std::sqrt(std::inner_product(begin, begin + 4, begin, 0.0));
+    for (auto e = begin; e < begin + 4; ++e) *e /= norm;
+  }
   return q;
 }
 

@@ -65,6 +65,11 @@ struct JointData {
   double pitch = 0;  // of a helical joint: m a radian
 };
 
+// As in the document: of a component of a spherical joint, `hip_x`, the name of that joint.
+inline std::string declared_name(const JointData& joint) {
+  return joint.type == JointType::spherical ? joint.name.substr(0, joint.name.size() - 2) : joint.name;
+}
+
 // A joint whose position is a sum of factor * q of the joints that have positions of their own, and of `offset`.
 struct CoupledJointData {
   JointData joint;
@@ -208,14 +213,25 @@ struct Library {
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
 
   bool has_spherical_joints() const { return !positions.empty(); }
+  // Whether it is a component of a spherical joint behind the first one.
+  bool is_follower(std::size_t joint) const {
+    return joint > 0 && joint < joints.size() && joints[joint].type == JointType::spherical &&
+           joints[joint - 1].child == joints[joint].child;
+  }
   // Elements of q at which quaternions begin.
   std::vector<int> quaternions() const {
     std::vector<int> first;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const bool follows = j > 0 && joints[j - 1].child == joints[j].child;
-      if (joints[j].type == JointType::spherical && !follows) first.push_back(static_cast<int>(j + first.size()));
-    }
+    for (std::size_t j = 0; j < joints.size(); ++j)
+      if (joints[j].type == JointType::spherical && !is_follower(j))
+        first.push_back(static_cast<int>(j + first.size()));
     return first;
+  }
+  // Of the elements of q.
+  std::vector<std::string> position_names() const {
+    std::vector<std::string> names = positions;
+    if (names.empty())
+      for (const JointData& joint : joints) names.push_back(joint.name);
+    return names;
   }
   bool has_robot() const { return !links.empty(); }
   std::vector<JointData> coupled_joints() const {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "command/output.h"
-#include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "support/files.h"
@@ -59,16 +58,26 @@ void assign(
   }
 }
 
-// Zero, or the limit that is nearest to it.
+// Of unit length: few digits are typed.
+void normalise(const std::vector<std::string>& names, std::size_t first, std::vector<double>& q) {
+  const double norm = std::hypot(std::hypot(q[first], q[first + 1]), std::hypot(q[first + 2], q[first + 3]));
+  if (!(norm > 0) || std::isinf(norm))
+    refuse("--q", fmt::format("the quaternion of {} to {} has no direction", names[first], names[first + 3]), "");
+  for (std::size_t k = first; k < first + 4; ++k) q[k] /= norm;
+}
+
+// Zero, or the limit that is nearest to it; of spherical joints no turn.
 std::vector<double> positions(const ViewOptions& options, const view::ViewedRobot& robot) {
-  std::vector<std::string> names;
+  const std::vector<std::string> names = robot.library.position_names();
   std::vector<double> values;
-  for (const backend::JointData& joint : robot.library.joints) {
-    names.push_back(joint.name);
+  for (std::size_t j = 0; j < robot.library.joints.size(); ++j) {
+    const backend::JointData& joint = robot.library.joints[j];
+    if (joint.type == backend::JointType::spherical && !robot.library.is_follower(j)) values.push_back(1.0);
     values.push_back(
         joint.limits.lower <= joint.limits.upper ? std::clamp(0.0, joint.limits.lower, joint.limits.upper) : 0.0);
   }
   assign("--q", options.q, names, values);
+  for (const int first : robot.library.quaternions()) normalise(names, static_cast<std::size_t>(first), values);
   return values;
 }
 
@@ -113,19 +122,13 @@ Status write(const ViewOptions& options, const driver::Model& model, const std::
   return ok;
 }
 
-// A Failure where the model is not a robot, or has joints that pictures have none of.
-view::ViewedRobot viewed_robot(const driver::Model& model) {
-  if (model.robot()) refuse_spherical_joints(model.robot()->tree, "pictures have no spherical joints");
-  return view::viewed(model);
-}
-
 }  // namespace
 
 Status draw(const ViewOptions& options) {
   require_robot(options, "draw");
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = viewed_robot(*model);
+  const view::ViewedRobot robot = view::viewed(*model);
   view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr};
   view::Pattern pattern;
   if (options.pattern) {
@@ -141,7 +144,7 @@ Status view(const ViewOptions& options) {
   Diagnostics diagnostics;
   const std::optional<driver::Model> model = options.model.load({}, diagnostics);
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = viewed_robot(*model);
+  const view::ViewedRobot robot = view::viewed(*model);
   const view::PageOptions page = {positions(options, robot), parameters(options, robot)};
   return write(options, *model, view::page(*model, robot, diagnostics, page));
 }

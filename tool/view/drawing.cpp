@@ -23,7 +23,8 @@ constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#7d7d7d}line,polygon,path{stroke-linecap:round;stroke-linejoin:round}"
     ".bar{stroke:#6d8fb5}.tip{stroke:#6d8fb5;stroke-opacity:.55}.base{fill:#8a8a8a;fill-opacity:.3;stroke:#8a8a8a}"
     ".turn{stroke:#d08a2e;stroke-width:2.5}.slide{stroke:#a06cc0;stroke-width:2.5}.hub{fill:#d08a2e}"
-    ".sledge{fill:#a06cc0}.x{stroke:#d9534f}.y{stroke:#4a9f4f}.z{stroke:#4a86d8}.x,.y,.z{stroke-width:2}"
+    ".ball{fill:#d08a2e;fill-opacity:.4;stroke:#d08a2e;stroke-width:2}.sledge{fill:#a06cc0}.x{stroke:#d9534f}.y{stroke:"
+    "#4a9f4f}.z{stroke:#4a86d8}.x,.y,.z{stroke-width:2}"
     ".joint{fill:#b87820;font-style:italic}.frame{fill:#7d7d7d}.title{font-size:15px}"
     ".cell{fill:#6d8fb5}.grid{fill:none;stroke:#8a8a8a;stroke-opacity:.5}</style>\n";
 
@@ -84,6 +85,10 @@ void add_joint(Drawing& d, const JointData& joint, std::size_t index) {
   if (distance(origin(d.link(joint.parent)), origin(placed)) > 1e-9)
     d.canvas.line(origin(d.link(joint.parent)), origin(placed), bar);
   const std::string axis = turns ? "class=\"turn\"" : "class=\"slide\"";
+  if (joint.type == JointType::spherical) {
+    d.canvas.disc(origin(child), d.width * 1.2, "class=\"ball\"", 0.012 * d.length);
+    return;
+  }
   // Rails reach as far as the child has slid.
   if (distance(origin(placed), origin(child)) > 1e-9) d.canvas.line(origin(placed), origin(child), axis);
   const Point tip = along(child, 2, half);
@@ -157,6 +162,8 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::joint)
       d.joints[static_cast<std::size_t>(robot.frames[f].index)] = &posture.frames[f];
+  for (std::size_t j = 0; j < d.joints.size(); ++j)
+    if (robot.library.is_follower(j)) d.joints[j] = d.joints[j - 1];
   d.length = 0;
   for (const Pose& pose : posture.frames)
     d.length = std::max(d.length, distance(origin(pose), origin(posture.frames[0])));
@@ -165,7 +172,8 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   add_base(d);
   add_tips(d);
   const std::vector<JointData> joints = robot.library.all_joints();
-  for (std::size_t j = 0; j < joints.size(); ++j) add_joint(d, joints[j], j);
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (!robot.library.is_follower(j)) add_joint(d, joints[j], j);
   add_frame(d, d.link(0), 0.12 * d.length);
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::user) add_frame(d, posture.frames[f], 0.06 * d.length);
@@ -174,7 +182,9 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::user)
       d.canvas.label(origin(posture.frames[f]), robot.frames[f].name, "class=\"frame\"");
-  for (const JointData& joint : joints) d.canvas.label(origin(d.link(joint.child)), joint.name, "class=\"joint\"");
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (!robot.library.is_follower(j))
+      d.canvas.label(origin(d.link(joints[j].child)), backend::declared_name(joints[j]), "class=\"joint\"");
   return d.canvas.elements(0, kCaption, kPaper);
 }
 
@@ -261,10 +271,10 @@ std::string draw(const ViewedRobot& robot, const Posture& posture, const Drawing
   text += robot_elements(robot, posture, options);
   if (options.pattern) text += pattern_elements(*options.pattern, kPaper);
   return text + fmt::format(
-                    "<text x=\"20\" y=\"{:.1f}\">blue: links; orange: axes of revolute joints; violet: prismatic "
+                    "<text x=\"20\" y=\"{:.1f}\">blue: links; orange: axes of revolute joints{}; violet: prismatic "
                     "joints; quartered: "
                     "centres of mass</text>\n</svg>\n",
-                    height - 14);
+                    height - 14, robot.library.has_spherical_joints() ? ", balls" : "");
 }
 
 }  // namespace robcogen::view

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backend/javascript/javascript.h"
+#include "support/index.h"
 #include "view/canvas.h"
 #include "view/page_files.h"
 
@@ -16,7 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Each after those that it uses.
-constexpr const char* kScripts[] = {"vectors.js", "posture.js", "camera.js", "picture.js", "panels.js", "main.js"};
+constexpr const char* kScripts[] = {"vectors.js", "positions.js", "posture.js", "camera.js",
+                                    "picture.js", "panels.js",    "main.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {
   for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
@@ -71,7 +73,7 @@ int link_of(const Diagnostic& d, const model::KinematicTree& tree) {
   for (std::size_t l = 0; l < tree.links.size(); ++l)
     if (is_quoted(d.message, tree.links[l].name)) return static_cast<int>(l);
   for (const model::Joint& joint : tree.joints)
-    if (is_quoted(d.message, joint.name)) return joint.child;
+    if (!tree.links[at(joint.child)].is_repeated && is_quoted(d.message, joint.declared_name())) return joint.child;
   int link = -1;
   std::size_t last = 0;
   const auto consider = [&](const Place& place, int candidate) {
@@ -80,8 +82,10 @@ int link_of(const Diagnostic& d, const model::KinematicTree& tree) {
     last = place.span.begin;
     link = candidate;
   };
-  for (std::size_t l = 0; l < tree.links.size(); ++l) consider(tree.links[l].place, static_cast<int>(l));
-  for (const model::Joint& joint : tree.joints) consider(joint.place, joint.child);
+  for (std::size_t l = 0; l < tree.links.size(); ++l)
+    if (!tree.links[l].is_repeated) consider(tree.links[l].place, static_cast<int>(l));
+  for (const model::Joint& joint : tree.joints)
+    if (!tree.links[at(joint.child)].is_repeated) consider(joint.place, joint.child);
   return link;
 }
 
@@ -132,8 +136,9 @@ Json data_of(
   }
   for (std::size_t k = 0; k < library.parameters.size(); ++k)
     parameters[library.parameters[k].name] = options.parameters[k];
+  const std::size_t count = library.joints.size() - 2 * library.quaternions().size();
   const std::string about = fmt::format(
-      "{} · {} joint{} · {}", library.model_file, library.joints.size(), library.joints.size() == 1 ? "" : "s",
+      "{} · {} joint{} · {}", library.model_file, count, count == 1 ? "" : "s",
       robot.floats ? "floating base, held here" : "fixed base");
   return {{"about", about},   {"q", options.q},         {"parameters", parameters},
           {"frames", frames}, {"functions", functions}, {"warnings", warnings_of(diagnostics, model.robot()->tree)}};

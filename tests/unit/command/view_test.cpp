@@ -31,14 +31,23 @@ TEST(Draw, WritesADrawing) {
   EXPECT_NE(with_pattern.find(text.substr(first, text.rfind("<text", last) - first)), std::string::npos);
 }
 
-TEST(Draw, RefusesSphericalJoints) {
+// Positions by the names of their elements; a quaternion of any length but zero is a turn.
+TEST(Draw, TakesQuaternions) {
   const Scratch scratch("draw-spherical");
   const std::string leg = quoted(robot("ball_leg")), picture = quoted(scratch.path / "picture");
-  for (const char* command : {"draw ", "view "}) {
-    const Outcome run = run_tool(command + leg + " -o " + picture);
-    EXPECT_EQ(run.status, 1) << command;
-    EXPECT_NE(run.errors.find("pictures have no spherical joints"), std::string::npos) << run.errors;
-    EXPECT_FALSE(fs::exists(scratch.path / "picture"));
+  const auto drawn = [&](const std::string& q) {
+    const Outcome run = run_tool("draw " + leg + " -o " + picture + q);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return read_text(scratch.path / "picture");
+  };
+  const std::string quarter = drawn(" --q hip_y=1,knee=0.5");
+  EXPECT_EQ(quarter, drawn(" --q 0.5,0,0.5,0,0.5,1,0,0,0"));
+  EXPECT_NE(quarter, drawn(" --q knee=0.5"));
+  for (const char* q : {"hip_w=0", "0,0,0,0,0.5,1,0,0,0"}) {
+    const Outcome run = run_tool("draw " + leg + " -o " + picture + " --q " + q);
+    EXPECT_EQ(run.status, 2) << q;
+    EXPECT_NE(run.errors.find("--q: the quaternion of hip_w to hip_z has no direction"), std::string::npos)
+        << run.errors;
   }
 }
 

@@ -160,7 +160,7 @@ std::string print_source(const cpp::Api& api, const std::vector<Function>& funct
       "    {\n" + rows + "    }",
       "    " + print_parameters(api),
       column(library.joints, name),
-      library.has_spherical_joints() ? column(library.positions, cpp::quoted) : column(library.joints, name),
+      column(library.position_names(), cpp::quoted),
       column(library.links, name),
       column(library.frames, name),
       column(library.links, parent),

@@ -2,12 +2,12 @@
 import { makeCamera, projection, resetCamera, steerBy } from "./camera.js";
 import { element, makeJoints, makeOutline, makeParameters, makeWarnings, showLink } from "./panels.js";
 import { linkAt, paint, sizesOf } from "./picture.js";
-import { canSwing, makeRobot, postureOf, swing } from "./posture.js";
+import { canSwing, makeRobot, makeState, postureOf, setCoordinate, swing } from "./posture.js";
 
 const byId = (id) => document.getElementById(id);
 const data = JSON.parse(byId("data").textContent);
 const robot = makeRobot(generated, data);
-const state = { q: [...data.q], qd: data.q.map(() => 0), parameters: { ...data.parameters } };
+const state = makeState(robot, data.q, data.parameters);
 const options = {
   selected: -1,
   show: { frames: true, names: robot.joints.length <= 14, axes: true, masses: true, inertia: false, links: false },
@@ -61,10 +61,10 @@ function select(link) {
 
 const showOutline = makeOutline(robot, byId("outline"), select);
 const setPosition = (j, value) => {
-  state.q[j] = value;
-  state.qd.fill(0);
+  setCoordinate(robot, state, j, value);
   update();
 };
+const reset = () => Object.assign(state, makeState(robot, data.q, state.parameters));
 const showJoints = makeJoints(robot, state, sizes.around, byId("joints"), setPosition, select);
 makeWarnings(robot, byId("warnings"), select);
 makeParameters(state, byId("parameters"), (name, value) => {
@@ -80,8 +80,7 @@ function advance(now) {
   clock = now;
   for (let t = 0; t < missing && performance.now() - began < 11; t += kStep) {
     if (swing(robot, state, kStep)) continue;
-    state.q = [...data.q];
-    state.qd.fill(0);
+    reset();
     setSwinging(false);
     byId("status").textContent = "The motion became too fast for the steps of this page.";
     break;
@@ -108,8 +107,7 @@ byId("swing").hidden = !canSwing(robot);
 byId("swing").title = "Forward dynamics without joint forces, under gravity; the base is held";
 byId("swing").addEventListener("click", () => setSwinging(!isSwinging));
 byId("zero").addEventListener("click", () => {
-  state.q = [...data.q];
-  state.qd.fill(0);
+  reset();
   update();
 });
 byId("view").addEventListener("click", () => {
@@ -147,10 +145,11 @@ addEventListener("error", (event) => {
 readTheme();
 update();
 
-// For scripts: positions by the names of joints, and poses by the names of frames.
+// For scripts: positions by the names of joints, as sliders show them, and poses by the names of frames.
 globalThis.robcogen = {
   positions: () => Object.fromEntries(robot.joints.map((joint, j) => [joint.name, posture.positions[j]])),
   poses: () => Object.fromEntries(data.frames.map((frame, f) => [frame.name, posture.poses[f]])),
+  types: () => robot.joints.map((joint) => joint.type),
   gravity: () => posture.gravity,
   links: () =>
     robot.model.links.map((link, l) => ({ name: link.name, ...posture.masses[l], carried: posture.carried[l] })),

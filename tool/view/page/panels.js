@@ -1,4 +1,5 @@
 // Beside the picture: the outline of links, numbers of the selected one, joints, parameters, warnings.
+import { nameOf } from "./positions.js";
 import { jointAxis } from "./posture.js";
 import { origin } from "./vectors.js";
 
@@ -28,10 +29,10 @@ export function makeOutline(robot, container, select) {
   const item = (l) => {
     const joint = robot.joints[links[l].parent_joint];
     const warned = robot.data.warnings.some((w) => w.link === l);
-    const title = joint ? `${links[l].name}, moved by ${joint.name}` : links[l].name;
+    const title = joint ? `${links[l].name}, moved by ${nameOf(joint)}` : links[l].name;
     const name = element("span", {}, links[l].name);
     const button = element("button", { type: "button", role: "treeitem", "aria-selected": "false", title }, name);
-    if (joint) button.append(element("small", {}, joint.name));
+    if (joint) button.append(element("small", {}, nameOf(joint)));
     if (warned) button.append(element("span", { className: "mark", title: "has warnings" }, "⚠"));
     button.addEventListener("click", () => select(l));
     buttons[l] = button;
@@ -90,10 +91,12 @@ export function showLink(robot, posture, selected, container) {
   }
   pairs.push(["origin, in the base", `${three(origin(posture.poses[selected]))} m`]);
   if (j >= 0) {
-    const joint = robot.joints[j];
-    pairs.push(["joint", `${joint.name}, ${joint.type}`], ["axis, in the base", three(jointAxis(robot, posture, j))]);
+    const joint = robot.joints[j], isBall = joint.type === "spherical";
+    pairs.push(["joint", `${nameOf(joint)}, ${joint.type}`]);
+    if (!isBall) pairs.push(["axis, in the base", three(jointAxis(robot, posture, j))]);
     if (joint.type === "helical") pairs.push(["pitch", `${digits(joint.pitch)} m/rad`]);
-    pairs.push(["position", `${digits(posture.positions[j])} ${unitOf(joint)}`]);
+    const position = isBall ? three(posture.positions.slice(j, j + 3)) : digits(posture.positions[j]);
+    pairs.push([isBall ? "turned by" : "position", `${position} ${unitOf(joint)}`]);
     const isFree = joint.lower === -Infinity && joint.upper === Infinity;
     pairs.push(["limits", isFree ? "none" : `${digits(joint.lower)} … ${digits(joint.upper)} ${unitOf(joint)}`]);
   }
@@ -104,7 +107,8 @@ export function showLink(robot, posture, selected, container) {
   container.replaceChildren(element("h3", {}, links[selected].name), listed(pairs));
 }
 
-// A slider for each coordinate; without limits, half a turn or as far as the robot is long.
+// A slider for each coordinate; without limits, half a turn or as far as the robot is long. Those of a spherical joint
+// are the vector of its turn.
 export function makeJoints(robot, state, around, container, changed, select) {
   if (robot.joints.length === 0) return () => {};
   const rows = robot.joints.map((joint, j) => {
@@ -118,8 +122,8 @@ export function makeJoints(robot, state, around, container, changed, select) {
       const node = element("div", { className: "joint" }, element("div", { className: "row" }, name, follows, value));
       return { node, joint, j, value };
     }
-    const lower = Number.isFinite(joint.lower) ? joint.lower : Math.min(-free, state.q[j]);
-    const upper = Number.isFinite(joint.upper) ? joint.upper : Math.max(free, state.q[j]);
+    const lower = Number.isFinite(joint.lower) ? joint.lower : Math.min(-free, state.coordinates[j]);
+    const upper = Number.isFinite(joint.upper) ? joint.upper : Math.max(free, state.coordinates[j]);
     const label = `${joint.name}, ${unitOf(joint)}`;
     const slider = element("input", { type: "range", min: lower, max: upper, step: "any", "aria-label": label });
     const field = element("input", { type: "number", step: "any", "aria-label": label });

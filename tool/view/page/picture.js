@@ -1,4 +1,5 @@
 // The picture: what is drawn of the robot, and how, on a canvas.
+import { isFollower, nameOf } from "./positions.js";
 import { jointAxis, jointOrigin } from "./posture.js";
 import { add, axis, dot, length, origin, place, scale, subtract } from "./vectors.js";
 
@@ -92,6 +93,21 @@ function paintCylinder(context, view, centre, direction, half, radius, colours) 
   context.ellipse(near.x, near.y, Math.max(0.01, r * flat), r, angle, 0, 2 * Math.PI);
   context.fill();
   context.stroke();
+}
+
+function paintBall(context, view, centre, radius, colours) {
+  const { x, y, near } = view.see(centre), r = Math.max(3, radius * view.scaleAt(near));
+  context.lineWidth = 1;
+  context.strokeStyle = colours.edge;
+  context.fillStyle = colours.main;
+  context.beginPath();
+  context.arc(x, y, r, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.fillStyle = colours.light;
+  context.beginPath();
+  context.arc(x - 0.3 * r, y - 0.3 * r, 0.35 * r, 0, 2 * Math.PI);
+  context.fill();
 }
 
 function paintArrow(context, view, from, to, colour, width) {
@@ -248,7 +264,7 @@ function namesOf(robot, posture, { show, selected }) {
   if (selected !== 0) names.push(linkName(0));
   const frames = robot.data.frames.map((frame, f) => ({ frame, at: origin(posture.poses[f]) }));
   if (show.frames) for (const { frame, at } of frames) if (frame.kind === "user") names.push({ at, text: frame.name });
-  robot.joints.forEach((joint) => names.push({ at: origin(posture.poses[joint.child]), text: joint.name }));
+  robot.joints.forEach((joint) => names.push({ at: origin(posture.poses[joint.child]), text: nameOf(joint) }));
   return names;
 }
 
@@ -267,6 +283,12 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
     put(scale(0.5, add(bar.from, bar.to)), 0, () => paintBar(context, view, bar, sizes.bar, colours));
   }
   robot.joints.forEach((joint, j) => {
+    if (isFollower(robot.joints, j)) return;
+    if (joint.type === "spherical") {
+      const centre = origin(posture.poses[joint.child]);
+      put(centre, 0.01, () => paintBall(context, view, centre, 1.15 * sizes.bar, family(theme, "turn")));
+      return;
+    }
     const slides = joint.type === "prismatic";
     const colours = family(theme, slides ? "slide" : "turn");
     const at = origin(posture.poses[joint.child]), along = jointAxis(robot, posture, j);

@@ -1,4 +1,5 @@
 // The robot in a position: everything here follows from the functions that the generator printed.
+import { coordinatesOf, elementsOf, isFollower, normalised, ratesOf, visit } from "./positions.js";
 import { add, axis, dot, identity, origin, place, principal, rotate, scale } from "./vectors.js";
 
 // The parts of the robot that do not change: `robot` is the generated module, `data` what the generator adds.
@@ -6,12 +7,29 @@ export function makeRobot(robot, data) {
   const { model } = robot;
   const joints = [...model.joints, ...model.coupled_joints];
   const children = model.links.map(() => []);
-  joints.forEach((joint, j) => children[joint.parent].push(j));
+  joints.forEach((joint, j) => {
+    if (!isFollower(joints, j)) children[joint.parent].push(j);
+  });
   const jointFrames = joints.map(() => -1);
   data.frames.forEach((frame, f) => {
     if (frame.kind === "joint") jointFrames[frame.index] = f;
   });
+  joints.forEach((_, j) => {
+    if (isFollower(joints, j)) jointFrames[j] = jointFrames[j - 1];
+  });
   return { module: robot, model, data, joints, children, jointFrames, dof: model.dof };
+}
+
+// Everything at rest; `coordinates` are what sliders show (positions.js), q follows from them.
+export function makeState(robot, q, parameters) {
+  const coordinates = coordinatesOf(robot.model.joints, q);
+  return { q: [...q], coordinates, qd: coordinates.map(() => 0), parameters: { ...parameters } };
+}
+
+export function setCoordinate(robot, state, j, value) {
+  state.coordinates[j] = value;
+  state.q = elementsOf(robot.model.joints, state.coordinates);
+  state.qd.fill(0);
 }
 
 // Masses of links: those of the document, or those of the parameters.
@@ -73,8 +91,9 @@ function carried(robot, masses) {
 
 const argumentsOf = (robot, state) => (robot.module.parameters ? [state.parameters, state.q] : [state.q]);
 
-// Positions of all joints, coupled ones too.
+// Coordinates of all joints, coupled ones too.
 function positions(robot, state) {
+  const { coordinates } = state;
   let coupled = robot.model.coupled_joints.map(({ factors, offset }) => ({ factors, offset }));
   if (robot.module.coupling_numbers) {
     const rows = robot.module.coupling_numbers(state.parameters);
@@ -83,8 +102,8 @@ function positions(robot, state) {
       offset: rows[robot.dof][c],
     }));
   }
-  const follow = ({ factors, offset }) => factors.reduce((sum, factor, k) => sum + factor * state.q[k], offset);
-  return [...state.q, ...coupled.map(follow)];
+  const follow = ({ factors, offset }) => factors.reduce((sum, factor, k) => sum + factor * coordinates[k], offset);
+  return [...coordinates, ...coupled.map(follow)];
 }
 
 // Poses of all frames in the base, masses, and the forces of gravity.
@@ -113,24 +132,26 @@ export const canSwing = (robot) => Boolean(robot.module.forward_dynamics) && rob
 // The state after so many seconds without joint forces: Runge and Kutta's fourth order. Joints stop at their limits.
 // False when the motion is too fast for the steps.
 export function swing(robot, state, seconds) {
-  const n = robot.dof;
-  const none = new Array(n).fill(0);
-  const accelerate = (q, qd) => robot.module.forward_dynamics(...argumentsOf(robot, { ...state, q }), qd, none);
-  const ahead = (a, h, b) => a.map((value, k) => value + h * b[k]);
+  const { joints } = robot.model, none = new Array(robot.dof).fill(0), h = seconds;
+  const accelerate = (q, qd) =>
+    robot.module.forward_dynamics(...argumentsOf(robot, { ...state, q: normalised(joints, q) }), qd, none);
+  const ahead = (a, step, b) => a.map((value, k) => value + step * b[k]);
+  const mean = (a, b, c, d) => a.map((value, k) => (value + 2 * b[k] + 2 * c[k] + d[k]) / 6);
   const { q, qd } = state;
-  const k1 = accelerate(q, qd);
-  const v2 = ahead(qd, seconds / 2, k1), k2 = accelerate(ahead(q, seconds / 2, qd), v2);
-  const v3 = ahead(qd, seconds / 2, k2), k3 = accelerate(ahead(q, seconds / 2, v2), v3);
-  const v4 = ahead(qd, seconds, k3), k4 = accelerate(ahead(q, seconds, v3), v4);
-  for (let k = 0; k < n; ++k) {
-    state.q[k] += (seconds / 6) * (qd[k] + 2 * v2[k] + 2 * v3[k] + v4[k]);
-    state.qd[k] += (seconds / 6) * (k1[k] + 2 * k2[k] + 2 * k3[k] + k4[k]);
-    const { lower, upper } = robot.joints[k];
+  const r1 = ratesOf(joints, q, qd), k1 = accelerate(q, qd);
+  const q2 = ahead(q, h / 2, r1), v2 = ahead(qd, h / 2, k1), r2 = ratesOf(joints, q2, v2), k2 = accelerate(q2, v2);
+  const q3 = ahead(q, h / 2, r2), v3 = ahead(qd, h / 2, k2), r3 = ratesOf(joints, q3, v3), k3 = accelerate(q3, v3);
+  const q4 = ahead(q, h, r3), v4 = ahead(qd, h, k3), r4 = ratesOf(joints, q4, v4), k4 = accelerate(q4, v4);
+  state.q = normalised(joints, ahead(q, h, mean(r1, r2, r3, r4)));
+  state.qd = ahead(qd, h, mean(k1, k2, k3, k4));
+  visit(joints, () => {}, (k, j) => {
+    const { lower, upper } = robot.joints[j];
     const stop = state.q[k] < lower ? lower : state.q[k] > upper ? upper : null;
     if (stop !== null) {
       state.q[k] = stop;
-      state.qd[k] = 0;
+      state.qd[j] = 0;
     }
-  }
+  });
+  state.coordinates = coordinatesOf(joints, state.q);
   return state.q.every(Number.isFinite) && state.qd.every((v) => Math.abs(v) < 1e3);
 }
