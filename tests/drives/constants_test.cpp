@@ -65,11 +65,14 @@ TEST(DriveConstants, FrictionJumps) {
 TEST(DriveConstants, Rotors) {
   static_assert(driven::kJointDrives[0].rotor_carrier == driven::index(driven::Link::trunk));
   static_assert(driven::kJointDrives[1].rotor_ratio == -6.0 && driven::kJointDrives[1].rotor_inertia == 3e-4);
-  static_assert(driven::Robot::kJointDrives[2].rotor_carrier == 0);
+  static_assert(driven::Robot::kJointDrives[2].rotor_carrier == driven::index(driven::Link::shank));
   // The joint's own axis, in axes of the trunk.
   EXPECT_NEAR(driven::kJointDrives[0].rotor_axis[0], 1, 1e-15);
   EXPECT_NEAR(driven::kJointDrives[0].rotor_axis[2], 0, 1e-15);
   EXPECT_NEAR(tuned::kJointDrives[1].rotor_axis[1], std::sqrt(0.2), 1e-15);
+  // The joint's own axis, in axes of its child.
+  EXPECT_EQ(tuned::kJointDrives[0].rotor_carrier, tuned::index(tuned::Link::arm));
+  EXPECT_EQ(tuned::kJointDrives[0].rotor_axis[2], 1);
 }
 
 TEST(DriveConstants, MotorTorques) {

@@ -30,8 +30,9 @@ double length_of(const std::array<double, 3>& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-// The joint's parent, or a link between that and the base.
+// Often the joint's parent or a link between that and the base.
 int random_carrier(const KinematicTree& robot, const model::Joint& joint, Dice& dice) {
+  if (dice.chance(0.25)) return dice.below(static_cast<int>(robot.links.size()));
   int carrier = joint.parent;
   while (carrier > 0 && dice.chance(0.3)) carrier = robot.joints[at(robot.links[at(carrier)].parent_joint)].parent;
   return carrier;

@@ -7,7 +7,7 @@
 
 namespace robcogen::numeric {
 
-// The robot with a random drive on most of its joints, and rotors on links that carry them; the same for the same seed.
+// The robot with a random drive on most of its joints, and rotors on any links; the same for the same seed.
 model::KinematicTree with_random_drives(model::KinematicTree robot, std::uint64_t seed);
 
 // A robot whose drives are rotors alone, and the same with a body and a joint for each rotor.

@@ -298,13 +298,6 @@ void check_connected(Assembly& a) {
   }
 }
 
-// Whether the link is the joint's parent, or between that and the base.
-bool is_below(const Assembly& a, int link, int parent) {
-  for (int l = parent; l != link; l = a.parents[at(l)]->parent)
-    if (!a.parents[at(l)]) return false;
-  return true;
-}
-
 // Finds the link that carries the joint's rotor.
 void resolve_carrier(Assembly& a, std::size_t index) {
   const DescribedJoint& joint = a.description.joints[index];
@@ -325,24 +318,17 @@ void resolve_carrier(Assembly& a, std::size_t index) {
     return;
   }
   rotor->carrier = *link;
-  const std::string& parent_name = a.tree.links[at(parent)].name;
-  if (!is_below(a, *link, parent)) {
-    a.diagnostics
-        .error(
-            "carrier-elsewhere", place,
-            fmt::format("the rotor of joint '{}' is on link '{}', which does not carry that joint", joint.name, name))
-        .hint = parent == 0 ? fmt::format("the carrier is '{}'", parent_name)
-                            : fmt::format(
-                                  "the carrier is '{}', or a link between that and the base '{}'", parent_name,
-                                  a.tree.links[0].name);
-  } else if (*link != parent && !rotor->axis) {
-    a.diagnostics
-        .error(
-            "rotor-without-axis", joint.drive_places.rotor,
-            fmt::format(
-                "the rotor of joint '{}' needs an axis: that of the joint is not fixed in link '{}'", joint.name, name))
-        .hint = fmt::format("write axis = (x, y, z) in coordinates of '{}'", name);
+  if (*link == parent || rotor->axis) return;
+  if (*link == a.tree.joints[index].child) {
+    rotor->axis = {Quantity(), Quantity(), Quantity(1.0)};  // the joint's, in axes of the child
+    return;
   }
+  a.diagnostics
+      .error(
+          "rotor-without-axis", joint.drive_places.rotor,
+          fmt::format(
+              "the rotor of joint '{}' needs an axis: that of the joint is not fixed in link '{}'", joint.name, name))
+      .hint = fmt::format("write axis = (x, y, z) in coordinates of '{}'", name);
 }
 
 // Of elements that there are; those that others hide are left out.

@@ -10,8 +10,8 @@
 
 namespace robcogen::model {
 
-// The rotor of a motor: it turns with `ratio` times the velocity of the joint in its carrier, a link between the base
-// and the joint. The mass properties of the carrier include it, as if it were fixed.
+// The rotor of a motor: it turns with `ratio` times the velocity of the joint in its carrier, which may be any link.
+// The mass properties of the carrier include it, as if it were fixed.
 struct Rotor {
   Quantity inertia;                                  // kg m^2, about its axis
   Quantity ratio;                                    // rad/rad, rad/m

@@ -9,11 +9,40 @@
 
 namespace robcogen::model {
 
+namespace {
+
+bool is_on_way(const KinematicTree& tree, int joint, int link) {
+  for (int l = link; tree.links[at(l)].parent_joint >= 0; l = tree.joints[at(tree.links[at(l)].parent_joint)].parent)
+    if (tree.links[at(l)].parent_joint == joint) return true;
+  return false;
+}
+
+// The joints that move the carrier of the joint's rotor and do not carry the joint.
+std::vector<int> joints_of_rotor(const KinematicTree& tree, std::size_t joint) {
+  std::vector<int> joints;
+  const std::optional<Rotor>& rotor = tree.joints[joint].drive.rotor;
+  int carrier = rotor ? tree.links[at(rotor->carrier)].parent_joint : -1;
+  for (; carrier >= 0 && !is_on_way(tree, carrier, tree.joints[joint].parent); carrier = tree.parent_joint_of(carrier))
+    joints.push_back(carrier);
+  return joints;
+}
+
+}  // namespace
+
 std::vector<int> limb_shapes(const KinematicTree& tree) {
   std::vector<bool> is_tied(tree.joints.size(), false);
   for (const Coupling& coupling : tree.couplings) {
     is_tied[at(coupling.joint)] = true;
     for (const Coupling::Term& term : coupling.terms) is_tied[at(term.joint)] = true;
+  }
+  // A rotor beyond its joint stays within a limb; one on another branch ties the two.
+  std::vector<std::size_t> distance(tree.joints.size());  // of rotors from their joints
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    const std::vector<int> joints = joints_of_rotor(tree, j);
+    distance[j] = joints.size();
+    if (joints.empty() || joints.back() == static_cast<int>(j)) continue;
+    is_tied[j] = true;
+    for (const int joint : joints) is_tied[at(joint)] = true;
   }
   constexpr int kUntied = -1;
   std::map<std::tuple<JointType, bool, std::vector<bool>, int, std::vector<int>>, int> known;
@@ -27,6 +56,7 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     const Joint& own = tree.joints[at(*joint)];
     const int tied = is_tied[at(*joint)] ? *joint : kUntied;
     std::vector<bool> drive = own.drive.present(tree.uses_passive_forces);
+    drive.resize(drive.size() + distance[at(*joint)]);
     shape[at(*joint)] =
         known.try_emplace({own.type, own.pitch.is_zero(), std::move(drive), tied, std::move(beyond)}, number)
             .first->second;

@@ -61,6 +61,20 @@ TEST(Limbs, LegsOfAQuadrupedAreOneClass) {
   EXPECT_EQ(groups(robot(edges)), (Names{{"lf_j1", "rf_j1", "lh_j1", "rh_j1"}, {"lf_j2", "rf_j2", "lh_j2", "rh_j2"}}));
 }
 
+TEST(Limbs, ARotorOnAnotherLimbTiesTheTwo) {
+  std::vector<Edge> edges;
+  for (const char* leg : {"lf", "rf", "lh", "rh"}) add_chain(edges, "base", leg, 2);
+  KinematicTree tree = robot(edges);
+  const auto put_rotor = [&](std::size_t joint, std::size_t carrier) {
+    Rotor& rotor = tree.joints[joint].drive.rotor.emplace();
+    rotor.carrier = tree.joints[carrier].child;
+  };
+  for (const std::size_t hip : {0U, 2U, 4U, 6U}) put_rotor(hip, hip);
+  EXPECT_EQ(groups(tree).size(), 2u) << "rotors on the children of their joints";
+  put_rotor(0, 3);
+  EXPECT_EQ(groups(tree), (Names{{"lh_j1", "rh_j1"}, {"lh_j2", "rh_j2"}}));
+}
+
 TEST(Limbs, HumanoidHasArmsBeyondItsWaist) {
   std::vector<Edge> edges;
   add_chain(edges, "base", "left_leg", 2);

@@ -149,6 +149,14 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
       set(3 + k, base + j, wrench.linear[at(k)]);
     }
   }
+  for (int j = 0; j < joints; ++j) {
+    Vector3 momentum = rotor_momentum(robot, j);
+    for (const int passed : rotor_path(tree, j).joints) {
+      const Expression share = project(robot.joint(passed), Force{momentum, {}});
+      set(base + passed, base + j, H(base + passed, base + j) + (passed == j ? share + share : share));
+      momentum = to_parent(robot.pose(passed).rotation, momentum);
+    }
+  }
   if (tree.floating_base) {
     const SquareMatrix body = matrix(rigid_body_inertia(composite[0]));
     for (int r = 0; r < 6; ++r)

@@ -37,14 +37,17 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     describe(row.e, moving + "_" + link_name + "_e");
   };
   describe_all(name);
+  const RotorPath path = rotor_path(tree, index);
   while (robot.parent_matters(joint.child)) {
     const Pose& X_PC = robot.pose(joint.index);
     wrench = to_parent(X_PC, wrench);
     row = to_parent(X_PC, bodies.rates[at(joint.index)], row);
     const int reached = tree.joints[at(joint.index)].parent;
-    const Vector3 momentum = rotor_momentum(robot, index, reached);
-    wrench.moment += cross(bodies.w[at(reached)], momentum);
-    row.Q.moment += momentum;
+    if (reached == path.end) {
+      const Vector3 momentum = rotor_momentum(robot, index);
+      wrench.moment += to_end(robot, path, cross(bodies.w[at(path.carrier)], momentum));
+      row.Q.moment += to_end(robot, path, momentum);
+    }
     const int parent = tree.parent_joint_of(joint.index);
     if (parent < 0) break;
     joint = robot.joint(parent);
@@ -66,6 +69,23 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
       describe(c(r, base + index), "C_" + coordinate + "_" + moving);
       describe(c(base + index, r), "C_" + moving + "_" + coordinate);
     }
+  }
+}
+
+// The joints that a rotor's momentum passes on its way to the links that carry the joint that turns it.
+void add_rotor_path(const TracedRobot& robot, const SpreadBodies& bodies, int index, SquareMatrix& c) {
+  const RotorPath path = rotor_path(robot.tree(), index);
+  if (path.joints.empty()) return;
+  const int base = robot.tree().floating_base ? 6 : 0;
+  Vector3 momentum = rotor_momentum(robot, index);
+  Vector3 rate = cross(bodies.w[at(path.carrier)], momentum);
+  for (const int passed : path.joints) {
+    const Joint joint = robot.joint(passed);
+    const ChangeOfMotion row{{momentum, {}}, {}};
+    c(base + passed, base + index) += project(joint, Force{rate, {}});
+    c(base + index, base + passed) += project(joint, on_fields_of_link(row, bodies.w[at(joint.child)]));
+    momentum = to_parent(robot.pose(passed).rotation, momentum);
+    rate = to_parent(robot.pose(passed).rotation, rate);
   }
 }
 
@@ -107,6 +127,7 @@ Program coriolis_matrix(const model::KinematicTree& tree, const std::string& nam
   const int base = tree.floating_base ? 6 : 0, joints = static_cast<int>(tree.joints.size());
   SquareMatrix c(base + joints);
   for (int j = 0; j < joints; ++j) fill_joint(robot, bodies, j, c);
+  for (int j = 0; j < joints; ++j) add_rotor_path(robot, bodies, j, c);
   if (tree.floating_base) fill_base(robot, bodies, c);
   c = by_coordinate(trace, c, base, Symmetry::none);
   const int size = c.size();

@@ -13,14 +13,41 @@ Expression drive_inertia(Trace& trace, int joint) {
   return trace.lift(drive.armature + inertia * ratio * ratio);
 }
 
+RotorPath rotor_path(const model::KinematicTree& tree, int joint) {
+  const model::Joint& turning = tree.joints[at(joint)];
+  if (!turning.drive.rotor) return {};
+  const auto carries_joint = [&](int link) {
+    for (int l = turning.parent; l != link; l = tree.joints[at(tree.links[at(l)].parent_joint)].parent)
+      if (tree.links[at(l)].parent_joint < 0) return false;
+    return true;
+  };
+  RotorPath path{turning.drive.rotor->carrier, {}, turning.drive.rotor->carrier};
+  while (!carries_joint(path.end)) {
+    path.joints.push_back(tree.links[at(path.end)].parent_joint);
+    path.end = tree.joints[at(path.joints.back())].parent;
+  }
+  return path;
+}
+
+Vector3 to_end(const TracedRobot& robot, const RotorPath& path, Vector3 v) {
+  for (const int joint : path.joints) v = to_parent(robot.pose(joint).rotation, v);
+  return v;
+}
+
 Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link) {
+  const RotorPath path = rotor_path(robot.tree(), joint);
+  return path.end == link ? to_end(robot, path, rotor_momentum(robot, joint)) : Vector3();
+}
+
+Vector3 rotor_momentum(const TracedRobot& robot, int joint) {
   const model::Joint& of_model = robot.tree().joints[at(joint)];
   const std::optional<model::Rotor>& rotor = of_model.drive.rotor;
-  if (!rotor || rotor->carrier != link) return {};
+  if (!rotor) return {};
   const Expression size = robot.trace.lift(rotor->inertia * rotor->ratio);
   if (!rotor->axis) return to_parent(robot.pose(joint).rotation, {Expression(), Expression(), size});
   const Vector3 momentum = size * robot.trace.lift(model::rotor_axis(of_model));
-  return robot.frames_of_model.empty() ? momentum : to_parent(robot.frames_of_model[at(link)].rotation, momentum);
+  return robot.frames_of_model.empty() ? momentum
+                                       : to_parent(robot.frames_of_model[at(rotor->carrier)].rotation, momentum);
 }
 
 std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
@@ -28,7 +55,7 @@ std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
   if (robot.is_base(link) && !robot.floating()) return rotors;
   for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) {
     const std::optional<model::Rotor>& rotor = robot.tree().joints[at(j)].drive.rotor;
-    if (rotor && rotor->carrier == link) rotors.push_back({j, rotor_momentum(robot, j, link)});
+    if (rotor && rotor->carrier == link) rotors.push_back({j, rotor_momentum(robot, j)});
   }
   return rotors;
 }

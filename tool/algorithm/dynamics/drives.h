@@ -20,7 +20,20 @@ struct TracedRotor {
 };
 // The rotors on a link; none on a fixed base, which does not turn.
 std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link);
-// The momentum of the joint's rotor if this link carries it, else zero.
+
+// How the momentum of a joint's rotor, which moves with the carrier, reaches the links between the joint and the base:
+// past these joints, nearest the carrier first, to the first link that carries the joint too.
+struct RotorPath {
+  int carrier = -1;  // link index; -1: the joint has no rotor
+  std::vector<int> joints;
+  int end = -1;
+};
+RotorPath rotor_path(const model::KinematicTree& tree, int joint);
+// A vector that is fixed in the carrier, in the axes of the link at the end.
+Vector3 to_end(const TracedRobot& robot, const RotorPath& path, Vector3 v);
+// The momentum of the joint's rotor, in the axes of its carrier; zero without one.
+Vector3 rotor_momentum(const TracedRobot& robot, int joint);
+// The same if the path of the rotor ends at this link, in the axes of that; else zero.
 Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link);
 
 // s(qd) = qd / sqrt(qd^2 + v^2), with the velocity v below which the friction of this drive falls: a smooth sign.

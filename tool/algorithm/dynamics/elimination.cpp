@@ -35,18 +35,23 @@ std::vector<int> first_places(const KinematicTree& tree, const std::vector<std::
 }
 
 // By coordinate: the others that H has an element with, since each moves a joint that carries one of the other's, or
-// the same one.
+// the same one, or the carrier of its rotor.
 std::vector<std::set<int>> neighbours(const KinematicTree& tree, const std::vector<std::vector<int>>& moved_by) {
   std::vector<std::set<int>> result(at(tree.dof()));
-  for (const int joint : tree.topological()) {
-    for (const int own : moved_by[at(joint)]) {
-      for (int carrier = joint; carrier >= 0; carrier = tree.parent_joint_of(carrier)) {
+  const auto tie = [&](int joint, int carrying) {
+    for (int carrier = carrying; carrier >= 0; carrier = tree.parent_joint_of(carrier)) {
+      for (const int own : moved_by[at(joint)]) {
         for (const int other : moved_by[at(carrier)]) {
           result[at(own)].insert(other);
           result[at(other)].insert(own);
         }
       }
     }
+  };
+  for (const int joint : tree.topological()) {
+    tie(joint, joint);
+    if (const std::optional<model::Rotor>& rotor = tree.joints[at(joint)].drive.rotor)
+      tie(joint, tree.links[at(rotor->carrier)].parent_joint);
   }
   return result;
 }

@@ -11,8 +11,9 @@ namespace robcogen::algorithm {
 struct EliminationTree {
   std::vector<int> order;  // ancestors first
   // By row: the rows that its elimination changes, or that change by it in turn; nearest last. Where no joint is
-  // coupled, the coordinates of the joints that carry it (Featherstone 2008, sec. 6.5). A coordinate that moves several
-  // branches ties them: then those of the elimination tree (Davis 2006, ch. 4), which holds all that is filled in.
+  // coupled and rotors are on links that carry their joints, the coordinates of the joints that carry it (Featherstone
+  // 2008, sec. 6.5). A coordinate that moves several branches ties them, as a rotor on another branch does: then those
+  // of the elimination tree (Davis 2006, ch. 4), which holds all that is filled in.
   std::vector<std::vector<int>> ancestors;
 };
 

@@ -98,6 +98,7 @@ class JointWalks {
     if (!spin_.empty()) add_rotors_beyond(joint, S, walk, row);
     set_columns(walk, row, joint);
     bool is_in_own_axes = true;
+    const RotorPath path = rotor_path(robot_.tree(), index);
     while (robot_.parent_matters(joint.child)) {
       if (is_in_own_axes && !has_axes_of_child(joint)) {
         walk.by_position += cross(S, forces_.wrenches[link]);
@@ -108,7 +109,7 @@ class JointWalks {
       walk.by_velocity = to_parent(X_PC, walk.by_velocity);
       walk.by_position = to_parent(X_PC, walk.by_position);
       row = to_parent(X_PC, bodies_.rates[at(joint.index)], row);
-      if (!spin_.empty()) add_own_rotor(robot_.tree().joints[at(joint.index)].parent, walk, row);
+      if (path.end == robot_.tree().joints[at(joint.index)].parent) add_own_rotor(path, walk, row);
       const int parent = robot_.tree().parent_joint_of(joint.index);
       if (parent < 0) break;
       joint = robot_.joint(parent);
@@ -116,6 +117,30 @@ class JointWalks {
       set_row(walk, row, joint);
     }
     if (robot_.floating()) fill_base_of_joint(walk, row, base_v);
+  }
+
+  // What the joint's rotor does to the joints on its path, and their motion to it.
+  void add_rotor_path(int index) {
+    const RotorPath path = rotor_path(robot_.tree(), index);
+    if (path.joints.empty()) return;
+    const auto add = [](Columns& columns, int column, int row, const Expression& value) {
+      columns[at(column)][at(row)] += value;
+    };
+    const Vector3 half = half_rate_of_rotor(path, index);
+    ChangeOfMotion row{{rotor_momentum(robot_, index), {}}, half};
+    for (const int passed : path.joints) {
+      const Joint joint = robot_.joint(passed);
+      const Motion S = subspace(joint, robot_.trace.graph);
+      const Expression share = project(joint, row.Q), change = project(joint, Force{row.e, {}});
+      add(result.qdd, index, base_ + passed, share);
+      add(result.qd, index, base_ + passed, change + change);
+      const Expression rate = dot(row, by_velocity(S, mean_velocity(joint)));
+      add(result.qdd, passed, base_ + index, share);
+      add(result.qd, passed, base_ + index, rate + rate);
+      add(result.q, passed, base_ + index, dot(row, by_position(S, felt_motion(joint))));
+      const Rotation& rotation = robot_.pose(passed).rotation;
+      row = {{to_parent(rotation, row.Q.moment), {}}, to_parent(rotation, row.e)};
+    }
   }
 
   // The base wrench by the base's own motion.
@@ -223,12 +248,16 @@ class JointWalks {
     row.e += half_ * cross(spin, s);
   }
 
-  // The rotor of the joint that walks, where this link carries it.
-  void add_own_rotor(int link, Walk& walk, ChangeOfMotion& row) const {
-    const Vector3 momentum = rotor_momentum(robot_, walk.joint, link);
-    const Vector3 half = half_ * cross(bodies_.w[at(link)], momentum);
+  // Half of the rate of a rotor's momentum, in the axes of its carrier.
+  Vector3 half_rate_of_rotor(const RotorPath& path, int joint) const {
+    return half_ * cross(bodies_.w[at(path.carrier)], rotor_momentum(robot_, joint));
+  }
+
+  // The rotor of the joint that walks, at the end of its path.
+  void add_own_rotor(const RotorPath& path, Walk& walk, ChangeOfMotion& row) const {
+    const Vector3 half = to_end(robot_, path, half_rate_of_rotor(path, walk.joint));
     walk.by_velocity.moment += half;
-    row.Q.moment += momentum;
+    row.Q.moment += to_end(robot_, path, rotor_momentum(robot_, walk.joint));
     row.e += half;
   }
 
@@ -291,6 +320,7 @@ ForceDerivatives force_derivatives(
     const Forces& forces) {
   JointWalks walks(robot, in, forces);
   for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) walks.fill_joint(j, in.base_velocity.linear);
+  for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) walks.add_rotor_path(j);
   if (robot.floating()) {
     walks.fill_base(in.base_velocity.linear);
     walks.fill_free_columns(gravity);

@@ -42,7 +42,7 @@ class Recursion {
       if (robot_.trace.graph.keeps_names()) child.angular.link = name;
       name_motion(name, child);
       const Force wrench = wrench_of(joint.child, child);
-      result.tau[at(joint.index)] =
+      result.tau[at(joint.index)] +=
           project(joint, wrench) + drive_inertia(robot_.trace, joint.index) * qdd_[at(joint.index)];
       if (!robot_.parent_matters(joint.child)) continue;
       const Force seen = to_parent(X_PC, wrench);

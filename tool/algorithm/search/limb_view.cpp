@@ -1,5 +1,6 @@
 #include "algorithm/search/limb_view.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "support/index.h"
@@ -34,13 +35,15 @@ LimbView limb_view(const model::KinematicTree& tree, int joint) {
     add_link(copy.child);
     copy.parent = new_link[at(copy.parent)];
     copy.child = new_link[at(copy.child)];
-    if (copy.drive.rotor) copy.drive.rotor->carrier = new_link[at(copy.drive.rotor->carrier)];
     const int index = static_cast<int>(view.joints.size());
     view.tree.links[at(copy.parent)].child_joints.push_back(index);
     view.tree.links[at(copy.child)].parent_joint = index;
     view.tree.joints.push_back(std::move(copy));
     view.joints.push_back(j);
   }
+  // A carrier that the view lacks is replaced by the base.
+  for (model::Joint& copy : view.tree.joints)
+    if (copy.drive.rotor) copy.drive.rotor->carrier = std::max(new_link[at(copy.drive.rotor->carrier)], 0);
   return view;
 }
 

@@ -84,6 +84,7 @@ class Reflection {
       pending_.pop_back();
       visit(child, parent);
     }
+    for (const TurningRotor& rotor : rotors_) reflect(rotor);
     for (kinematics::Coupling& coupling : assembly_.body.couplings) reflect(coupling);
   }
 
@@ -95,6 +96,14 @@ class Reflection {
     Signs parent;
   };
 
+  // A rotor, and the joint that turns it.
+  struct TurningRotor {
+    kinematics::Rotor* rotor;
+    bool slides;
+    Signs parent;
+    int sense;
+  };
+
   Assembly& assembly_;
   Signs plane_;
   std::set<std::string> same_sense_;
@@ -104,6 +113,7 @@ class Reflection {
   std::map<std::string, Signs> axes_;  // of links that were reflected
   std::map<std::string, int> senses_;  // of joints that were reflected
   std::vector<Pending> pending_;
+  std::vector<TurningRotor> rotors_;  // to be reflected when the axes of all carriers are known
 
   // Names that lead nowhere, or in a circle, are reported when the document is read as a whole.
   void visit(const kinematics::Child& child, const Signs& parent) {
@@ -139,8 +149,8 @@ class Reflection {
 
   // Of a joint, or of one of its coordinates.
   template <class Owner>
-  void reflect_drive(Owner& owner, bool slides, const Signs& carrier, int sense) const {
-    if (owner.rotor) reflect(*owner.rotor, slides, carrier, sense);
+  void reflect_drive(Owner& owner, bool slides, const Signs& carrier, int sense) {
+    if (owner.rotor) rotors_.push_back({&*owner.rotor, slides, carrier, sense});
     if (sense > 0) return;
     if (owner.drive.rest) owner.drive.rest = negated(owner.drive.rest);
     if (!owner.limits.position) return;
@@ -152,17 +162,18 @@ class Reflection {
 
   // An axis of rotation is reflected with the opposite sign. Without an axis it is that of the joint, which has this
   // sign where the joint turns.
-  void reflect(kinematics::Rotor& rotor, bool slides, const Signs& parent, int sense) const {
+  void reflect(const TurningRotor& turning) const {
+    kinematics::Rotor& rotor = *turning.rotor;
     if (!rotor.axis) {
-      if (slides) rotor.ratio = negated(rotor.ratio);
+      if (turning.slides) rotor.ratio = negated(rotor.ratio);
       return;
     }
-    Signs signs = parent;
+    Signs signs = turning.parent;
     if (rotor.carrier) {
       const auto carrier = axes_.find(rotor.carrier->text);
       signs = carrier == axes_.end() ? plane_ : carrier->second;
     }
-    for (int& sign : signs) sign *= -sense;
+    for (int& sign : signs) sign *= -turning.sense;
     rotor.axis = with_signs(signs, *rotor.axis);
   }
 

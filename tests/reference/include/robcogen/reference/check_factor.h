@@ -16,11 +16,20 @@ struct FactorResults {
   Vector<double> solution;  // H^-1 x
 };
 
+// Whether a rotor is on a link that does not carry its joint.
+inline bool has_rotor_elsewhere(const Robot& robot) {
+  for (int turning = 0; turning < robot.joints.size; ++turning)
+    for (int joint = 0; joint < robot.joints.size; ++joint)
+      if (moves_rotor(robot, joint, turning) && (joint == turning || !supports(robot, joint, turning))) return true;
+  return false;
+}
+
 // Whether coordinate b is a, or carries it: with a floating base, its six come first, each the ancestor of the next.
-// Coupled joints may tie any coordinates, in the order of the library's choice.
+// Coupled joints, and rotors elsewhere than on the way to their joints, may tie any coordinates, in the order of the
+// library's choice.
 inline bool carries(const Robot& robot, int b, int a) {
   const int first = robot.floating_base ? 6 : 0;
-  if (robot.couplings.size > 0) return true;
+  if (robot.couplings.size > 0 || has_rotor_elsewhere(robot)) return true;
   if (b < first) return b <= a;
   if (a < first) return false;
   const std::vector<int> path = supporting_joints(robot, robot.joints[a - first].child);

@@ -39,28 +39,38 @@ void check_round_trips(const Subject& subject, const Case& c, Checks& checks) {
   }
 }
 
-// Whether motion of one joint carries the other.
-inline bool on_one_branch(const Robot& robot, int a, int b) {
-  const auto supports = [&](int joint, int other) {
-    const std::vector<int> path = supporting_joints(robot, robot.joints[other].child);
-    return std::find(path.begin(), path.end(), joint) != path.end();
-  };
-  return supports(a, b) || supports(b, a);
+// Whether the first is the second joint, or carries it.
+inline bool supports(const Robot& robot, int joint, int other) {
+  const std::vector<int> path = supporting_joints(robot, robot.joints[other].child);
+  return std::find(path.begin(), path.end(), joint) != path.end();
 }
 
-// For each two elements of q, whether one joint of the first and one of the second are on one branch.
+inline bool on_one_branch(const Robot& robot, int a, int b) {
+  return supports(robot, a, b) || supports(robot, b, a);
+}
+
+// Whether the rotor of one joint is on a link that the other moves.
+inline bool moves_rotor(const Robot& robot, int joint, int turning) {
+  const int carrier = robot.joints[turning].drive.rotor_carrier;
+  if (carrier < 0) return false;
+  const std::vector<int> path = supporting_joints(robot, carrier);
+  return std::find(path.begin(), path.end(), joint) != path.end();
+}
+
+// For each two elements of q, whether one joint of the first and one of the second are on one branch, or one carries
+// the rotor of the other.
 inline Matrix<double> tied_coordinates(const Robot& robot) {
   Matrix<double> tied(robot.dof(), robot.dof());
   for (int i = 0; i < robot.joints.size; ++i)
     for (int j = 0; j < robot.joints.size; ++j) {
-      if (!on_one_branch(robot, i, j)) continue;
+      if (!on_one_branch(robot, i, j) && !moves_rotor(robot, i, j) && !moves_rotor(robot, j, i)) continue;
       for (const Mover& a : movers_of(robot, i))
         for (const Mover& b : movers_of(robot, j)) tied(a.coordinate, b.coordinate) = 1;
     }
   return tied;
 }
 
-// P2: symmetric, positive definite, zero between branches.
+// P2: symmetric, positive definite, zero between branches that nothing ties.
 template <class Subject>
 void check_inertia_structure(const Subject& subject, const Case& c, Checks& checks) {
   const Matrix<double> H = subject.joint_space_inertia(c.sample.motion.q);
