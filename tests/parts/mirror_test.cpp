@@ -20,15 +20,22 @@ struct Case {
   std::array<double, 3> position{}, angles{};
 };
 
-// Joints that turn, about a third of them, become joints with several coordinates; some of these follow one another.
+// Joints that turn, about a third of them, become joints with several coordinates, or spherical; some coordinates
+// follow one another.
 void add_coordinates(kinematics::Document& part, Dice& dice) {
   using enum kinematics::Joint::Type;
   for (kinematics::Joint& joint : part.joints) {
     const std::string text = kinematics::print(part);
     const std::string couplings = text.substr(std::min(text.size(), text.find("couplings {")));
     if (joint.type != revolute || couplings.find(joint.name.text) != std::string::npos || dice.chance(0.66)) continue;
-    constexpr std::array kTypes = {cylindrical, universal, planar};
-    joint.type = kTypes[static_cast<std::size_t>(dice.below(3))];
+    constexpr std::array kTypes = {cylindrical, universal, planar, spherical, spherical};
+    joint.type = kTypes[static_cast<std::size_t>(dice.below(5))];
+    if (joint.type == spherical) {
+      joint.drive = {joint.drive.damping, {}, {}, joint.drive.armature, {}, {}};  // what needs no axis
+      joint.rotor.reset();
+      joint.limits.position.reset();
+      continue;
+    }
     const auto words = kinematics::coordinate_words(joint.type);
     const auto word = words[static_cast<std::size_t>(dice.below(static_cast<int>(words.size())))];
     joint.coordinates = {{{std::string(word), {}}, joint.drive, joint.rotor, joint.limits}};
@@ -147,7 +154,12 @@ Vector senses(const Case& c, const model::KinematicTree& tree) {
     std::string declared = name;
     for (const kinematics::Joint& written : c.part.joints)
       if (!written.coordinates.empty() && name.starts_with(written.name.text + "_")) declared = written.name.text;
+    if (joint.type == model::JointType::spherical) declared = joint.declared_name().substr(5);
     const bool is_kept = c.same_sense && (c.kept.empty() || std::count(c.kept.begin(), c.kept.end(), declared) > 0);
+    if (joint.type == model::JointType::spherical) {
+      s(i++) = is_kept && joint.axis != 1 ? -1.0 : 1.0;
+      continue;
+    }
     if (declared != name) {
       s(i++) = sense_of_coordinate(name, is_kept);
       continue;
@@ -155,6 +167,26 @@ Vector senses(const Case& c, const model::KinematicTree& tree) {
     s(i++) = joint.type != model::JointType::prismatic && is_kept ? -1.0 : 1.0;
   }
   return s;
+}
+
+// Of positions: the vector parts of quaternions have the senses of velocities, their scalar parts stay.
+Vector senses_of_positions(const model::KinematicTree& tree, const Vector& senses) {
+  Vector s(tree.position_count());
+  for (int k = 0; k < s.rows(); ++k) s(k) = 1.0;
+  const std::vector<int> elements = tree.position_elements(), joints = tree.coordinates();
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    s(elements[static_cast<std::size_t>(joints[i])]) = senses(static_cast<int>(i));
+  return s;
+}
+
+Vector random_positions(numeric::Dice& dice, const model::KinematicTree& tree) {
+  Vector q = random_vector(dice, tree.position_count());
+  for (const int joint : tree.spherical_joints()) {
+    const int first = tree.position_elements()[static_cast<std::size_t>(joint)] - 1;
+    const Vector quaternion = q.block(first, 0, 4, 1);
+    q.set_block(first, 0, (1 / std::sqrt(dot(quaternion, quaternion))) * quaternion);
+  }
+  return q;
 }
 
 Vector scaled(const Vector& s, const Vector& v) {
@@ -169,10 +201,11 @@ class MirrorImage {
       : case_(c), tree_(robot(c, false)), image_(robot(c, true)), S_(reflection(c)), s_(senses(c, tree_)) {
     Dice dice(seed);
     state_ = {
-        random_vector(dice, tree_.dof()), random_vector(dice, tree_.dof()), random_vector(dice, 6),
+        random_positions(dice, tree_), random_vector(dice, tree_.dof()), random_vector(dice, 6),
         random_vector(dice, 3)};
     image_state_ = {
-        scaled(s_, state_.q), scaled(s_, state_.qd), of_velocities(S_) * state_.base_velocity, S_ * state_.gravity};
+        scaled(senses_of_positions(tree_, s_), state_.q), scaled(s_, state_.qd),
+        of_velocities(S_) * state_.base_velocity, S_ * state_.gravity};
   }
 
   void check() const {
@@ -202,7 +235,7 @@ class MirrorImage {
     const auto functions = [](const model::KinematicTree& tree, const std::string& group) {
       model::DesiredTransforms desired;
       const std::vector<model::Frame> frames = tree.frames();
-      for (std::size_t i = 1; i < tree.links.size(); ++i) {
+      for (std::size_t i = 1; i < static_cast<std::size_t>(tree.link_count()); ++i) {
         desired.jacobians.push_back({frames[0], frames[i]});
         desired.transforms.push_back({frames[0], frames[i]});
       }
@@ -230,18 +263,21 @@ class MirrorImage {
 };
 
 TEST(MirroredParts, MoveAsMirrorImages) {
-  int kept = 0, coupled = 0, several = 0;
+  int kept = 0, coupled = 0, several = 0, balls = 0;
   for (std::uint64_t seed = 0; seed < kParts; ++seed) {
     const Case c = random_case(seed);
     kept += c.same_sense ? 1 : 0;
     coupled += c.part.couplings.empty() ? 0 : 1;
     for (const kinematics::Joint& joint : c.part.joints) several += joint.coordinates.empty() ? 0 : 1;
+    for (const kinematics::Joint& joint : c.part.joints)
+      balls += joint.type == kinematics::Joint::Type::spherical ? 1 : 0;
     MirrorImage(c, seed).check();
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << "\n" << kinematics::print(c.part);
   }
   EXPECT_GT(kept, kParts / 4);
   EXPECT_GT(coupled, kParts / 10);
   EXPECT_GT(several, kParts / 10);
+  EXPECT_GT(balls, kParts / 10);
 }
 
 // The mirror image of the mirror image is the part.

@@ -17,7 +17,8 @@ using kinematics::Name;
 constexpr Signs kAllReversed = {-1, -1, -1};
 
 // The axes of the image of a joint's frame. A joint turns about a reflected axis in the reflected sense, that of equal
-// positions, where its own axis is reversed; it slides along it where it is not.
+// positions, where its own axis is reversed; it slides along it where it is not. Of three axes about which a joint
+// turns all can be reversed, but not none: the frame is right-handed.
 Signs image_of(Joint::Type type, bool same_sense) {
   switch (type) {
     case Joint::Type::revolute:
@@ -26,9 +27,9 @@ Signs image_of(Joint::Type type, bool same_sense) {
     case Joint::Type::planar:
       return reversed(same_sense ? 1 : 2);
     case Joint::Type::universal:
+    case Joint::Type::spherical:
       return same_sense ? reversed(1) : kAllReversed;
     case Joint::Type::prismatic:
-    case Joint::Type::spherical:  // refused
       break;
   }
   return reversed(1);
@@ -233,11 +234,6 @@ void reflect(
           fmt::format("joint '{}' slides: it follows the reflected axis in any case", name.text));
     }
   }
-  for (const kinematics::Joint& joint : assembly.body.joints)
-    if (joint.type == Joint::Type::spherical)
-      diagnostics.error(
-          "mirrored-coordinates", {source, joint.name.span},
-          fmt::format("joint '{}' is a ball joint: a part with it cannot be mirrored", joint.name.text));
   reflection.run();
 }
 
