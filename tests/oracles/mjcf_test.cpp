@@ -112,15 +112,15 @@ class MjcfTest : public testing::Test {
   // The velocities v of MuJoCo's joints, the base first, follow from those of the coordinates: v = G y. MuJoCo's
   // couplings are constraints; here they are taken from its tables.
   void find_couplings(const KinematicTree& tree) {
-    const int first = floating_ ? 1 : 0, n = base() + tree.dof();
+    const int n = base() + tree.dof();
     G_ = MatrixXd::Zero(model_->nv, n);
     offsets_ = VectorXd::Zero(model_->nv);
     G_.topLeftCorner(base(), base()).setIdentity();
     for (int i = 0; i < tree.dof(); ++i) {
       const std::string& name =
           tree.joints[static_cast<std::size_t>(tree.coordinates()[static_cast<std::size_t>(i)])].name;
-      const int joint = tree.couplings.empty() ? i + first : mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
-      G_(base() + joint - first, base() + i) = 1.0;
+      const int joint = tree.couplings.empty() ? -1 : mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
+      G_(joint < 0 ? base() + i : model_->jnt_dofadr[joint], base() + i) = 1.0;
     }
     // As often as a chain of couplings may be long.
     for (int k = 0; k < model_->neq * model_->neq; ++k) {
@@ -136,21 +136,46 @@ class MjcfTest : public testing::Test {
     }
   }
 
+  // Without the scalar parts of quaternions: one a velocity.
+  static VectorXd coordinates(const reflection::Robot& tables, const VectorXd& q) {
+    VectorXd result(tables.dof());
+    for (int j = 0; j < tables.dof(); ++j) result(j) = q(tables.position_of(j));
+    return result;
+  }
+
   VectorXd full(const VectorXd& joints) const { return G_.rightCols(joints.size()) * joints; }
 
   // The base is at the origin, and its axes are those of the world. Its velocity is that of the origin, then the
   // angular one.
-  void set_state(const reference::Motion<double>& m, const reference::Vector<double>& tau) {
+  void set_state(
+      const reflection::Robot& tables,
+      const reference::Motion<double>& m,
+      const reference::Vector<double>& tau) {
     mj_resetData(model_.get(), data_.get());
     const VectorXd base = to_eigen(m.base_velocity), force = to_eigen(tau);
-    const VectorXd q = (full(to_eigen(m.q)) + offsets_).tail(model_->nv - this->base());
+    const VectorXd q = full(coordinates(tables, to_eigen(m.q))) + offsets_;
     const VectorXd qd = full(to_eigen(m.qd)).tail(model_->nv - this->base());
     if (floating_) {
       std::fill(data_->qpos, data_->qpos + 7, 0.0);
       data_->qpos[3] = 1.0;
       for (int k = 0; k < 3; ++k) data_->qvel[k] = base(k + 3), data_->qvel[k + 3] = base(k);
     }
-    std::copy(q.begin(), q.end(), data_->qpos + (floating_ ? 7 : 0));
+    // Balls stand in the order of the file, here and there.
+    std::vector<int> quaternions;
+    for (int j = 0; j < tables.dof(); ++j)
+      if (tables.joints[j].type == JointType::spherical && !tables.is_follower(j))
+        quaternions.push_back(tables.position_of(j) - 1);
+    auto quaternion = quaternions.begin();
+    for (int joint = floating_ ? 1 : 0; joint < model_->njnt; ++joint) {
+      const int element = model_->jnt_qposadr[joint];
+      if (model_->jnt_type[joint] != mjJNT_BALL) {
+        data_->qpos[element] = q(model_->jnt_dofadr[joint]);
+        continue;
+      }
+      ASSERT_NE(quaternion, quaternions.end());
+      for (int k = 0; k < 4; ++k) data_->qpos[element + k] = m.q(*quaternion + k);
+      ++quaternion;
+    }
     std::copy(qd.begin(), qd.end(), data_->qvel + (floating_ ? 6 : 0));
     if (G_.rows() == G_.cols()) std::copy(force.begin(), force.end(), data_->qfrc_applied + (floating_ ? 6 : 0));
   }
@@ -175,7 +200,7 @@ class MjcfTest : public testing::Test {
       const numeric::InterpretedRobot& robot,
       const reference::Motion<double>& motion,
       const reference::Vector<double>& tau) {
-    set_state(motion, tau);
+    set_state(robot.tables(), motion, tau);
     mj_forward(model_.get(), data_.get());
     const Vector3d g = Eigen::Map<const Vector3d>(model_->opt.gravity);
     const reference::Vector<double> gravity{g(0), g(1), g(2)};

@@ -36,6 +36,7 @@ Pose pose_of_joint(const Joint& joint) {
 
 // Back by the reference position: where the joint is at zero.
 Pose to_zero(const Joint& joint) {
+  if (joint.type == model::JointType::spherical) return {};
   if (joint.type == model::JointType::revolute) return {{}, rotation_about(2, -joint.reference)};
   return {{model::Quantity(), model::Quantity(), quantity(-joint.reference)}, {}};
 }

@@ -38,7 +38,7 @@ struct Joint {
   model::JointType type = model::JointType::revolute;
   std::array<Number, 3> pos;  // in the frame of the body
   std::array<Number, 3> axis;
-  Number reference;  // the position in which the bodies have the poses of the file
+  Number reference;  // of hinges and slides: the position in which the bodies have the poses of the file
   model::JointLimits limits;
   model::Drive drive;
   model::DrivePlaces places;
@@ -86,7 +86,7 @@ struct Context {
   const Attribute* childclass = nullptr;
 };
 
-// A hinge or a slide; `element` has its default attributes. nullopt for other types, which are reported.
+// A hinge, a slide or a ball; `element` has its default attributes. nullopt for other types, which are reported.
 std::optional<Joint> read_joint(const Element& element, const Context& context);
 
 // The masses of a body that moves: of its `inertial`, or of its geoms, which are in `frames` of the body. Reports

@@ -1,8 +1,9 @@
-// Joints with one variable.
+// Joints of bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "import/mjcf/document.h"
 
@@ -19,11 +20,6 @@ class JointReader {
     const std::size_t type = values_.word(element_, "type", {"hinge", "slide", "ball", "free"}, 0);
     const Attribute* name = find(element_, "name");
     joint_.name = name == nullptr ? Name{"", element_.place} : Name{name->value, name->place};
-    if (type == 2) {
-      diagnostics_.error("ball-joint", find(element_, "type")->place, "ball joints are not supported").hint =
-          "write three hinges in its place, with the axes x, y and z: their positions are then three angles";
-      return std::nullopt;
-    }
     if (type == 3) {
       diagnostics_
           .error(
@@ -32,9 +28,13 @@ class JointReader {
           .hint = "a body that flies on its own is a robot of its own: give it a file";
       return std::nullopt;
     }
+    joint_.pos = values_.triple(element_, "pos", {});
+    if (type == 2) {
+      read_ball();
+      return joint_;
+    }
     is_hinge_ = type == 0;
     joint_.type = is_hinge_ ? model::JointType::revolute : model::JointType::prismatic;
-    joint_.pos = values_.triple(element_, "pos", {});
     read_axis();
     joint_.reference = position("ref");
     read_drive();
@@ -43,6 +43,23 @@ class JointReader {
   }
 
  private:
+  // It turns in any way: `axis` and `ref` mean nothing. What the model refuses is told from what is absent, zero, by
+  // its place.
+  void read_ball() {
+    joint_.type = model::JointType::spherical;
+    joint_.axis = {Number(), Number(), Number::rational(1)};
+    read_drive();
+    if (joint_.drive.friction.is_zero()) joint_.places.friction = {};
+    if (joint_.drive.stiffness.is_zero()) joint_.places.stiffness = {};
+    for (const auto& [name, limited] :
+         {std::pair("range", "limited"), std::pair("actuatorfrcrange", "actuatorfrclimited")}) {
+      const Attribute* range = find(element_, name);
+      if (range == nullptr || values_.numbers(*range, 2, 2)[1].is_zero() || !is_limited(limited, *range)) continue;
+      diagnostics_.warning(
+          "ball-limits", range->place, fmt::format("the '{}' of a ball joint is left out: spherical joints do not have it", name));
+    }
+  }
+
   // An angle of a hinge is in the unit of the compiler.
   Number in_radians(const Number& written) const { return is_hinge_ ? context_.settings.angle(written) : written; }
 

@@ -224,8 +224,18 @@ class DocumentReader {
       own.free_joint = e.place;
       if (!is_freejoint) check_free_joint(joint);
     } else if (std::optional<Joint> read = read_joint(joint, context(childclass))) {
+      check_turns(own, *read);
       own.joints.push_back(std::move(*read));
     }
+  }
+
+  // MuJoCo takes the axes of a ball joint for those of its body.
+  void check_turns(const Body& body, const Joint& next) {
+    const auto is_ball = [](const Joint& joint) { return joint.type == model::JointType::spherical; };
+    if (next.type == model::JointType::prismatic || std::none_of(body.joints.begin(), body.joints.end(), is_ball))
+      return;
+    diagnostics_.error("turn-behind-ball", next.name.place, "a joint that turns follows a ball joint in the same body")
+        .hint = "put it in front of the ball joint, or into a body of its own";
   }
 
   void check_free_joint(const Element& joint) {
