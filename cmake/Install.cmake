@@ -4,15 +4,12 @@ include(CMakePackageConfigHelpers)
 set(package_dir lib/cmake/robcogen)
 
 install(DIRECTORY runtime/include/ tests/reference/include/ DESTINATION include)
-install(
-  DIRECTORY robots
-  DESTINATION share/robcogen
-  FILES_MATCHING
-  PATTERN "*.kindsl"
-  PATTERN "*.dtdsl"
-  PATTERN "*.motdsl"
-  PATTERN "*.ctdsl"
-  PATTERN demo EXCLUDE)
+# A folder with nothing to install would be installed empty.
+file(GLOB documents RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} robots/*/*.*dsl robots/*/parts/*.kindsl)
+foreach(document IN LISTS documents)
+  cmake_path(GET document PARENT_PATH folder)
+  install(FILES ${document} DESTINATION share/robcogen/${folder})
+endforeach()
 
 install(
   DIRECTORY runtime/python/robcogen
@@ -51,27 +48,26 @@ install(
 
 configure_file(cmake/robcogen.pc.in robcogen.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/robcogen.pc DESTINATION share/pkgconfig)
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION share/doc/robcogen)
-install(FILES runtime/README.md DESTINATION share/doc/robcogen/runtime)
-install(FILES cmake/README.md DESTINATION share/doc/robcogen/cmake)
+# The guides where their links to each other hold.
+install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/robcogen)
+file(GLOB guides RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} README.md CONTRIBUTING.md cmake/*.md runtime/*.md bench/*.md bench/*.svg robots/*.md
+     robots/*/*.md robots/*/*.svg tool/*.md tool/*/*.md tool/*/*.svg tool/editors/*/*.md)
+foreach(guide IN LISTS guides)
+  cmake_path(GET guide PARENT_PATH folder)
+  install(FILES ${guide} DESTINATION share/doc/robcogen/${folder})
+endforeach()
+install(DIRECTORY tool/editors DESTINATION share/robcogen PATTERN "*.cpp" EXCLUDE PATTERN "*.md" EXCLUDE)
 
-# The target robcogen_deb: a Debian package.
-if(PROJECT_IS_TOP_LEVEL AND TARGET robcogen)
-  set(CPACK_GENERATOR DEB)
-  set(CPACK_PACKAGE_NAME robcogen)
-  set(CPACK_PACKAGE_CONTACT "The RobCoGen developers <robcogen@localhost>")
-  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Generator of kinematics and dynamics of robots in C++, C, Python and other languages")
-  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_PACKAGE_SECTION devel)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, g++")
-  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "cmake (>= 3.25)")
-  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-dev, python3-numpy")
-  include(CPack)
-  add_custom_target(
-    robcogen_deb
-    COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCONFIG=$<CONFIG> -DOUTPUT=${PROJECT_BINARY_DIR}/debian -P
-            ${CMAKE_CURRENT_LIST_DIR}/debian_package.cmake
-    DEPENDS robcogen
-    VERBATIM)
+# What the generator prints of its own command line: the manual page, completions where shells look for them.
+if(TARGET robcogen)
+  set(described ${PROJECT_BINARY_DIR}/described)
+  install(FILES ${described}/robcogen.1 DESTINATION share/man/man1)
+  install(FILES ${described}/robcogen.bash DESTINATION share/bash-completion/completions RENAME robcogen)
+  install(FILES ${described}/robcogen.zsh DESTINATION share/zsh/site-functions RENAME _robcogen)
+  install(FILES ${described}/robcogen.fish DESTINATION share/fish/vendor_completions.d)
+endif()
+
+# The target robcogen_deb: a Debian package; robcogen_source: the sources as an archive; uninstall.
+if(PROJECT_IS_TOP_LEVEL)
+  include(cmake/Release.cmake)
 endif()

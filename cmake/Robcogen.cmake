@@ -58,7 +58,7 @@
 # and the umbrellas robcogen_codegen and robcogen_bench. An error in the call stops the configuration.
 #
 # The list of generated files follows from the keywords only: the configuration neither reads a model nor runs the tool.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include_guard(GLOBAL)
 
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
@@ -379,12 +379,21 @@ function(_robcogen_optimisation result)
   set(${result} "${options}" PARENT_SCOPE)
 endfunction()
 
+# The headers below `folder`, its include root, as a file set of the target, which can be installed; CMake 3.22 has none.
+function(_robcogen_add_headers target folder)
+  if(CMAKE_VERSION VERSION_LESS 3.23)
+    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
+  else()
+    target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${folder} FILES ${ARGN})
+  endif()
+endfunction()
+
 function(_robcogen_add_library target)
   _robcogen_exclusion(exclusion)
   add_library(${target} STATIC ${exclusion} ${sources})
   add_library(${PROJECT_NAME}::${target} ALIAS ${target})
   add_dependencies(${target} ${target}_codegen)
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${library_OUTPUT_DIR} FILES ${headers})
+  _robcogen_add_headers(${target} ${library_OUTPUT_DIR} ${headers})
   target_link_libraries(${target} PUBLIC robcogen::runtime)
   target_compile_features(${target} PUBLIC cxx_std_17)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the

@@ -3,7 +3,7 @@
 # cmake -D EXPECTED=file -D COMPLETE=file -P RobcogenComplete.cmake generator argument…
 #
 # EXPECTED holds the list of all files.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 
 file(READ ${EXPECTED} files)
 foreach(file IN LISTS files)

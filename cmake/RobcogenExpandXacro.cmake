@@ -1,7 +1,7 @@
 # Expands a file with xacro, and writes the files that it includes to a dependency file.
 #
 # cmake -D XACRO=program -D MODEL=arm.urdf.xacro -D OUTPUT=arm.urdf -P RobcogenExpandXacro.cmake -- name:=value…
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 
 set(arguments "")
 set(are_arguments FALSE)

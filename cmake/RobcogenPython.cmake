@@ -32,7 +32,7 @@ function(_robcogen_python_files)
   if(library_PYTHON)
     set(python_files ${library_OUTPUT_DIR}/python/${library_NAME}.cpp ${library_OUTPUT_DIR}/python/${library_NAME}.pyi)
   endif()
-  return(PROPAGATE python_files)
+  set(python_files "${python_files}" PARENT_SCOPE)
 endfunction()
 
 function(_robcogen_add_python)

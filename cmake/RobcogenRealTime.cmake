@@ -12,7 +12,7 @@
 #   sum is at most STACK_LIMIT.
 #
 # A check that is impossible, without reports of the stack or without nm, is skipped with a message.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 
 # Mathematics, copying and clearing of memory, detection of the processor (before main), stack protection,
 # position-independent code.

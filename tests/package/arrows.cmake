@@ -4,7 +4,7 @@
 # cmake -D ARROWS=list -D ROOMS=list -D SOURCE_DIR=dir -P arrows.cmake
 # ARROWS: a word for each library: its name and those of the libraries that it links, with commas between.
 # ROOMS: a word for each folder inside a library: the folder, and those of its neighbours whose headers it includes.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(prefix robcogen_)

@@ -2,7 +2,7 @@
 # @DIR@ is the folder of the call; the configuration must fail with that message and no other.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P calls.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 # Sets `result` to the text of the comment lines at the beginning of the file.
@@ -25,7 +25,7 @@ foreach(call IN LISTS calls)
   file(REMOVE_RECURSE ${directory})
   # No language: no call reaches a compiler.
   file(WRITE ${directory}/CMakeLists.txt "
-    cmake_minimum_required(VERSION 3.25)
+    cmake_minimum_required(VERSION 3.22...3.25)
     project(calls VERSION 1.0.0 LANGUAGES NONE)
     set(robcogen_VERSION ${VERSION})
     include(${SOURCE_DIR}/cmake/Robcogen.cmake)

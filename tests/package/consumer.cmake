@@ -3,7 +3,7 @@
 # cmake -D CONSUMER=name [-D PREFIX=dir] -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir
 #       -P consumer.cmake
 # PREFIX is that of the installed package, which has a generator of its own.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 if(PREFIX)

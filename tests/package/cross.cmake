@@ -4,7 +4,7 @@
 # cmake -D CROSS_COMPILER=path -D PROCESSOR=name [-D MACHINE=name] -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir
 #       -P cross.cmake
 # MACHINE is the machine in the header of the library.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 find_program(compiler ${CROSS_COMPILER})

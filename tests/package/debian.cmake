@@ -1,9 +1,10 @@
-# The Debian package: what it depends on, and a robot that is built with what it holds, by pkg-config and by Python.
+# The Debian package: what it depends on; installed by dpkg, a robot that is built with what it holds, by CMake, by pkg-config
+# and by Python; and removed.
 #
 # cmake -D BUILD_DIR=dir -D CONFIG=name -D WORK_DIR=dir -D CXX_COMPILER=path -D SOURCE_DIR=dir -P debian.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
-foreach(program dpkg-deb dpkg-shlibdeps pkg-config)
+foreach(program dpkg dpkg-deb dpkg-shlibdeps pkg-config)
   find_program(found_${program} ${program})
   if(NOT found_${program})
     message(STATUS "skipped: there is no ${program}")
@@ -19,13 +20,38 @@ run(fields dpkg-deb --field ${package})
 expect_words("fields" "${fields}" "Package: robcogen")
 expect_words("fields" "${fields}" "libeigen3-dev")
 expect_words("fields" "${fields}" "libc6")
-run(output dpkg-deb --extract ${package} ${dir}/root)
-set(prefix ${dir}/root/usr)
-foreach(file bin/robcogen lib/cmake/robcogen/robcogenConfig.cmake share/doc/robcogen/LICENSE share/robcogen/python/robcogen/__init__.py)
+expect_words("fields" "${fields}" "Maintainer: RobCoGen developers <robcogen@example.org>")
+
+# Installed into a database of packages of its own, whose root is this folder.
+set(root ${dir}/root)
+file(MAKE_DIRECTORY ${root}/var/lib/dpkg/info ${root}/var/lib/dpkg/updates)
+file(TOUCH ${root}/var/lib/dpkg/status ${root}/var/lib/dpkg/available)
+set(dpkg dpkg --root=${root} --force-not-root --force-depends --force-bad-path --force-script-chrootless --log=/dev/null)
+run(output ${dpkg} --install ${package})
+run(output ${dpkg} --verify robcogen)
+expect_equal("files that dpkg finds changed" "${output}" "")
+run(status ${dpkg} --status robcogen)
+expect_words("status" "${status}" "Status: install ok installed")
+set(prefix ${root}/usr)
+foreach(file bin/robcogen lib/cmake/robcogen/robcogenConfig.cmake share/doc/robcogen/copyright share/doc/robcogen/changelog.gz
+             share/doc/robcogen/README.md share/doc/robcogen/runtime/README.md share/robcogen/python/robcogen/__init__.py
+             share/man/man1/robcogen.1.gz share/bash-completion/completions/robcogen share/zsh/vendor-completions/_robcogen
+             share/fish/vendor_completions.d/robcogen.fish share/robcogen/editors/neovim/plugin/robcogen.lua
+             share/robcogen/editors/vscode/package.json)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "the package has no ${file}")
   endif()
 endforeach()
+run(output bash -c ". ${prefix}/share/bash-completion/completions/robcogen && COMP_WORDS=(robcogen gen) && COMP_CWORD=1 && _robcogen && echo $COMPREPLY")
+expect_words("completion" "${output}" "generate")
+run(page zcat ${prefix}/share/man/man1/robcogen.1.gz)
+expect_words("manual page" "${page}" ".TH ROBCOGEN 1 \"\" \"robcogen ${VERSION}\"")
+
+# CMake.
+run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/find_package -B ${dir}/by_cmake -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DROBOTS_DIR=${prefix}/share/robcogen/robots -DBUILD_TESTING=OFF)
+run(output ${CMAKE_COMMAND} --build ${dir}/by_cmake --target controller --parallel 2)
+run(output ${dir}/by_cmake/controller)
 
 # The variables of pkg-config follow the tree.
 set(ENV{PKG_CONFIG_PATH} ${prefix}/share/pkgconfig)
@@ -52,4 +78,12 @@ if(status EQUAL 0)
   set(ENV{ROBCOGEN_CACHE} ${dir}/cache)
   run(output /usr/bin/python3 -m robcogen ${robot} --algorithms inverse_dynamics -o ${dir}/module)
   expect_words("module" "${output}" "hyl.abi3.so")
+  run(output ${CMAKE_COMMAND} -E chdir ${dir}/module /usr/bin/python3 -c "print(list(__import__('hyl').inverse_dynamics([0]*3, [0]*3, [0]*3)))")
+  expect_words("joint forces" "${output}" "[73.58")
+endif()
+
+# Nothing is left of it.
+run(output ${dpkg} --purge robcogen)
+if(EXISTS ${prefix}/bin/robcogen OR EXISTS ${prefix}/share/robcogen)
+  message(FATAL_ERROR "dpkg --purge leaves files of the package")
 endif()

@@ -1,7 +1,7 @@
 # Robots and their self-checks, in projects that compile all with these flags.
 #
 # cmake -D "FLAGS=flag flag" -D CXX_COMPILER=path -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P flags.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 cmake_path(GET CXX_COMPILER FILENAME compiler)

@@ -1,7 +1,7 @@
 # The tool with files of other formats and names, and its messages about conversions.
 #
 # cmake -D TOOL=robcogen -D WORK_DIR=dir -P formats.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(work_dir ${WORK_DIR}/formats)

@@ -1,7 +1,7 @@
 # Installs the project and moves the installed tree, which must not remember where it was put first.
 #
 # cmake -D BUILD_DIR=dir -D CONFIG=name -D WORK_DIR=dir -P install.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 file(REMOVE_RECURSE ${WORK_DIR}/staged ${WORK_DIR}/installed)

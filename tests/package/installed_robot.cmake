@@ -2,7 +2,7 @@
 # the robot can be installed in turn.
 #
 # cmake -D BUILD_DIR=dir -D WORK_DIR=dir -P installed_robot.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 run(output ${CMAKE_CTEST_COMMAND} --test-dir ${BUILD_DIR} --output-on-failure --no-tests=error --label-regex

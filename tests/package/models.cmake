@@ -1,7 +1,7 @@
 # The project consumers/models: every URDF of a folder becomes a library, and each passes its self-check.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -D MODELS_DIR=dir -P models.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 file(GLOB models ${MODELS_DIR}/*.urdf)

@@ -1,7 +1,7 @@
 # Robots of one NAME in different NAMESPACEs, and how their units are compiled where the build has no type.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P namespaces.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(build_dir ${WORK_DIR}/namespaces)

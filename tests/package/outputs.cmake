@@ -1,7 +1,7 @@
 # The list of generated files that CMake computes is the one that the generator prints.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -P outputs.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 include(${SOURCE_DIR}/cmake/Robcogen.cmake)
 

@@ -1,7 +1,7 @@
 # The quick start of README.md, line by line except the first: its packages are installed already.
 #
 # cmake -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P quick_start.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 find_program(bash bash)

@@ -4,7 +4,7 @@
 #
 # The generator and the compiler are called through scripts that log each call, so that the log of a build shows its
 # steps. The names of the folders have blanks in them, which dependency files must escape.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(work_dir "${WORK_DIR}/rebuild ${GENERATOR}")

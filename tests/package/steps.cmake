@@ -1,5 +1,5 @@
 # Functions for the scripts of this folder.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 
 # Runs a command; on failure stops the script with its output. `output` receives the output.
 function(run output)

@@ -2,7 +2,7 @@
 # shows it without building the generator once more.
 #
 # cmake -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P tool_is_built.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(build_dir ${WORK_DIR}/tool_is_built)

@@ -1,7 +1,7 @@
 # The project consumers/urdf, and the messages of its configuration and its build.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P urdf.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(build_dir ${WORK_DIR}/urdf)

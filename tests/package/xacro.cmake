@@ -3,7 +3,7 @@
 # cmake -D GENERATOR=name -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P xacro.cmake
 #
 # The names of the folders have blanks in them. A script replaces xacro, with the features that these files need.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(consumer_dir ${CMAKE_CURRENT_LIST_DIR}/consumers/xacro)

@@ -12,6 +12,8 @@
 
 #include "backend/languages.h"
 #include "command/completions.h"
+#include "command/description.h"
+#include "command/manual.h"
 #include "command/output.h"
 #include "command/subcommands.h"
 #include "support/diagnostics.h"
@@ -363,7 +365,8 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
   CLI::App* const completing =
       application.add_subcommand("completions", "Prints a script that completes command lines");
   completing->add_option("shell", shell, "bash, zsh or fish")->required()->check(one_of(shells()));
-  completing->footer("bash, zsh: source <(robcogen completions bash); fish: robcogen completions fish | source");
+  CLI::App* const describing = application.add_subcommand("manual", "Prints the manual page of this program");
+  add_examples(application);
   try {
     application.parse(argc, argv);
   } catch (const CLI::Success& answer) {  // --help, --version
@@ -376,8 +379,8 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& fault) {
     throw Failure{wrong_usage, explain(application, fault)};
   }
-  if (completing->parsed()) {
-    return [text = completions(application, shell)] {
+  if (completing->parsed() || describing->parsed()) {
+    return [text = describing->parsed() ? manual(application) : completions(application, shell)] {
       write_output(text);
       return ok;
     };

@@ -2,44 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "command/description.h"
+
 namespace robcogen::command {
 namespace {
-
-struct Completion {
-  std::string name;  // `--language`
-  std::string description;
-  std::vector<std::string> values;  // of which one must be given; empty: anything, such as a file
-  bool takes_value = false;
-};
-
-// What the description of a check lists: `TEXT:{cpp,matlab} ...`
-std::vector<std::string> values_of(const std::string& type) {
-  std::vector<std::string> values;
-  const std::size_t open = type.find('{'), close = type.find('}');
-  if (open == std::string::npos || close == std::string::npos) return values;
-  for (std::size_t begin = open + 1; begin < close;) {
-    const std::size_t end = std::min(type.find(',', begin), close);
-    values.push_back(type.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return values;
-}
-
-std::vector<Completion> options_of(const CLI::App& subcommand) {
-  std::vector<Completion> result;
-  for (const CLI::Option* option : subcommand.get_options())
-    for (const std::string& name : option->get_lnames())
-      result.push_back(
-          {"--" + name, option->get_description(), values_of(option->get_type_name()),
-           option->get_items_expected_max() > 0});
-  return result;
-}
-
-std::vector<const CLI::App*> subcommands_of(const CLI::App& application) {
-  const std::vector<const CLI::App*> all =
-      application.get_subcommands([](const CLI::App* subcommand) { return !subcommand->get_name().empty(); });
-  return all;
-}
 
 // A function that both bash and, with bashcompinit, zsh call. Where it knows nothing, the shell completes files.
 std::string in_bash(const CLI::App& application) {
@@ -47,7 +13,8 @@ std::string in_bash(const CLI::App& application) {
   for (const CLI::App* subcommand : subcommands_of(application)) {
     commands += (commands.empty() ? "" : " ") + subcommand->get_name();
     std::string names;
-    for (const Completion& option : options_of(*subcommand)) {
+    for (const OptionDescription& option : options_of(*subcommand)) {
+      if (option.is_positional) continue;
       names += (names.empty() ? "" : " ") + option.name;
       if (!option.values.empty())
         values += fmt::format(
@@ -80,7 +47,8 @@ std::string in_fish(const CLI::App& application) {
     const std::string& name = subcommand->get_name();
     text += fmt::format(
         "complete -c robcogen -n __fish_use_subcommand -a {} -d {}\n", name, quoted(subcommand->get_description()));
-    for (const Completion& option : options_of(*subcommand)) {
+    for (const OptionDescription& option : options_of(*subcommand)) {
+      if (option.is_positional) continue;
       std::string line = fmt::format(
           "complete -c robcogen -n '__fish_seen_subcommand_from {}' -l {} -d {}", name, option.name.substr(2),
           quoted(option.description));
@@ -102,9 +70,13 @@ const std::vector<std::string>& shells() {
 
 std::string completions(const CLI::App& application, const std::string& shell) {
   if (shell == "fish") return in_fish(application);
-  const std::string start =
-      shell == "zsh" ? "autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n" : "";
-  return start + in_bash(application);
+  if (shell == "bash") return in_bash(application);
+  // Also where zsh finds functions by their file names: the first completion calls the file, which is to complete at
+  // once.
+  return "#compdef robcogen\n(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
+         "autoload -U +X bashcompinit && bashcompinit\n" +
+         in_bash(application) +
+         "if [[ $funcstack[1] == _robcogen ]]; then _bash_complete -o default -F _robcogen; fi\n";
 }
 
 }  // namespace robcogen::command

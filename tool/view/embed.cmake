@@ -1,7 +1,7 @@
 # Writes the source of page_file: the texts of the FILES.
 #
 # cmake -D FILES=list -D OUTPUT=file -P embed.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 set(text "#include \"view/page_files.h\"\n\nnamespace robcogen::view {\n\n")
 string(APPEND text "std::string_view page_file(std::string_view name) {\n")
 foreach(file IN LISTS FILES)

@@ -3,7 +3,7 @@
 #
 # cmake -D GCC=arm-none-eabi-gcc -D QEMU=qemu-system-arm -D REQUIRED=bool -D TOOL=robcogen -D SOURCE_DIR=dir -D FOLDER=dir
 #       -P cortex_m4.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${SOURCE_DIR}/../../package/steps.cmake)
 foreach(program GCC QEMU)
   if(NOT ${program})

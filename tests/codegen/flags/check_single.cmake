@@ -2,7 +2,7 @@
 # no routine of the compiler's library on a Cortex-M4F, which computes in float only.
 #
 # cmake -D COMPILER=path -D PROCESSOR=x86|cortex_m4f -D INCLUDES=dir,dir -D WORK=file -P check_single.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 # Headers of this machine for a processor that has no system: all that is read of them are declarations.

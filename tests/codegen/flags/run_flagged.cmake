@@ -3,7 +3,7 @@
 # cmake -D COMPILER=path -D "FLAGS=flag flag" -D INCLUDES=dir,dir -D REFERENCE=compare.o -D WORK=file -P run_flagged.cmake
 #
 # Without FLAGS it compiles the comparison, to REFERENCE.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")

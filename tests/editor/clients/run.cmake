@@ -1,7 +1,7 @@
 # A session of a real editor with the language server: the script of the client writes what holds and what does not.
 #
 # cmake -D CLIENT=neovim|emacs -D EDITOR=program -D REQUIRED=bool -D TOOL=robcogen -D SOURCE_DIR=dir -D FOLDER=dir -P run.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22...3.25)
 
 if(NOT EDITOR)
   if(REQUIRED)

@@ -1,0 +1,29 @@
+# Removes what the last `cmake --install` of a build put down, and folders that are empty then.
+#
+# cmake -D MANIFEST=build/install_manifest.txt -P uninstall.cmake
+cmake_minimum_required(VERSION 3.22)
+
+if(NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "nothing is installed from this build: there is no ${MANIFEST}")
+endif()
+file(STRINGS "${MANIFEST}" files)
+set(folders "")
+foreach(file IN LISTS files)
+  file(REMOVE "$ENV{DESTDIR}${file}")
+  cmake_path(GET file PARENT_PATH folder)
+  list(APPEND folders "$ENV{DESTDIR}${folder}")
+endforeach()
+file(REMOVE "${MANIFEST}")
+
+# Folders with nothing left in them, and those around them.
+list(REMOVE_DUPLICATES folders)
+foreach(folder IN LISTS folders)
+  file(GLOB content "${folder}/*")
+  while(IS_DIRECTORY "${folder}" AND NOT content)
+    file(REMOVE_RECURSE "${folder}")
+    cmake_path(GET folder PARENT_PATH folder)
+    file(GLOB content "${folder}/*")
+  endwhile()
+endforeach()
+list(LENGTH files count)
+message(STATUS "${count} files are removed")
