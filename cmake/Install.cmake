@@ -33,6 +33,7 @@ install(
         cmake/Robcogen.cmake
         cmake/RobcogenArguments.cmake
         cmake/RobcogenC.cmake
+        cmake/RobcogenInstall.cmake
         cmake/RobcogenProcessors.cmake
         cmake/RobcogenPython.cmake
         cmake/RobcogenTool.cmake
@@ -45,6 +46,11 @@ install(
         tool/backend/cpp/macros.inc
         tool/backend/cpp/globals.inc
   DESTINATION ${package_dir})
+
+# A package of a ROS 2 workspace is found by this file and this marker.
+install(FILES package.xml DESTINATION share/robcogen)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/ament_index/robcogen "")
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ament_index/robcogen DESTINATION share/ament_index/resource_index/packages)
 
 configure_file(cmake/robcogen.pc.in robcogen.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/robcogen.pc DESTINATION share/pkgconfig)

@@ -63,6 +63,7 @@ include_guard(GLOBAL)
 
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenC.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenInstall.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenPython.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
@@ -381,6 +382,7 @@ endfunction()
 
 # The headers below `folder`, its include root, as a file set of the target, which can be installed; CMake 3.22 has none.
 function(_robcogen_add_headers target folder)
+  set_property(TARGET ${target} PROPERTY ROBCOGEN_INCLUDE_ROOT ${folder})
   if(CMAKE_VERSION VERSION_LESS 3.23)
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
   else()

@@ -1,0 +1,89 @@
+# robcogen_install_robots: installs robots as a CMake package of the calling project, which ROS 2 finds too.
+#
+#     robcogen_install_robots(
+#       TARGETS hyl hyl_c demo…     # libraries that robcogen_add_robot and robcogen_add_transforms made, and others of the project
+#                                   # that link them
+#       [PACKAGE name])             # without it, the name of the project
+#
+# Installs the libraries, their headers (file sets; with CMake 3.22, those of include roots), and
+#     lib/cmake/<PACKAGE>/          <PACKAGE>Config.cmake, which finds robcogen, and its version: the project's. Targets are
+#                                   <PACKAGE>::hyl, …
+#     share/<PACKAGE>/package.xml   where the project has one, and with it the marker of ament's index of packages
+# so that a folder with a package.xml, whose build type is `cmake`, is a package of a colcon workspace without ament_cmake.
+include_guard(GLOBAL)
+
+function(robcogen_install_robots)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "PACKAGE" "TARGETS")
+  set(library_CALL robcogen_install_robots)
+  set(library_TARGET "")
+  if(arg_UNPARSED_ARGUMENTS)
+    _robcogen_refuse("unknown argument '${arg_UNPARSED_ARGUMENTS}'; the keywords are TARGETS PACKAGE")
+  endif()
+  if(NOT arg_TARGETS)
+    _robcogen_refuse("TARGETS is missing")
+  endif()
+  if(NOT arg_PACKAGE)
+    set(arg_PACKAGE ${PROJECT_NAME})
+  endif()
+  include(GNUInstallDirs)
+  set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/${arg_PACKAGE})
+  foreach(target IN LISTS arg_TARGETS)
+    if(NOT TARGET ${target})
+      _robcogen_refuse("TARGETS: there is no target '${target}'")
+    endif()
+    _robcogen_install_library(${target})
+  endforeach()
+  install(EXPORT ${arg_PACKAGE} NAMESPACE ${arg_PACKAGE}:: FILE ${arg_PACKAGE}Targets.cmake DESTINATION ${package_dir})
+
+  set(files ${CMAKE_CURRENT_BINARY_DIR}/${arg_PACKAGE}Config.cmake ${CMAKE_CURRENT_BINARY_DIR}/${arg_PACKAGE}ConfigVersion.cmake)
+  list(GET files 0 config)
+  get_property(version GLOBAL PROPERTY ROBCOGEN_VERSION)
+  file(
+    CONFIGURE
+    OUTPUT ${config}
+    CONTENT "include(CMakeFindDependencyMacro)
+find_dependency(robcogen @version@)
+include(\${CMAKE_CURRENT_LIST_DIR}/@arg_PACKAGE@Targets.cmake)
+"
+    @ONLY)
+  set(version 0.0.0)
+  if(PROJECT_VERSION)
+    set(version ${PROJECT_VERSION})
+  endif()
+  include(CMakePackageConfigHelpers)
+  list(GET files 1 version_file)
+  write_basic_package_version_file(${version_file} VERSION ${version} COMPATIBILITY SameMajorVersion)
+  install(FILES ${files} DESTINATION ${package_dir})
+
+  if(EXISTS ${PROJECT_SOURCE_DIR}/package.xml)
+    install(FILES ${PROJECT_SOURCE_DIR}/package.xml DESTINATION share/${arg_PACKAGE})
+    set(marker ${CMAKE_CURRENT_BINARY_DIR}/ament_index/${arg_PACKAGE})
+    file(WRITE ${marker} "")
+    install(FILES ${marker} DESTINATION share/ament_index/resource_index/packages)
+  endif()
+endfunction()
+
+# Of the export set arg_PACKAGE.
+function(_robcogen_install_library target)
+  set(places ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION
+             ${CMAKE_INSTALL_BINDIR})
+  get_property(root TARGET ${target} PROPERTY ROBCOGEN_INCLUDE_ROOT)
+  if(CMAKE_VERSION VERSION_LESS 3.23 AND root)
+    install(TARGETS ${target} EXPORT ${arg_PACKAGE} ${places} INCLUDES DESTINATION include)
+    install(
+      DIRECTORY ${root}/
+      DESTINATION include
+      FILES_MATCHING
+      PATTERN "*.h"
+      PATTERN "*.inc"
+      PATTERN c EXCLUDE
+      PATTERN python EXCLUDE)
+    return()
+  endif()
+  get_property(sets TARGET ${target} PROPERTY HEADER_SETS)
+  set(headers "")
+  foreach(set IN LISTS sets)
+    list(APPEND headers FILE_SET ${set} DESTINATION include)
+  endforeach()
+  install(TARGETS ${target} EXPORT ${arg_PACKAGE} ${places} ${headers})
+endfunction()
