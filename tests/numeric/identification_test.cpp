@@ -14,6 +14,7 @@
 #include "interpreted_robot.h"
 #include "random_drives.h"
 #include "random_robot.h"
+#include "spherical_robot.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -53,6 +54,9 @@ Eigen::MatrixXd stacked(const Program& program, std::uint64_t seed) {
     for (const symbolic::InputArray& array : program.inputs)
       for (std::size_t k = 0; k < array.elements.size(); ++k)
         inputs[array.name].push_back(static_cast<double>(engine() >> 11) * 0x1p-50 - 4.0);
+    for (const symbolic::InputArray& array : program.inputs)
+      for (const int first : array.quaternions)
+        Eigen::Map<Eigen::Vector4d>(inputs[array.name].data() + first).normalize();
     all.middleRows(rows * s, rows) = matrix(program, inputs);
   }
   return all;
@@ -83,6 +87,26 @@ TEST(BaseParameters, AreAsManyAsTheRankOfTheRegressor) {
     expect_minimal(robot, seed);
     if (HasFailure()) return;
   }
+}
+
+KinematicTree with_balls(std::uint64_t seed, bool has_drives) {
+  for (std::uint64_t next = seed;; next += 1000) {
+    KinematicTree robot = random_robot(next, {.min_joints = 2, .max_joints = 4});
+    if (has_drives) robot = with_random_drives(std::move(robot), next);
+    robot = with_spherical_joints(robot, next, has_drives);
+    if (!robot.spherical_joints().empty()) return robot;
+  }
+}
+
+// A spherical joint does not feel where along any axis the mass of its child is: nine of ten are felt.
+TEST(BaseParameters, OfRobotsWithSphericalJoints) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    expect_minimal(with_balls(seed, false), seed);
+    if (HasFailure()) return;
+  }
+  const KinematicTree leg = document("ball_leg");
+  expect_minimal(leg, 1);
+  EXPECT_EQ(algorithm::base_parameter_names(leg).size(), 9U + 7U + 9U);
 }
 
 // Bodies that only slide, axes that are parallel to gravity or to each other, and what follows.
@@ -194,6 +218,14 @@ TEST(Regressors, OfRandomRobots) {
 TEST(Regressors, OfRobotsWithDrives) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const KinematicTree robot = with_random_drives(random_robot(seed, {.max_joints = 6}), seed);
+    const reference::Checks checks = checks_of(robot, seed);
+    ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(robot);
+  }
+}
+
+TEST(Regressors, OfRobotsWithSphericalJoints) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const KinematicTree robot = with_balls(seed, seed % 2 == 0);
     const reference::Checks checks = checks_of(robot, seed);
     ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(robot);
   }

@@ -77,7 +77,7 @@ InterpretedRobot::InterpretedRobot(
   std::vector<std::string> passes = steps;
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.frames = frames;
-  const bool is_small = robot.joints.size() <= kFewJoints;
+  const bool is_small = robot.joints.size() - 2 * robot.spherical_joints().size() <= kFewJoints;
   for (const std::string& group : groups) {
     if (!is_small && group.find("regressor") != std::string::npos) continue;
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {

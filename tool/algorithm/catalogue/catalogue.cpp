@@ -20,7 +20,6 @@ enum Needs : unsigned {
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
   kFewElements = 1 << 5,     // a matrix has ten columns a link
-  kNoSphericalJoints = 1 << 6,
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -66,10 +65,10 @@ constexpr std::array kGroups = {
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
     Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
     Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
-    Group{"regressor", false, kFewElements | kNoSphericalJoints, regressor_functions, nullptr},
-    Group{"base_regressor", false, kFewElements | kNoSphericalJoints, base_regressor_functions, nullptr},
-    Group{"energy_regressor", false, kNoSphericalJoints, energy_regressor_functions, nullptr},
-    Group{"slotine_li_regressor", false, kFewElements | kNoSphericalJoints, slotine_li_regressor_functions, nullptr},
+    Group{"regressor", false, kFewElements, regressor_functions, nullptr},
+    Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr},
+    Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr},
+    Group{"slotine_li_regressor", false, kFewElements, slotine_li_regressor_functions, nullptr},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
@@ -112,7 +111,7 @@ bool has_many_pairs(const KinematicTree& tree) {
 // A regressor of more elements, for eight states at once, would outgrow the stacks of threads.
 bool has_many_elements(const KinematicTree& tree) {
   constexpr int kMany = 4'000;
-  const int base = tree.floating_base ? 6 : 0, links = static_cast<int>(tree.links.size()) - (base > 0 ? 0 : 1);
+  const int base = tree.floating_base ? 6 : 0, links = tree.link_count() - (base > 0 ? 0 : 1);
   return (base + tree.dof()) * 10 * links > kMany;
 }
 
@@ -141,10 +140,7 @@ constexpr std::array kRequirements = {
         "with so many joints its code without loops would outgrow the caches of processors"},
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
-        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"},
-    Requirement{
-        kNoSphericalJoints, [](const KinematicTree& tree) { return tree.spherical_joints().empty(); },
-        "it has a spherical joint"}};
+        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

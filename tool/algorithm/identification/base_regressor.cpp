@@ -85,7 +85,7 @@ std::string sum_of(
 Program base_parameters(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const std::vector<Expression> given = trace.input("inertial_parameters", Role::value, inertial_parameter_names(tree));
-  const std::vector<Pose> at_rest = joint_poses(trace, std::vector<Expression>(tree.joints.size()));
+  const std::vector<Pose> at_rest = poses_at_rest(trace);
   const auto first = at(first_moving_link(tree));
   const std::vector<std::string> names = inertial_parameter_names(tree);
   std::vector<InertialNumbers> numbers(tree.links.size());
@@ -97,6 +97,7 @@ Program base_parameters(const model::KinematicTree& tree, const std::string& nam
   std::vector<int> from_leaves = tree.topological();
   std::reverse(from_leaves.begin(), from_leaves.end());
   const auto take_from = [&](std::size_t link) {
+    if (tree.links[link].is_repeated) return;
     const std::string& of = tree.links[link].name;
     trace.section(of, "link " + of + ": base parameters");
     by_link[link] = take(trace.graph, combinations[link], numbers[link]);
@@ -139,7 +140,7 @@ Program base_regressor(
       regressor_columns(trace, default_loads(tree), representative, Moments::of_mass);
   const auto combinations = identifiable_combinations(tree);
   std::vector<RegressorColumn> columns;
-  for (std::size_t link = 0; link < links.size(); ++link)
+  for (std::size_t link = 0; link < at(tree.link_count()); ++link)
     for (const Combination& c : combinations[link]) columns.push_back(links[link][at(c.parameter)]);
   const int rows = tree.dof() + (tree.floating_base ? 6 : 0);
   trace.output("Y", Role::matrix, rows, static_cast<int>(columns.size()), flat_by_coordinate(trace, columns));

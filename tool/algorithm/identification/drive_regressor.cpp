@@ -29,7 +29,9 @@ class RotorColumns {
       : robot_(robot),
         in_(in),
         rotors_(moving_rotors(robot.tree())),
-        columns_(rotors_.size(), RegressorColumn(at(rows))) {}
+        columns_(rotors_.size(), RegressorColumn(at(rows))) {
+    for (std::size_t j = 0; j < in.qd.size(); ++j) rates_.push_back({in.qd[j], in.qd[j], in.qdd[j]});
+  }
 
   std::vector<RegressorColumn> of_base(const Motion& velocity, const Motion& acceleration) {
     if (rotors_.empty()) return {};
@@ -54,6 +56,7 @@ class RotorColumns {
   const StateInputs& in_;
   std::vector<int> rotors_;
   std::vector<RegressorColumn> columns_;
+  std::vector<ReferenceRate> rates_;
 
   int row_of(int joint) const { return joint + (robot_.floating() ? 6 : 0); }
 
@@ -76,13 +79,12 @@ class RotorColumns {
     }
     for (const Joint& joint : robot_.children(link)) {
       const Pose& X_PC = robot_.pose(joint.index);
-      const Expression &qd = in_.qd[at(joint.index)], &qdd = in_.qdd[at(joint.index)];
       Graph& graph = robot_.trace.graph;
       robot_.trace.section(robot_.link_name(joint.child), "link " + robot_.link_name(joint.child) + ": motion");
       std::vector<UnitTurn> carried;
       for (const UnitTurn& unit : units) carried.push_back({unit.row, to_child(X_PC.rotation, unit.axis)});
       carried.push_back({row_of(joint.index), subspace(joint, graph).angular});
-      visit(joint.child, across_joint(graph, joint, X_PC, motion, {qd, qd, qdd}), carried);
+      visit(joint.child, across_joint(graph, joint, X_PC, motion, rates_), carried);
     }
   }
 };
@@ -128,7 +130,8 @@ Program drive_regressor(const model::KinematicTree& tree, const std::string& nam
     trace.section(joint.name, "joint " + joint.name + ": columns of its drive");
     const Expression sign = smooth_sign(trace, joint.drive, in.qd[at(j)]);
     describe(sign, joint.name + "_sign");
-    for (const Expression& element : {in.qdd[at(j)], in.qd[at(j)], sign, in.q[at(j)], trace.graph.one()}) {
+    const Expression position = joint.spherical.empty() ? in.q[at(j)] : Expression();
+    for (const Expression& element : {in.qdd[at(j)], in.qd[at(j)], sign, position, trace.graph.one()}) {
       columns.emplace_back(at(rows));
       columns.back()[at(first + j)] = element;
     }

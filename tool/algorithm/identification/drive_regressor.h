@@ -11,7 +11,8 @@ namespace robcogen::algorithm {
 
 // Of each joint, coupled ones last: inertia that the joint alone moves (armature, and that of a rotor times its ratio
 // squared; kg m^2, kg), damping, Coulomb friction, stiffness of a spring, and a constant force (minus stiffness times
-// rest, where the document has a spring). Then, for each rotor on a link that moves, its inertia times its ratio.
+// rest, where the document has a spring). Of each component of a spherical joint too; its column of stiffness is zero.
+// Then, for each rotor on a link that moves, its inertia times its ratio.
 std::vector<std::string> drive_parameter_names(const model::KinematicTree& tree);
 
 // -> pi: the numbers of the document, whether inverse dynamics uses passive forces or not.

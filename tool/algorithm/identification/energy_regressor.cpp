@@ -48,7 +48,7 @@ Program energy_regressor(
   std::vector<Expression> Y(at(2 * inertial_parameter_count(tree)));
   const std::function<void(int, const Motion&, const Lift&)> visit = [&](int link, const Motion& twist,
                                                                          const Lift& lift) {
-    if (link >= first) {
+    if (link >= first && !tree.links[at(link)].is_repeated) {
       const std::array<Expression, kParametersOfLink> of_twist = kinetic(twist);
       std::size_t place = at(2 * kParametersOfLink * (link - first));
       for (std::size_t p = 0; p < of_twist.size(); ++p, place += 2) Y[place] = of_twist[p];

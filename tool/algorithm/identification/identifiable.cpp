@@ -37,10 +37,11 @@ class Span {
     for (const Vector& v : other.basis_) add(v);
   }
 
-  // With all that this map makes of it, again and again.
+  // With all that these maps make of it, again and again.
   template <class Map>
-  void close(const Map& map) {
-    for (std::size_t i = 0; i < basis_.size(); ++i) add(map(basis_[i]));
+  void close(const std::vector<Map>& maps) {
+    for (std::size_t i = 0; i < basis_.size(); ++i)
+      for (const Map& map : maps) add(map(Vector(basis_[i])));
   }
 
  private:
@@ -149,20 +150,24 @@ double unit_of_length(const model::KinematicTree& tree, const std::vector<double
   return largest > 0 ? largest : 1;
 }
 
-// The motion subspace of a joint as numbers.
-Twist twist_of(const model::KinematicTree& tree, int joint, const std::vector<double>& values, double unit) {
+// The motion subspace of a joint as numbers: three of a spherical joint, by any of its components.
+std::vector<Twist> twists_of(
+    const model::KinematicTree& tree,
+    int joint,
+    const std::vector<double>& values,
+    double unit) {
   const model::Joint& of_model = tree.joints[at(joint)];
   switch (of_model.type) {
     case model::JointType::revolute:
       break;
     case model::JointType::prismatic:
-      return {0, 0, 0, 0, 0, 1};
+      return {{0, 0, 0, 0, 0, 1}};
     case model::JointType::helical:
-      return {0, 0, 1, 0, 0, evaluate(of_model.pitch, values) / unit};
+      return {{0, 0, 1, 0, 0, evaluate(of_model.pitch, values) / unit}};
     case model::JointType::spherical:
-      break;  // no regressor of such robots
+      return {{1, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0}};
   }
-  return {0, 0, 1, 0, 0, 0};
+  return {{0, 0, 1, 0, 0, 0}};
 }
 
 // What a link passes on: motions that it may have, functions that are felt, and those that must not change.
@@ -186,32 +191,55 @@ FeltLink felt_by_base(bool floating) {
   return base;
 }
 
-FeltLink felt_by_child(const FeltLink& parent, const Matrix4& pose, const Twist& S) {
-  const Matrix4 back = inverse(pose), rate = hat(S);
-  FeltLink child;
-  for (const Twist& motion : parent.motions.basis()) child.motions.add(vee(back * hat(motion) * pose));
-  child.motions.close([&](const Twist& t) {
+// How a motion changes when a joint moves.
+struct ChangeOfTwist {
+  Matrix4 rate;
+
+  Twist operator()(const Twist& t) const {
     const Matrix4 m = hat(t), left = rate * m, right = m * rate;
     Matrix4 change{};
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) change[i][j] = left[i][j] - right[i][j];
     return vee(change);
-  });
-  child.motions.add(S);
-  for (const Twist& motion : child.motions.basis()) child.felt.add(felt(S, motion));
+  }
+};
+
+// How a function of the parameters of what moves changes.
+struct ChangeOfFunction {
+  Matrix4 rate;
+
+  Parameters operator()(const Parameters& f) const {
+    return through(f, [&](const Matrix4& J) {
+      Matrix4 change = rate * J;
+      const Matrix4 other = transposed(change);
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) change[i][j] += other[i][j];
+      return change;
+    });
+  }
+};
+
+FeltLink felt_by_child(const FeltLink& parent, const Matrix4& pose, const std::vector<Twist>& subspace) {
+  const Matrix4 back = inverse(pose);
+  std::vector<ChangeOfTwist> of_motions;
+  std::vector<ChangeOfFunction> of_functions;
+  for (const Twist& S : subspace) {
+    of_motions.push_back({hat(S)});
+    of_functions.push_back({hat(S)});
+  }
+  FeltLink child;
+  for (const Twist& motion : parent.motions.basis()) child.motions.add(vee(back * hat(motion) * pose));
+  child.motions.close(of_motions);
+  for (const Twist& S : subspace) child.motions.add(S);
+  for (const Twist& S : subspace)
+    for (const Twist& motion : child.motions.basis()) child.felt.add(felt(S, motion));
   // As functions of the child's parameters, and how they change when the joint moves.
   const auto at_rest = [&](const Matrix4& J) { return pose * J * transposed(pose); };
-  const auto moving = [&](const Matrix4& J) {
-    Matrix4 change = rate * J;
-    const Matrix4 other = transposed(change);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) change[i][j] += other[i][j];
-    return change;
-  };
   Functions carried, changes;
   for (const Parameters& f : parent.unchanged.basis()) carried.add(through(f, at_rest));
-  for (const Parameters& f : carried.basis()) changes.add(through(f, moving));
-  changes.close([&](const Parameters& f) { return through(f, moving); });
+  for (const Parameters& f : carried.basis())
+    for (const ChangeOfFunction& change : of_functions) changes.add(change(f));
+  changes.close(of_functions);
   child.felt.add(changes);
   child.unchanged = child.felt;
   child.unchanged.add(carried);
@@ -263,8 +291,10 @@ CombinationsOfLinks combinations_for(const model::KinematicTree& tree, const std
   links[0] = felt_by_base(tree.floating_base);
   for (const int j : tree.topological()) {
     const model::Joint& joint = tree.joints[at(j)];
-    links[at(joint.child)] =
-        felt_by_child(links[at(joint.parent)], pose_of(joint.placement, values, unit), twist_of(tree, j, values, unit));
+    if (!joint.is_first()) continue;
+    const int child = joint.spherical.empty() ? joint.child : tree.joints[at(j + 2)].child;
+    links[at(child)] = felt_by_child(
+        links[at(joint.parent)], pose_of(joint.placement, values, unit), twists_of(tree, j, values, unit));
   }
   CombinationsOfLinks result;
   for (const FeltLink& link : links) result.push_back(reduced(link.felt, unit));
@@ -287,7 +317,7 @@ std::vector<Combination> most_of(const model::KinematicTree& tree, int link) {
   if (joint < 0) return reduced(any.felt, 1);
   Matrix4 identity{};
   for (std::size_t i = 0; i < 4; ++i) identity[i][i] = 1;
-  return reduced(felt_by_child(any, identity, twist_of(tree, joint, parameter_values(tree), 1)).felt, 1);
+  return reduced(felt_by_child(any, identity, twists_of(tree, joint, parameter_values(tree), 1)).felt, 1);
 }
 
 }  // namespace

@@ -27,12 +27,12 @@ int first_moving_link(const model::KinematicTree& tree) {
 }
 
 int inertial_parameter_count(const model::KinematicTree& tree) {
-  return kParametersOfLink * (static_cast<int>(tree.links.size()) - first_moving_link(tree));
+  return kParametersOfLink * (tree.link_count() - first_moving_link(tree));
 }
 
 std::vector<std::string> inertial_parameter_names(const model::KinematicTree& tree) {
   std::vector<std::string> names;
-  for (std::size_t i = at(first_moving_link(tree)); i < tree.links.size(); ++i)
+  for (std::size_t i = at(first_moving_link(tree)); i < at(tree.link_count()); ++i)
     for (const char* parameter : {"m", "hx", "hy", "hz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"})
       names.push_back(tree.links[i].name + "_" + parameter);
   return names;
@@ -41,7 +41,7 @@ std::vector<std::string> inertial_parameter_names(const model::KinematicTree& tr
 symbolic::Program inertial_parameters(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   std::vector<Expression> numbers;
-  for (std::size_t i = at(first_moving_link(tree)); i < tree.links.size(); ++i) {
+  for (std::size_t i = at(first_moving_link(tree)); i < at(tree.link_count()); ++i) {
     const model::Link& link = tree.links[i];
     trace.section(link.name, "link " + link.name + ": inertial parameters");
     const model::RigidBodyInertia body = link.inertia ? model::in_link_frame(*link.inertia) : model::RigidBodyInertia();

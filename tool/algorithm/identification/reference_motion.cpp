@@ -23,6 +23,22 @@ Vector3 times_u(const ReferenceMotion& motion, const Vector3& p) {
   return result;
 }
 
+// By the three components of a spherical joint, about axes of the child. The reference turns with the child: its rate
+// of change is that of numbers in axes of the child, and w x r.
+void turn(ReferenceMotion& child, const ReferenceRate* components, bool parent_is_actual) {
+  Vector3 w, r, rd;
+  for (std::size_t k = 0; k < 3; ++k) {
+    w[k] = components[k].qd;
+    r[k] = components[k].reference;
+    rd[k] = components[k].acceleration;
+  }
+  child.rd += cross(child.w, r);
+  if (!parent_is_actual || !same_vectors(w, r)) child.rd += cross(w, r);
+  child.rd += rd;
+  child.w += w;
+  child.r += r;
+}
+
 }  // namespace
 
 ReferenceMotion base_motion(
@@ -42,14 +58,20 @@ ReferenceMotion across_joint(
     const Joint& joint,
     const Pose& X_PC,
     const ReferenceMotion& parent,
-    const ReferenceRate& rate) {
-  const bool actual = is_actual(parent) && rate.qd == rate.reference;
-  const Motion S = subspace(joint, graph);
+    const std::vector<ReferenceRate>& rates) {
+  if (joint.is_spherical() && joint.axis > 0) return parent;
   ReferenceMotion child;
   child.w = to_child(X_PC.rotation, parent.w);
   child.r = to_child(X_PC.rotation, parent.r);
   child.rd = to_child(X_PC.rotation, parent.rd);
   child.a = to_child(X_PC.rotation, parent.a + times_u(parent, X_PC.offset));
+  if (joint.is_spherical()) {
+    turn(child, &rates[at(joint.index)], is_actual(parent));
+    return child;
+  }
+  const ReferenceRate& rate = rates[at(joint.index)];
+  const bool actual = is_actual(parent) && rate.qd == rate.reference;
+  const Motion S = subspace(joint, graph);
   child.rd += cross(child.w, rate.reference * S.angular);
   child.rd += rate.acceleration * S.angular;
   if (actual) {

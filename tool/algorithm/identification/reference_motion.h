@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "algorithm/spatial/joint.h"
 
@@ -31,12 +32,13 @@ ReferenceMotion base_motion(
 struct ReferenceRate {
   Expression qd, reference, acceleration;
 };
+// `rates` by joint. Of the components of a spherical joint the first one moves the child for all.
 ReferenceMotion across_joint(
     Graph& graph,
     const Joint& joint,
     const Pose& X_PC,
     const ReferenceMotion& parent,
-    const ReferenceRate& rate);
+    const std::vector<ReferenceRate>& rates);
 
 // a + U p, by the parts of U that regressors are made of: U = P + [axis]x with a symmetric P.
 class VelocityChange {

@@ -94,7 +94,8 @@ class EntriesOfLink {
 // ---- What could belong to the parent.
 
 // Sums of inertial parameters of the child whose matter does not move with the joint, but with the parent: of a rod on
-// the axis of a revolute joint, or all inertia of what only slides. The last one of a sum follows from the others.
+// the axis of a revolute joint, a point at the centre of a spherical one, or all inertia of what only slides. The last
+// one of a sum follows from the others.
 std::vector<std::vector<std::size_t>> carried_by_parent(model::JointType type, Moments moments) {
   switch (type) {
     case model::JointType::revolute:
@@ -106,7 +107,7 @@ std::vector<std::vector<std::size_t>> carried_by_parent(model::JointType type, M
       if (moments == Moments::of_mass) return {{Place::Izz}};
       return {{Place::Ixx, Place::Iyy}};
     case model::JointType::spherical:
-      break;  // no regressor of such robots
+      return {{Place::m}};
   }
   return {};
 }
@@ -128,7 +129,7 @@ class RegressorBuilder {
         columns(robot.tree().links.size()),
         moments_(moments),
         names_(inertial_parameter_names(robot.tree())) {
-    at_rest_ = joint_poses(robot.trace, std::vector<Expression>(robot.tree().joints.size()));
+    at_rest_ = poses_at_rest(robot.trace);
     for (std::size_t j = 0; j < representative.size(); ++j) fold_like(robot.trace, representative[j], at_rest_[j]);
   }
 
@@ -165,13 +166,13 @@ class RegressorBuilder {
       const ReferenceMotion& motion,
       const std::vector<UnitMotion>& units,
       const std::vector<ReferenceRate>& rates) {
-    if (!units.empty()) fill(link, motion, units);
+    if (!units.empty() && !robot_.tree().links[at(link)].is_repeated) fill(link, motion, units);
     Trace& trace = robot_.trace;
     for (const Joint& joint : robot_.children(link)) {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
       trace.section(name, "link " + name + ": motion");
-      const ReferenceMotion child = across_joint(trace.graph, joint, X_PC, motion, rates[at(joint.index)]);
+      const ReferenceMotion child = across_joint(trace.graph, joint, X_PC, motion, rates);
       algorithm::name(trace.graph, child, name);
       std::vector<UnitMotion> carried;
       for (const UnitMotion& unit : units) {
@@ -198,9 +199,10 @@ class RegressorBuilder {
     const std::size_t first = at(kParametersOfLink * (link - first_moving_link(robot_.tree())));
     LinkColumns& own = columns[at(link)];
     own.fill(RegressorColumn(at(rows_)));
+    // The joint's own rows are as short as can be, and the parent has none.
+    const std::size_t own_rows = robot_.is_base(link) ? 0 : robot_.parent_joint(link).is_spherical() ? 3 : 1;
     for (const UnitMotion& unit : units) {
-      // The joint's own row is as short as can be, and the parent has none.
-      const bool is_own = &unit == &units.back() && !robot_.is_base(link);
+      const bool is_own = &unit >= units.data() + units.size() - own_rows;
       const Entries row = is_own || robot_.is_base(link) ? all(entries, unit.motion)
                                                          : cheapest(entries, unit, parent_of(link), transfers);
       for (std::size_t p = 0; p < row.size(); ++p) {
@@ -210,7 +212,11 @@ class RegressorBuilder {
     }
   }
 
-  int parent_of(int link) const { return robot_.tree().joints[at(robot_.tree().links[at(link)].parent_joint)].parent; }
+  // Of a spherical joint the first component.
+  int joint_below(int link) const {
+    return robot_.tree().first_component_of(robot_.tree().links[at(link)].parent_joint);
+  }
+  int parent_of(int link) const { return robot_.tree().joints[at(joint_below(link))].parent; }
 
   static Entries all(const EntriesOfLink& entries, const Motion& unit) {
     Entries row;
@@ -226,7 +232,7 @@ class RegressorBuilder {
       InertialNumbers unit;
       for (const std::size_t p : sum) unit[p] = robot_.trace.graph.one();
       const InertialNumbers of_parent =
-          inertial_numbers(to_parent(at_rest_[at(joint.index)], mass_properties(unit, moments_)), moments_);
+          inertial_numbers(to_parent(at_rest_[at(joint_below(link))], mass_properties(unit, moments_)), moments_);
       transfers.push_back({std::move(sum), of_parent});
     }
     return transfers;
@@ -296,7 +302,7 @@ std::vector<LinkColumns> columns_of(
 
 Program write_regressor(Trace& trace, const std::string& name, const std::vector<LinkColumns>& links) {
   std::vector<RegressorColumn> columns;
-  for (int link = first_moving_link(trace.tree); link < static_cast<int>(links.size()); ++link)
+  for (int link = first_moving_link(trace.tree); link < trace.tree.link_count(); ++link)
     columns.insert(columns.end(), links[at(link)].begin(), links[at(link)].end());
   const int rows = trace.tree.dof() + (trace.tree.floating_base ? 6 : 0);
   trace.output("Y", Role::matrix, rows, static_cast<int>(columns.size()), flat_by_coordinate(trace, columns));

@@ -23,6 +23,12 @@ std::vector<Pose> joint_poses(Trace& trace, const std::vector<Expression>& q) {
   return poses;
 }
 
+std::vector<Pose> poses_at_rest(Trace& trace) {
+  std::vector<Expression> q(trace.tree.joints.size());
+  q.resize(q.size() + trace.tree.spherical_joints().size(), trace.graph.one());  // the scalar parts of quaternions
+  return joint_poses(trace, q);
+}
+
 symbolic::Program joint_positions(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const std::vector<Expression> q = trace.joint_input("q", symbolic::Role::joint_position);
