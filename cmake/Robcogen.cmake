@@ -34,6 +34,7 @@
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. That in C is the
 #                                   # library <TARGET>_c (RobcogenC.cmake); nothing compiles the rest
 #       [PYTHON]                    # also a Python module (RobcogenPython.cmake)
+#       [CASADI]                    # also the library <TARGET>_casadi of external functions of CasADi (RobcogenC.cmake)
 #       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, they get -O2 in
 #                                   # configurations without optimisation, such as Debug or none
@@ -84,7 +85,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH PYTHON NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -154,7 +155,7 @@ function(robcogen_add_robot)
     _robcogen_add_bench(${library_TARGET}_bench)
   endif()
   if(library_EXPORT_FILES)
-    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} ${python_files} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} ${c_casadi} ${python_files} PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -273,7 +274,7 @@ function(_robcogen_add_codegen target)
     DEPFILE ${depfile}
     COMMENT "Generating ${library_NAME} from ${document}"
     VERBATIM)
-  set(files ${headers} ${sources} ${c_headers} ${c_sources} ${python_files})
+  set(files ${headers} ${sources} ${c_headers} ${c_sources} ${c_casadi} ${python_files})
   file(GENERATE OUTPUT ${library_OUTPUT_DIR}/${stem}.expected CONTENT "${files}")
   list(TRANSFORM generate REPLACE "^robcogen::robcogen$" "$<TARGET_FILE:robcogen::robcogen>")
   add_custom_command(

@@ -20,7 +20,7 @@
 include_guard(GLOBAL)
 
 function(robcogen_add_transforms)
-  set(flags NO_TESTS EXCLUDE_FROM_ALL)
+  set(flags CASADI NO_TESTS EXCLUDE_FROM_ALL)
   set(values TARGET MOTIONS TRANSFORMS DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
   set(lists DERIVATIVES LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -57,7 +57,7 @@ function(robcogen_add_transforms)
     _robcogen_add_real_time_check(transforms)
   endif()
   if(library_EXPORT_FILES)
-    set(${library_EXPORT_FILES} ${headers} ${sources} ${c_headers} ${c_sources} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${sources} ${c_headers} ${c_sources} ${c_casadi} PARENT_SCOPE)
   endif()
 endfunction()
 

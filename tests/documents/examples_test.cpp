@@ -70,7 +70,31 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
     generate(folder, arguments);
   const std::string text = program(code_blocks(read_text(source_folder() / "runtime/README.md")));
   expect_to_compile(folder, text);
+  // The calls of the front page; its listing is a part of a function, and another test compares it.
+  std::string front =
+      "#include <hyl/hyl.h>\nvoid calls(hyl::JointState q, hyl::JointState qd, hyl::JointState qdd) {\n";
+  for (const CodeBlock& block : code_blocks(read_text(source_folder() / "README.md")))
+    if (block.language == "cpp" && block.text.find("hyl::") != std::string::npos) front += block.text;
+  EXPECT_NE(front.find("hyl::forward_dynamics"), std::string::npos) << front;
+  expect_to_compile(folder, front + "}\n");
   EXPECT_NE(text.find("section_9"), std::string::npos) << "too few sections have examples";
+  if (!testing::Test::HasFailure()) fs::remove_all(folder);
+}
+
+TEST(Examples, OfDerivativesCompile) {
+  const fs::path folder = scratch("derivatives_examples");
+  fs::remove_all(folder);
+  generate(
+      folder, robots +
+                  "hyl_parametric/hyl_parametric.kindsl --name leg --effort 0 --algorithms inverse_dynamics "
+                  "--derivatives inverse_dynamics:q,parameters");
+  std::string text =
+      "#include <leg/leg.h>\nvoid calls(const leg::Parameters<double>& parameters, leg::JointState q) {\n"
+      "const leg::JointState qd = q, qdd = q;\n";
+  for (const CodeBlock& block : code_blocks(read_text(source_folder() / "cmake/README.md")))
+    if (block.language == "cpp") text += block.text + "static_cast<void>(d.tau), d.d_q, d.d_parameters;\n";
+  EXPECT_NE(text.find("d.tau"), std::string::npos) << text;
+  expect_to_compile(folder, text + "}\n", "-Wno-unused-value");
   if (!testing::Test::HasFailure()) fs::remove_all(folder);
 }
 

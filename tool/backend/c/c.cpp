@@ -47,7 +47,7 @@ std::string prefix(const std::string& name, const std::string& enclosing) {
 
 std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups) {
   const std::string folder = prefix + "_c", path = folder + "/";
-  std::vector<std::string> files = {path + folder + ".h", path + kModel + ".h", path + kModel + ".c"};
+  std::vector<std::string> files = {path + folder + ".h", path + kModel + ".h", path + kModel + ".c", path + "casadi.c"};
   for (const std::string& group : groups)
     for (const char* end : {".h", ".c", "_f.c"}) files.push_back(path + group + end);
   return files;
@@ -69,7 +69,7 @@ std::vector<OutputFile> print(const Library& library) {
   const Names names{library, name, name + "_c", callables(library), members(library)};
   std::vector<std::function<std::string()>> texts = {
       [&] { return print_umbrella(names); }, [&] { return print_model_header(names); },
-      [&] { return print_model(names); }};
+      [&] { return print_model(names); }, [&] { return print_casadi(names); }};
   for (const std::string& group : library.groups) {
     texts.emplace_back([&names, group] { return print_header(names, group); });
     for (const Precision precision : {Precision::in_double, Precision::in_float})

@@ -25,7 +25,7 @@ struct Callable {
 std::vector<Callable> callables(const Library& library);
 
 // <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and
-// <prefix>_c.h, which includes all headers. Functions are <prefix>_<kernel>, in single precision with an f behind.
+// <prefix>_c.h, which includes all headers; casadi.c, with every function for CasADi. Functions are <prefix>_<kernel>, in single precision with an f behind.
 // All arguments are arrays, results behind inputs; matrices column by column. A parametric library's functions take a
 // structure of its parameters first.
 std::vector<OutputFile> print(const Library& library);

@@ -26,6 +26,7 @@ std::string header(const Names& names, const std::string& file, const std::strin
 std::string print_model_header(const Names& names);
 std::string print_model(const Names& names);
 std::string print_header(const Names& names, const std::string& group);
+std::string print_casadi(const Names& names);
 std::string print_functions(const Names& names, const std::string& group, Precision precision);
 
 }  // namespace robcogen::backend::c

@@ -1,8 +1,8 @@
-# The arm ur.kindsl in single precision on a Cortex-M4F: compiled without a warning, small, without a routine of double
+# The arm ur.kindsl in single precision on a Cortex-M4F or -M7: compiled without a warning, small, without a routine of double
 # precision, and with the numbers of this machine.
 #
 # cmake -D GCC=arm-none-eabi-gcc -D QEMU=qemu-system-arm -D REQUIRED=bool -D TOOL=robcogen -D SOURCE_DIR=dir -D FOLDER=dir
-#       -P cortex_m4.cmake
+#       -D PROCESSOR=m4|m7 -P cortex.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${SOURCE_DIR}/../../package/steps.cmake)
 foreach(program GCC QEMU)
@@ -17,7 +17,13 @@ endforeach()
 
 file(REMOVE_RECURSE ${FOLDER})
 run(output ${TOOL} generate ${SOURCE_DIR}/ur.kindsl --name ur --language c -o ${FOLDER})
+# The boards have processors whose units compute in single precision only.
 set(machine -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16)
+set(board mps2-an386)
+if(PROCESSOR STREQUAL "m7")
+  set(machine -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16)
+  set(board mps2-an500)
+endif()
 set(strict -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror)
 set(objects "")
 file(GLOB sources ${FOLDER}/c/ur_c/*.c)
@@ -26,8 +32,8 @@ foreach(source IN LISTS sources)
   run(output ${GCC} ${machine} ${strict} -Os -ffp-contract=fast -ffunction-sections -fdata-sections -I${FOLDER}/c -c ${source} -o ${FOLDER}/${name}.o)
   list(APPEND objects ${FOLDER}/${name}.o)
 endforeach()
-run(output ${GCC} ${machine} -std=gnu99 -Wall -Wextra -Werror -Os -I${FOLDER}/c -c ${SOURCE_DIR}/cortex_m4.c -o ${FOLDER}/main.o)
-run(output ${GCC} ${machine} -nostartfiles -Wl,--gc-sections -T ${SOURCE_DIR}/cortex_m4.ld ${FOLDER}/main.o ${objects} -lm -lc -lgcc
+run(output ${GCC} ${machine} -std=gnu99 -Wall -Wextra -Werror -Os -I${FOLDER}/c -c ${SOURCE_DIR}/cortex.c -o ${FOLDER}/main.o)
+run(output ${GCC} ${machine} -nostartfiles -Wl,--gc-sections -T ${SOURCE_DIR}/cortex.ld ${FOLDER}/main.o ${objects} -lm -lc -lgcc
     -o ${FOLDER}/arm.elf)
 
 string(REGEX REPLACE "gcc[^/]*$" "nm" nm ${GCC})
@@ -47,9 +53,9 @@ endif()
 
 # The board has the processor; semihosting prints the bits of the results.
 execute_process(
-  COMMAND ${QEMU} -M mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel ${FOLDER}/arm.elf
+  COMMAND ${QEMU} -M ${board} -nographic -semihosting-config enable=on,target=native -kernel ${FOLDER}/arm.elf
   OUTPUT_VARIABLE on_board ERROR_VARIABLE on_board RESULT_VARIABLE status TIMEOUT 20)
-run(output cc -std=gnu99 -I${FOLDER}/c ${SOURCE_DIR}/cortex_m4.c ${sources} -o ${FOLDER}/here -lm)
+run(output cc -std=gnu99 -I${FOLDER}/c ${SOURCE_DIR}/cortex.c ${sources} -o ${FOLDER}/here -lm)
 run(here ${FOLDER}/here)
 string(REGEX MATCHALL "[^\n]+" on_board "${on_board}")
 string(REGEX MATCHALL "[^\n]+" here "${here}")
