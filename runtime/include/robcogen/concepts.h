@@ -15,6 +15,8 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <type_traits>
+#include <utility>
 
 #include "robcogen/positions.h"
 #include "robcogen/results.h"
@@ -195,6 +197,45 @@ concept HasCentroidal = RobotTraits<R> && requires(const R& robot, const JointPo
   robot.center_of_mass_jacobian(q);
   robot.centroidal_momentum_matrix(q);
 };
+
+// The rows of all contacts: three of a point, six of a surface.
+template <class R>
+requires requires(const R& robot, const JointPositions<R>& q) {
+  robot.contact_jacobian(q);
+}
+inline constexpr int kContactRows = std::remove_cvref_t<decltype(std::declval<const R&>().contact_jacobian(
+    std::declval<const JointPositions<R>&>()))>::RowsAtCompileTime;
+
+// Functions of contacts; with a floating base those of velocities take its velocity too.
+template <class R>
+concept HasContacts = RobotTraits<R> && requires(const R& robot, const JointPositions<R>& q) {
+  { robot.contact_jacobian(q) }
+  noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, R::InertiaMatrix::RowsAtCompileTime>>;
+  { robot.inverse_contact_inertia(q) }
+  noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, kContactRows<R>>>;
+} &&
+    ((FixedBase<R> &&
+      requires(const R& robot, const JointPositions<R>& q, const typename R::JointState& qd) {
+        { robot.contact_velocity(q, qd) }
+        noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+        { robot.contact_bias(q, qd) }
+        noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+      }) ||
+     (FloatingBase<R> && requires(
+                             const R& robot,
+                             const JointPositions<R>& q,
+                             const typename R::JointState& qd,
+                             const typename R::Twist& v,
+                             const typename R::SpatialAcceleration& a,
+                             const Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>& rows,
+                             const typename R::Gravity& gravity) {
+       { robot.contact_velocity(q, qd, v) }
+       noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+       { robot.contact_bias(q, qd, v) }
+       noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+       { robot.inverse_dynamics_with_contacts(q, qd, qd, v, a, rows, gravity) }
+       noexcept->std::same_as<typename R::GeneralizedForce>;
+     }));
 
 // The dynamics for controllers and simulators.
 template <class R>
