@@ -145,6 +145,79 @@ TEST(Conversions, OfAFixedBaseHaveJointsOnly) {
   EXPECT_EQ(from_rbdl<Fixed>(q.data(), v.data(), order).q, state.q);
 }
 
+// ---- Spherical joints: two, with a knee between them.
+
+constexpr std::array<const char*, 7> kBallNames = {"hip_x", "hip_y", "hip_z", "knee", "ankle_x", "ankle_y", "ankle_z"};
+constexpr std::array<int, 2> kQuaternions = {0, 5};
+const std::vector<std::string> kTheirBalls = {"ankle", "knee", "hip"};
+
+struct FloatingBalls {
+  Eigen::Matrix<double, 9, 1> q = Eigen::Matrix<double, 9, 1>::Zero();
+  Eigen::Matrix<double, 7, 1> qd = Eigen::Matrix<double, 7, 1>::Zero();
+  BasePose pose;
+  Twist base_velocity;
+};
+
+FloatingBalls with_balls() {
+  FloatingBalls state;
+  state.q << 0.1, 0.7, 0.5, 0.5, 2, 0.8, 0, 0.6, 0;
+  state.qd << 1, 2, 3, 4, 5, 6, 7;
+  const Floating base = quarter_turned();
+  state.pose = base.pose;
+  state.base_velocity = base.base_velocity;
+  return state;
+}
+
+using Array16 = std::array<double, 16>;
+using Array13 = std::array<double, 13>;
+
+template <class To, class From>
+void expect_balls(const To& to, const From& from, const Array16& positions, const Array13& velocities) {
+  const auto match = match_joints(kBallNames, kQuaternions, kTheirBalls);
+  ASSERT_TRUE(match.order) << match.name;
+  Array16 q{};
+  Array13 v{};
+  to(with_balls(), *match.order, q.data(), v.data());
+  expect_near(q, positions);
+  expect_near(v, velocities);
+  const FloatingBalls back = from(positions.data(), velocities.data(), *match.order);
+  EXPECT_LT((back.q - with_balls().q).norm(), kRounding);
+  EXPECT_EQ(back.qd, with_balls().qd);
+}
+
+TEST(Conversions, OfSphericalJoints) {
+  const double h = kHalf;
+  expect_balls(
+      [](const auto&... a) { to_mujoco(a...); }, [](const auto&... a) { return from_mujoco<FloatingBalls>(a...); },
+      {7, 8, 9, h, 0, 0, h, 0.8, 0, 0.6, 0, 2, 0.1, 0.7, 0.5, 0.5}, {-5, 4, 6, 1, 2, 3, 5, 6, 7, 4, 1, 2, 3});
+  expect_balls(
+      [](const auto&... a) { to_pinocchio(a...); },
+      [](const auto&... a) { return from_pinocchio<FloatingBalls>(a...); },
+      {7, 8, 9, 0, 0, h, h, 0, 0.6, 0, 0.8, 2, 0.7, 0.5, 0.5, 0.1}, {4, 5, 6, 1, 2, 3, 5, 6, 7, 4, 1, 2, 3});
+  expect_balls(
+      [](const auto&... a) { to_rbdl(a...); }, [](const auto&... a) { return from_rbdl<FloatingBalls>(a...); },
+      {7, 8, 9, 0, 0, h, 0, 0.6, 0, 2, 0.7, 0.5, 0.5, h, 0.8, 0.1}, {-5, 4, 6, 1, 2, 3, 5, 6, 7, 4, 1, 2, 3});
+}
+
+TEST(Conversions, MakeQuaternionsOfUnitLength) {
+  const auto match = match_joints(kBallNames, kQuaternions, kTheirBalls);
+  const Array16 positions = {7, 8, 9, 1, 0, 0, 0, 8, 0, 6, 0, 2, 0.2, 1.4, 1, 1};
+  const Array13 velocities{};
+  const auto state = from_mujoco<FloatingBalls>(positions.data(), velocities.data(), *match.order);
+  EXPECT_LT((state.q - with_balls().q).norm(), kRounding);
+}
+
+TEST(JointNames, OfSphericalJointsAreThoseOfTheDocument) {
+  const auto problem = [](const std::vector<std::string>& names) {
+    return match_joints(kBallNames, kQuaternions, names).problem;
+  };
+  EXPECT_EQ(problem({"hip", "knee", "ankle"}), JointProblem::none);
+  EXPECT_EQ(problem({"hip_x", "knee", "ankle"}), JointProblem::unknown);
+  EXPECT_EQ(problem({"hip", "knee"}), JointProblem::missing);
+  EXPECT_EQ(problem({"hip", "hip", "knee", "ankle"}), JointProblem::repeated);
+  EXPECT_EQ(match_joints(kBallNames, kQuaternions, std::vector<std::string>{"knee", "hip"}).name, "ankle");
+}
+
 // ---- Names.
 
 TEST(JointNames, AreMatchedWhateverHoldsThem) {

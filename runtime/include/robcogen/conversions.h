@@ -8,7 +8,8 @@
 // A state is a robcogen::State<R>, or any default-constructible struct with Eigen vectors q and qd and, if the base
 // floats, a pose and a base_velocity. The base body of the other library must have the frame of the base here, and its
 // coordinates the first places of the arrays, as a URDF's root has them; the world is the same. Joints are those of one
-// variable, in any order. A fixed base has no coordinates in any of these libraries.
+// variable, and spherical ones but for Drake and ROS, in any order. A fixed base has no coordinates in any of these
+// libraries.
 //
 //                        position, then velocity of a floating base                    joints
 //     MuJoCo, qpos       x y z, quaternion w x y z                                     after the base
@@ -22,7 +23,9 @@
 //     ROS, Odometry      x y z, quaternion x y z w                                     JointState
 //             twist      linear in base axes, angular in base axes                     JointState
 //
-// All velocities are those of the base origin. Nothing allocates or throws.
+// All velocities are those of the base origin. A spherical joint has the quaternion w x y z in MuJoCo, x y z w in
+// Pinocchio; in RBDL x y z, and w at the end, after that of the base; its velocities are the same in all three, in axes
+// of the child. Nothing allocates or throws.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,16 +42,27 @@ namespace robcogen {
 
 // ---- Joints by name.
 
-template <std::size_t kDof>
+template <std::size_t kDof, std::size_t kBalls = 0>
 struct JointMatch;
 
-// Where the joints of a robot are in the vectors of another library.
-template <std::size_t kDof>
+template <std::size_t kDof, std::size_t kBalls, class Names>
+JointMatch<kDof, kBalls> match_joints(
+    const std::array<const char*, kDof>& ours,
+    const std::array<int, kBalls>& quaternions,
+    const Names& theirs) noexcept;
+
+// Where another library has the scalar parts of quaternions: in front of their vector parts, behind them, or all behind
+// the last joint, in the order of the joints.
+enum class ScalarPart { first, last, behind_all };
+
+// Where the joints of a robot are in the vectors of another library, kBalls of them spherical.
+template <std::size_t kDof, std::size_t kBalls = 0>
 class JointOrder {
  public:
-  // The place of our joint.
+  // The place of our joint among velocities, and where no joint is spherical among positions.
   constexpr int operator[](std::size_t joint) const noexcept { return places_[joint]; }
 
+  // Vectors with an element a velocity.
   template <class Ours, class Number>
   void to(const Ours& ours, Number* theirs) const noexcept {
     for (std::size_t j = 0; j < kDof; ++j) theirs[places_[j]] = static_cast<Number>(ours[static_cast<Eigen::Index>(j)]);
@@ -59,13 +73,57 @@ class JointOrder {
     for (std::size_t j = 0; j < kDof; ++j) ours[static_cast<Eigen::Index>(j)] = static_cast<Scalar>(theirs[places_[j]]);
   }
 
- private:
-  template <std::size_t n, class Names>
-  friend JointMatch<n> match_joints(const std::array<const char*, n>& ours, const Names& theirs) noexcept;
+  // Positions. `others` are the scalar parts of the base in front of those behind all.
+  template <class Ours, class Number>
+  void positions_to(const Ours& q, ScalarPart scalar, int others, Number* theirs) const noexcept {
+    visit(scalar, others, [&](int own, int place) { theirs[place] = static_cast<Number>(q[own]); });
+  }
+  // Quaternions become of unit length.
+  template <class Ours, class Number>
+  void positions_from(const Number* theirs, ScalarPart scalar, int others, Ours& q) const noexcept {
+    using Scalar = std::decay_t<decltype(q[0])>;
+    visit(scalar, others, [&](int own, int place) { q[own] = static_cast<Scalar>(theirs[place]); });
+    for (const int first : quaternions_) q.template segment<4>(first).normalize();
+  }
 
-  constexpr explicit JointOrder(const std::array<int, kDof>& places) noexcept : places_(places) {}
+ private:
+  template <std::size_t n, std::size_t m, class Names>
+  friend JointMatch<n, m> match_joints(
+      const std::array<const char*, n>& ours,
+      const std::array<int, m>& quaternions,
+      const Names& theirs) noexcept;
+
+  constexpr JointOrder(
+      const std::array<int, kDof>& places,
+      const std::array<int, kBalls>& quaternions,
+      const std::array<int, kBalls>& ordinals) noexcept
+      : places_(places), quaternions_(quaternions), ordinals_(ordinals) {}
+
+  // Calls visit(element of q, place in theirs).
+  template <class Visit>
+  void visit(ScalarPart scalar, int others, const Visit& visit) const noexcept {
+    std::size_t ball = 0;
+    int own = 0;
+    for (std::size_t j = 0; j < kDof; ++own) {
+      int place = places_[j];
+      // Each spherical joint in front has an element more than velocities.
+      for (std::size_t b = 0; scalar != ScalarPart::behind_all && b < kBalls; ++b)
+        if (places_[static_cast<std::size_t>(quaternions_[b]) - b] < places_[j]) ++place;
+      if (ball == kBalls || quaternions_[ball] != own) {
+        visit(own, place);
+        ++j;
+        continue;
+      }
+      const int behind_all = static_cast<int>(kDof) + others + ordinals_[ball++];
+      visit(own, scalar == ScalarPart::first ? place : scalar == ScalarPart::last ? place + 3 : behind_all);
+      for (int k = 0; k < 3; ++k) visit(++own, place + k + (scalar == ScalarPart::first ? 1 : 0));
+      j += 3;
+    }
+  }
 
   std::array<int, kDof> places_;
+  std::array<int, kBalls> quaternions_;  // elements of q
+  std::array<int, kBalls> ordinals_;     // among their spherical joints
 };
 
 enum class JointProblem {
@@ -76,9 +134,9 @@ enum class JointProblem {
 };
 
 // Without an order if there is a problem; `name` is that of the joint, a view of the caller's text.
-template <std::size_t kDof>
+template <std::size_t kDof, std::size_t kBalls>
 struct JointMatch {
-  std::optional<JointOrder<kDof>> order;
+  std::optional<JointOrder<kDof, kBalls>> order;
   JointProblem problem = JointProblem::none;
   std::string_view name;
 };
@@ -87,9 +145,32 @@ struct JointMatch {
 // without the base: any range of strings. A null pointer is a joint without a name, which the robot does not have.
 template <std::size_t kDof, class Names>
 JointMatch<kDof> match_joints(const std::array<const char*, kDof>& ours, const Names& theirs) noexcept {
+  return match_joints(ours, std::array<int, 0>{}, theirs);
+}
+
+// The same of any robot: `quaternions` are its Robot::kQuaternions, or kQuaternions<R> (positions.h). A spherical joint
+// has one name among theirs, that of the document: `hip`, of `hip_x`, `hip_y` and `hip_z` here.
+template <std::size_t kDof, std::size_t kBalls, class Names>
+JointMatch<kDof, kBalls> match_joints(
+    const std::array<const char*, kDof>& ours,
+    const std::array<int, kBalls>& quaternions,
+    const Names& theirs) noexcept {
   std::array<int, kDof> places{};
   std::array<bool, kDof> found{};
-  int place = 0;
+  std::array<int, kBalls> ordinals{};
+  // By joint: -1, or of the first component of a spherical joint which one it is, and of others kBalls.
+  std::array<int, kDof> balls{};
+  balls.fill(-1);
+  for (std::size_t b = 0; b < kBalls; ++b)
+    for (std::size_t k = 0; k < 3; ++k)
+      balls[static_cast<std::size_t>(quaternions[b]) - b + k] = static_cast<int>(k == 0 ? b : kBalls);
+  const auto name_of = [&](std::size_t joint) {
+    std::string_view name = ours[joint];
+    if (balls[joint] >= 0) name.remove_suffix(2);
+    return name;
+  };
+  const auto is_joint = [&](std::size_t joint) { return balls[joint] != static_cast<int>(kBalls); };
+  int place = 0, ball = 0;
   for (const auto& item : theirs) {
     std::string_view name;
     if constexpr (std::is_pointer_v<std::decay_t<decltype(item)>>) {
@@ -98,15 +179,18 @@ JointMatch<kDof> match_joints(const std::array<const char*, kDof>& ours, const N
       name = item;
     }
     std::size_t joint = 0;
-    while (joint < kDof && name != ours[joint]) ++joint;
+    while (joint < kDof && !(is_joint(joint) && name == name_of(joint))) ++joint;
     if (joint == kDof) return {std::nullopt, JointProblem::unknown, name};
     if (found[joint]) return {std::nullopt, JointProblem::repeated, name};
     found[joint] = true;
     places[joint] = place++;
+    if (balls[joint] < 0) continue;
+    ordinals[static_cast<std::size_t>(balls[joint])] = ball++;
+    for (std::size_t k = 1; k < 3; ++k) places[joint + k] = place++;
   }
   for (std::size_t j = 0; j < kDof; ++j)
-    if (!found[j]) return {std::nullopt, JointProblem::missing, ours[j]};
-  return {JointOrder<kDof>(places), JointProblem::none, {}};
+    if (is_joint(j) && !found[j]) return {std::nullopt, JointProblem::missing, name_of(j)};
+  return {JointOrder<kDof, kBalls>(places, quaternions, ordinals), JointProblem::none, {}};
 }
 
 // ---- Layouts.
@@ -120,14 +204,15 @@ struct Layout {
   int position, quaternion_xyz, quaternion_w, joint_positions;
   int linear, angular, joint_velocities;
   Axes linear_axes, angular_axes;
+  ScalarPart scalar;  // of spherical joints
 };
 
 constexpr int kAfterJoints = -1;
 
-inline constexpr Layout kMujoco{0, 4, 3, 7, 0, 3, 6, Axes::world, Axes::base};
-inline constexpr Layout kPinocchio{0, 3, 6, 7, 0, 3, 6, Axes::base, Axes::base};
-inline constexpr Layout kRbdl{0, 3, kAfterJoints, 6, 0, 3, 6, Axes::world, Axes::base};
-inline constexpr Layout kDrake{4, 1, 0, 7, 3, 0, 6, Axes::world, Axes::world};
+inline constexpr Layout kMujoco{0, 4, 3, 7, 0, 3, 6, Axes::world, Axes::base, ScalarPart::first};
+inline constexpr Layout kPinocchio{0, 3, 6, 7, 0, 3, 6, Axes::base, Axes::base, ScalarPart::last};
+inline constexpr Layout kRbdl{0, 3, kAfterJoints, 6, 0, 3, 6, Axes::world, Axes::base, ScalarPart::behind_all};
+inline constexpr Layout kDrake{4, 1, 0, 7, 3, 0, 6, Axes::world, Axes::world, ScalarPart::first};
 
 template <class State, class = void>
 struct HasPose : std::false_type {};
@@ -148,9 +233,11 @@ inline int place_of_w(const Layout& layout, std::size_t dof) noexcept {
   return layout.quaternion_w == kAfterJoints ? layout.joint_positions + static_cast<int>(dof) : layout.quaternion_w;
 }
 
-// The order is that of a robot with as many joints.
-template <class State, std::size_t kDof>
-constexpr bool kFits = std::decay_t<decltype(std::declval<State&>().q)>::SizeAtCompileTime == static_cast<int>(kDof);
+// The order is that of a robot with as many positions and velocities.
+template <class State, std::size_t kDof, std::size_t kBalls = 0>
+constexpr bool kFits = std::decay_t<decltype(std::declval<State&>().q)>::SizeAtCompileTime ==
+                           static_cast<int>(kDof + kBalls) &&
+                       std::decay_t<decltype(std::declval<State&>().qd)>::SizeAtCompileTime == static_cast<int>(kDof);
 
 template <class State, class Number>
 void base_to_arrays(const Layout& layout, const State& state, int w, Number* positions, Number* velocities) noexcept {
@@ -182,37 +269,37 @@ void base_from_arrays(
       layout.linear_axes == Axes::world ? state.pose.to_base_axes(linear) : linear);
 }
 
-template <class State, std::size_t kDof, class Number>
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
 void to_arrays(
     const Layout& layout,
     const State& state,
-    const JointOrder<kDof>& order,
+    const JointOrder<kDof, kBalls>& order,
     Number* positions,
     Number* velocities) noexcept {
-  static_assert(kFits<State, kDof>, "the order is that of another robot");
+  static_assert(kFits<State, kDof, kBalls>, "the order is that of another robot, or lacks its quaternions");
   if constexpr (HasPose<State>::value) {
     base_to_arrays(layout, state, place_of_w(layout, kDof), positions, velocities);
     positions += layout.joint_positions;
     velocities += layout.joint_velocities;
   }
-  order.to(state.q, positions);
+  order.positions_to(state.q, layout.scalar, HasPose<State>::value ? 1 : 0, positions);
   order.to(state.qd, velocities);
 }
 
-template <class State, std::size_t kDof, class Number>
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
 State from_arrays(
     const Layout& layout,
     const Number* positions,
     const Number* velocities,
-    const JointOrder<kDof>& order) noexcept {
-  static_assert(kFits<State, kDof>, "the order is that of another robot");
+    const JointOrder<kDof, kBalls>& order) noexcept {
+  static_assert(kFits<State, kDof, kBalls>, "the order is that of another robot, or lacks its quaternions");
   State state;
   if constexpr (HasPose<State>::value) {
     base_from_arrays(layout, positions, velocities, place_of_w(layout, kDof), state);
     positions += layout.joint_positions;
     velocities += layout.joint_velocities;
   }
-  order.from(positions, state.q);
+  order.positions_from(positions, layout.scalar, HasPose<State>::value ? 1 : 0, state.q);
   order.from(velocities, state.qd);
   return state;
 }
@@ -220,32 +307,32 @@ State from_arrays(
 }  // namespace conversions
 
 // ---- One library after another. With a floating base of n joints, arrays of positions have 7 + n elements and those
-// of velocities 6 + n; otherwise n each.
+// of velocities 6 + n; otherwise n each. Of spherical joints arrays of positions have four, those of velocities three.
 
-template <class State, std::size_t kDof, class Number>
-void to_mujoco(const State& state, const JointOrder<kDof>& order, Number* qpos, Number* qvel) noexcept {
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
+void to_mujoco(const State& state, const JointOrder<kDof, kBalls>& order, Number* qpos, Number* qvel) noexcept {
   conversions::to_arrays(conversions::kMujoco, state, order, qpos, qvel);
 }
-template <class State, std::size_t kDof, class Number>
-State from_mujoco(const Number* qpos, const Number* qvel, const JointOrder<kDof>& order) noexcept {
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
+State from_mujoco(const Number* qpos, const Number* qvel, const JointOrder<kDof, kBalls>& order) noexcept {
   return conversions::from_arrays<State>(conversions::kMujoco, qpos, qvel, order);
 }
 
-template <class State, std::size_t kDof, class Number>
-void to_pinocchio(const State& state, const JointOrder<kDof>& order, Number* q, Number* v) noexcept {
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
+void to_pinocchio(const State& state, const JointOrder<kDof, kBalls>& order, Number* q, Number* v) noexcept {
   conversions::to_arrays(conversions::kPinocchio, state, order, q, v);
 }
-template <class State, std::size_t kDof, class Number>
-State from_pinocchio(const Number* q, const Number* v, const JointOrder<kDof>& order) noexcept {
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
+State from_pinocchio(const Number* q, const Number* v, const JointOrder<kDof, kBalls>& order) noexcept {
   return conversions::from_arrays<State>(conversions::kPinocchio, q, v, order);
 }
 
-template <class State, std::size_t kDof, class Number>
-void to_rbdl(const State& state, const JointOrder<kDof>& order, Number* Q, Number* QDot) noexcept {
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
+void to_rbdl(const State& state, const JointOrder<kDof, kBalls>& order, Number* Q, Number* QDot) noexcept {
   conversions::to_arrays(conversions::kRbdl, state, order, Q, QDot);
 }
-template <class State, std::size_t kDof, class Number>
-State from_rbdl(const Number* Q, const Number* QDot, const JointOrder<kDof>& order) noexcept {
+template <class State, std::size_t kDof, std::size_t kBalls, class Number>
+State from_rbdl(const Number* Q, const Number* QDot, const JointOrder<kDof, kBalls>& order) noexcept {
   return conversions::from_arrays<State>(conversions::kRbdl, Q, QDot, order);
 }
 
