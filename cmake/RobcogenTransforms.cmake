@@ -8,7 +8,7 @@
 #       [DESIRED euler.dtdsl]       # the transforms to generate, between any frames that the document connects
 #       [DERIVATIVES function:input…]
 #                                   # derivatives by `variables` and `parameters`: transforms.homogeneous.A_X_B:variables
-#       [NAME ident] [NAMESPACE a::b] [LANGUAGES cpp …] [DEPENDS file|target…]
+#       [NAME ident] [NAMESPACE a::b] [LANGUAGES cpp …] [PYTHON] [CASADI] [DEPENDS file|target…]
 #       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable] [OPTIONS flag…])
 #
@@ -20,7 +20,7 @@
 include_guard(GLOBAL)
 
 function(robcogen_add_transforms)
-  set(flags CASADI NO_TESTS EXCLUDE_FROM_ALL)
+  set(flags PYTHON CASADI NO_TESTS EXCLUDE_FROM_ALL)
   set(values TARGET MOTIONS TRANSFORMS DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
   set(lists DERIVATIVES LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -32,6 +32,7 @@ function(robcogen_add_transforms)
   _robcogen_check_derivatives()
   _robcogen_check_elements(LANGUAGES cpp c matlab maxima javascript)
   _robcogen_check_c()
+  _robcogen_check_python()
   _robcogen_check_documents(${document_keyword})
   _robcogen_check_names()
   _robcogen_require_tool()
@@ -41,6 +42,7 @@ function(robcogen_add_transforms)
     list(APPEND groups derivatives)
   endif()
   _robcogen_c_files("${groups}")
+  _robcogen_python_files()
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_add_text()
     return()
@@ -52,12 +54,13 @@ function(robcogen_add_transforms)
   _robcogen_add_codegen(${library_TARGET}_codegen)
   _robcogen_add_library(${library_TARGET})
   _robcogen_add_c_library()
+  _robcogen_add_python()
   if(BUILD_TESTING AND NOT library_NO_TESTS)
     _robcogen_add_transforms_selfcheck(${library_TARGET}_selfcheck)
     _robcogen_add_real_time_check(transforms)
   endif()
   if(library_EXPORT_FILES)
-    set(${library_EXPORT_FILES} ${headers} ${sources} ${c_headers} ${c_sources} ${c_casadi} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${sources} ${c_headers} ${c_sources} ${c_casadi} ${python_files} PARENT_SCOPE)
   endif()
 endfunction()
 

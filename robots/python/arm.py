@@ -1,5 +1,5 @@
 """A seven-joint arm in Python: gravity torques over a workspace, a step under computed torque, identification from noisy
-measurements. Run it with the package robcogen on PYTHONPATH; with matplotlib and the argument --plot it draws figures.
+measurements. Run it with the package robcogen on PYTHONPATH; with matplotlib and the argument --plot FILE it draws figures.
 """
 import sys
 from pathlib import Path
@@ -44,7 +44,10 @@ def identify(arm, states=2000, noise=0.5, seed=1):
     return parameters, np.sqrt(np.mean(error**2))
 
 
-def plot(second, fourth, torques, positions):
+def plot(file, second, fourth, torques, positions):
+    import matplotlib
+
+    matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
@@ -52,7 +55,7 @@ def plot(second, fourth, torques, positions):
     left.set(xlabel="joint 2 (rad)", ylabel="joint 4 (rad)")
     right.plot(np.arange(len(positions)) * 1e-3, positions)
     right.set(xlabel="time (s)", ylabel="positions (rad)")
-    plt.show()
+    figure.savefig(file)
 
 
 def main():
@@ -66,7 +69,7 @@ def main():
     parameters, error = identify(arm)
     print(f"{len(parameters)} base parameters predict torques within {error:.3f} N m of the model, from noise of 0.5 N m")
     if "--plot" in sys.argv:
-        plot(second, fourth, torques, positions)
+        plot(sys.argv[sys.argv.index("--plot") + 1], second, fourth, torques, positions)
 
 
 if __name__ == "__main__":

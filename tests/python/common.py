@@ -12,6 +12,7 @@ import leg
 import walker
 
 ROBOTS = os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "robots")
+CONTACTS = {walker: ["--contacts", "fr_foot"]}
 MODELS = {arm: "iiwa14", leg: "hyl_parametric", walker: "geared_leg", ball_leg: "ball_leg"}
 RANDOM = np.random.default_rng(5)
 
@@ -43,7 +44,7 @@ def plain(value):
 def evaluate(module, function, states, *options):
     """The results of `robcogen eval`, a dictionary a state."""
     model = os.path.join(ROBOTS, MODELS[module], MODELS[module])
-    command = [os.environ["ROBCOGEN_TOOL"], "eval", "--quiet", model + ".kindsl", function, "--desired", model + ".dtdsl", *options]
+    command = [os.environ["ROBCOGEN_TOOL"], "eval", "--quiet", model + ".kindsl", function, "--desired", model + ".dtdsl", *CONTACTS.get(module, []), *options]
     text = "\n".join(json.dumps({k: plain(v) for k, v in s.items()}) for s in states)
     run = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
     if run.returncode:

@@ -60,10 +60,27 @@ class Values(unittest.TestCase):
             for name, function in scopes(module):
                 if name.startswith("inertia_factor"):
                     continue
-                options = ["--derivatives", "inverse_dynamics:q"] if name == "inverse_dynamics_d_q" else []
+                derived = {"inverse_dynamics_d_q": "inverse_dynamics:q", "contact_jacobian_d_q": "contact_jacobian:q"}
+                options = ["--derivatives", derived[name]] if name in derived else []
                 self.compare(module, name, function, {}, *options)
                 count += 1
         self.assertGreater(count, 50)
+
+    def test_contacts(self):
+        """A foot that holds: its acceleration, J a + bias, is zero."""
+        q, qd = RANDOM.uniform(-1, 1, 3), RANDOM.uniform(-1, 1, 3)
+        base, gravity, tau = RANDOM.uniform(-1, 1, 6), np.array([0, 0, -9.81]), RANDOM.uniform(-1, 1, 3)
+        known = dict(scopes(walker))
+        self.assertIn("contact_jacobian", known)
+        state = {"q": q, "qd": qd, "base_velocity": base, "gravity": gravity, "tau": tau, "contact_acceleration": [0.0] * 3,
+                 "active": [1.0], "activity": [1.0], "compliance": [0.0] * 3}
+
+        def call(name):
+            return known[name](**{k: v for k, v in state.items() if k in shapes(known[name])[0]})
+
+        J, bias, dynamics = call("contact_jacobian"), call("contact_bias"), call("constrained_forward_dynamics")
+        a = np.concatenate([dynamics.base_acceleration, dynamics.qdd])
+        np.testing.assert_allclose(J @ a + bias, 0, atol=1e-9)
 
     def test_factor(self):
         p, q, x = leg.Parameters(), RANDOM.uniform(-1, 1, 3), RANDOM.uniform(-1, 1, 3)

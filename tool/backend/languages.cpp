@@ -18,7 +18,7 @@ const std::vector<Language>& languages() {
       {.name = "c", .takes_transforms = true, .print = c::print},
       {.name = "matlab", .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .takes_transforms = true, .print = maxima::print},
-      {.name = "python", .features = {.caches_parameters = true}, .print = python::print},
+      {.name = "python", .features = {.caches_parameters = true}, .takes_transforms = true, .print = python::print},
       {.name = "javascript", .takes_transforms = true, .print = javascript::print},
   };
   return all;

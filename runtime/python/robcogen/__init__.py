@@ -31,7 +31,7 @@ class Error(Exception):
 
 
 def load(model, **options):
-    """The module of a robot: .kindsl, .urdf, or MJCF. The options are those of build()."""
+    """The module of a robot: .kindsl, .urdf, or MJCF; or of motions or transforms, .motdsl or .ctdsl. The options are those of build()."""
     path = build(model, **options)
     name = path.name.split(".")[0]
     loader = importlib.machinery.ExtensionFileLoader(name, str(path))
@@ -55,7 +55,7 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
     if desired is None and model.with_suffix(".dtdsl").is_file():
         desired = model.with_suffix(".dtdsl")
     arguments = ["--name", name, "--language", "cpp", "python"]
-    if platform.machine() in ("x86_64", "AMD64"):
+    if platform.machine() in ("x86_64", "AMD64") and model.suffix not in (".motdsl", ".ctdsl"):
         arguments += ["--processors", "avx2"]
     if desired is not None:
         arguments += ["--desired", str(Path(desired).absolute())]

@@ -15,6 +15,7 @@ struct Array {
   int rows = 1, columns = 1;
   bool is_by_rows = false;
   bool is_parameters = false;
+  std::vector<std::string> elements = {};  // their names, where the documentation lists them
 };
 
 struct Function {

@@ -156,7 +156,9 @@ std::string print_source(const cpp::Api& api, const std::vector<Function>& funct
   };
   const std::vector<std::string> fields = {
       "    " + quoted(library.name),
-      "    " + quoted("Kinematics and dynamics of the robot " + library.robot + "."),
+      "    " + quoted(
+                   library.has_robot() ? "Kinematics and dynamics of the robot " + library.robot + "."
+                                       : "Coordinate transforms of the model " + library.robot + "."),
       "    {\n" + rows + "    }",
       "    " + print_parameters(api),
       column(library.joints, name),
@@ -169,11 +171,11 @@ std::string print_source(const cpp::Api& api, const std::vector<Function>& funct
       column(library.joints, limit(&JointLimits::velocity)),
       column(library.joints, limit(&JointLimits::effort))};
   return cpp::banner(library, library.name + ".cpp", "its Python module") + "// clang-format off\n#include " +
-         quoted("robcogen/python/make_module.h") + "\n\n#include " + quoted(cpp::kernels_path(folder)) + "\n#include " +
-         quoted(cpp::header_path(folder, cpp::kParameters)) + "\n\nusing robcogen::batch::Strided;\n\n" +
-         cpp::in_namespace(api.space + "::batch::kernel", declarations) + "\nnamespace {\n\n" + calls +
-         print_caches(api) + "\nconst robcogen::python::Module kModule = {\n" + joined(fields, ",\n") +
-         "};\n\n}  // namespace\n\nPyMODINIT_FUNC PyInit_" + library.name +
+         quoted("robcogen/python/make_module.h") + "\n\n#include " + quoted(cpp::kernels_path(folder)) + "\n" +
+         (library.has_robot() ? "#include " + quoted(cpp::header_path(folder, cpp::kParameters)) + "\n" : "") +
+         "\nusing robcogen::batch::Strided;\n\n" + cpp::in_namespace(api.space + "::batch::kernel", declarations) +
+         "\nnamespace {\n\n" + calls + print_caches(api) + "\nconst robcogen::python::Module kModule = {\n" +
+         joined(fields, ",\n") + "};\n\n}  // namespace\n\nPyMODINIT_FUNC PyInit_" + library.name +
          "() {\n  return robcogen::python::make_module(kModule);\n}\n";
 }
 

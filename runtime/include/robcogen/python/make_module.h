@@ -164,13 +164,17 @@ inline PyObject* make_module(const Module& m) {
   const auto text = [](const char* s) { return PyUnicode_FromString(s); };
   const auto number = [](double x) { return PyFloat_FromDouble(x); };
   bool is_good = add_parameters(module, m);
-  is_good =
-      is_good && add(module, "dof", PyLong_FromSize_t(m.joints.size())) &&
-      add(module, "joint_names", tuple(m.joints, text)) && add(module, "position_names", tuple(m.positions, text)) &&
-      add(module, "link_names", tuple(m.links, text)) && add(module, "frame_names", tuple(m.frames, text)) &&
-      add(module, "link_parents", tuple(m.parents, [](int i) { return PyLong_FromLong(i); })) &&
-      add(module, "joint_lower", tuple(m.lower, number)) && add(module, "joint_upper", tuple(m.upper, number)) &&
-      add(module, "joint_velocity", tuple(m.velocity, number)) && add(module, "joint_effort", tuple(m.effort, number));
+  is_good = is_good && add(module, "frame_names", tuple(m.frames, text));
+  // Otherwise there is no robot, only transforms.
+  if (!m.links.empty())
+    is_good =
+        is_good && add(module, "dof", PyLong_FromSize_t(m.joints.size())) &&
+        add(module, "joint_names", tuple(m.joints, text)) && add(module, "position_names", tuple(m.positions, text)) &&
+        add(module, "link_names", tuple(m.links, text)) &&
+        add(module, "link_parents", tuple(m.parents, [](int i) { return PyLong_FromLong(i); })) &&
+        add(module, "joint_lower", tuple(m.lower, number)) && add(module, "joint_upper", tuple(m.upper, number)) &&
+        add(module, "joint_velocity", tuple(m.velocity, number)) &&
+        add(module, "joint_effort", tuple(m.effort, number));
   for (const Function& f : m.functions) is_good = is_good && add_function(module, m, f);
   if (is_good) return module;
   Py_DecRef(module);
