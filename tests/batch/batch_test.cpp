@@ -31,6 +31,8 @@ constexpr int kGuard = 16;
 template <class Scalar>
 class Array {
  public:
+  static constexpr Scalar kUntouched = Scalar(-12345.5);
+
   Array(std::ptrdiff_t n, int elements, bool by_state) : n_(n), elements_(elements), by_state_(by_state) {
     const std::ptrdiff_t lines = by_state ? n : elements;
     numbers_.assign(static_cast<std::size_t>(lines * stride() + 2 * kGuard), kUntouched);
@@ -51,8 +53,6 @@ class Array {
   }
 
  private:
-  static constexpr Scalar kUntouched = Scalar(-12345.5);
-
   std::ptrdiff_t n_;
   int elements_;
   bool by_state_;
@@ -97,6 +97,19 @@ std::vector<Scalar> single(const Call<Scalar>& call, const std::vector<std::vect
   return results;
 }
 
+// Of a function of the lower triangle alone: the whole matrix, after a look at what stands above the diagonal.
+template <class Scalar>
+std::vector<Scalar> whole(const Call<Scalar>& call, std::vector<Scalar> matrix) {
+  const auto rows = static_cast<std::size_t>(call.lower_rows);
+  for (std::size_t column = 1; column < rows; ++column)
+    for (std::size_t row = 0; row < column; ++row) {
+      Scalar& above = matrix[column * rows + row];
+      EXPECT_EQ(above, Array<Scalar>::kUntouched) << call.name << ": row " << row << ", column " << column;
+      above = matrix[row * rows + column];
+    }
+  return matrix;
+}
+
 // The results of all states, by one call over them.
 template <class Scalar>
 std::vector<std::vector<Scalar>> many(
@@ -133,6 +146,7 @@ std::vector<std::vector<Scalar>> many(
       for (int k = 0; k < call.output_sizes[i]; ++k)
         results[static_cast<std::size_t>(s)].push_back(outputs[i].at(s, k));
   }
+  for (std::vector<Scalar>& result : results) result = whole(call, std::move(result));
   return results;
 }
 

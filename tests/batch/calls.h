@@ -53,8 +53,9 @@ struct Call {
       const std::vector<int>& inputs,
       const std::vector<int>& outputs,
       void (*one)(const Scalar* const*, Scalar* const*),
-      Batch batch)
-      : name(std::move(call_name)), output_sizes(outputs), single(one) {
+      Batch batch,
+      int lower = 0)
+      : name(std::move(call_name)), output_sizes(outputs), lower_rows(lower), single(one) {
     for (const int size : inputs) {
       input_sizes.push_back(std::abs(size));
       is_standard_gravity.push_back(size < 0);
@@ -65,6 +66,7 @@ struct Call {
 
   std::string name;
   std::vector<int> input_sizes, output_sizes;
+  int lower_rows;  // of a matrix whose lower triangle alone is computed; 0: all of it is
   std::vector<bool> is_standard_gravity;
   std::function<void(const Scalar* const* in, Scalar* const* out)> single;
   std::function<void(const Arguments<Scalar>&)> by_element, by_state;

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "backend/cpp/api.h"
+#include "backend/cpp/batch_kernels.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
 #include "driver/driver.h"
@@ -31,7 +32,13 @@ std::string input_type(const std::string& space, const symbolic::InputArray& inp
   return fmt::format("{}::{}", space, type);
 }
 
-std::string row(const Api& api, const std::string& space, const Callable& callable, bool omits_gravity) {
+// Of a symmetric matrix, the lower triangle alone, where `is_lower`.
+std::string row(
+    const Api& api,
+    const std::string& space,
+    const Callable& callable,
+    bool omits_gravity,
+    bool is_lower = false) {
   const symbolic::Program& program = callable.function->program;
   std::vector<std::string> inputs, outputs, kernel, batch = {"a.n"};
   bool has_gravity = false;
@@ -58,6 +65,7 @@ std::string row(const Api& api, const std::string& space, const Callable& callab
     batch.push_back(fmt::format("a.template out<{}::{}>(layout, {})", space, backend::cpp::type_of(output), k));
     outputs.push_back(fmt::format("{}", output.rows * output.columns));
   }
+  if (is_lower) batch.push_back("robcogen::batch::Storage::lower");
   batch.push_back("a.level");
   const std::string scope = callable.function->scope.empty() ? "" : callable.function->scope + "::";
   const std::string name = scope + callable.name;
@@ -65,9 +73,13 @@ std::string row(const Api& api, const std::string& space, const Callable& callab
       "      Call<Scalar>(\"{}{}\", {}, {},\n        []([[maybe_unused]] const Scalar* const* in, Scalar* const* out) "
       "{{ "
       "{}::kernel::{}<Scalar>({}); }},\n        [](auto layout, const Arguments<Scalar>& a) {{ {}::batch::{}({}); "
-      "}}),\n",
-      name, omits_gravity ? ", standard gravity" : "", braced(inputs), braced(outputs), api.space, callable.kernel,
-      fmt::join(kernel, ", "), space, name, fmt::join(batch, ", "));
+      "}}, {}),\n",
+      name,
+      omits_gravity ? ", standard gravity"
+      : is_lower    ? ", lower triangle"
+                    : "",
+      braced(inputs), braced(outputs), api.space, callable.kernel, fmt::join(kernel, ", "), space, name,
+      fmt::join(batch, ", "), is_lower ? program.outputs.front().rows : 0);
 }
 
 bool may_omit_gravity(const Api& api, const Callable& callable) {
@@ -82,6 +94,7 @@ std::string list(const Api& api, const std::string& scalar, const std::string& s
   for (const Callable& callable : api.callables) {
     text += row(api, space, callable, false);
     if (may_omit_gravity(api, callable)) text += row(api, space, callable, true);
+    if (is_symmetric(callable)) text += row(api, space, callable, false, true);
   }
   return text + "  };\n}\n";
 }

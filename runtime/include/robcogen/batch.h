@@ -23,6 +23,10 @@ using robcogen::Level;
 
 inline constexpr bool kHasLevels = ROBCOGEN_BATCH_LEVELS != 0;
 
+// Which elements of a symmetric matrix are written. Lower: the diagonal and what is below it; what is above it is left
+// as it is.
+enum class Storage { full, lower };
+
 // Element k of state i is at data[k * element + i * state].
 template <class Number>
 struct Strided {

@@ -17,31 +17,37 @@ namespace robcogen::batch {
 namespace {  // separate in each file, like lanes
 
 // The elements of a result for the states of one block: a kernel writes to it as to an array of values. Element k is at
-// data + k * element.
-template <class Scalar>
+// data + k * element. Of a square matrix with kRows rows, those above the diagonal are not written; 0: all are.
+template <class Scalar, int kRows = 0>
 class Columns {
  public:
   using Value = NativeLanes<Scalar>;
 
   class Column {
    public:
-    ROBCOGEN_INLINE Column(Scalar* data, std::ptrdiff_t element) noexcept : data_(data), element_(element) {}
+    ROBCOGEN_INLINE Column(const Columns& columns, std::ptrdiff_t k) noexcept : columns_(columns), k_(k) {}
+    // Kernels name elements by constants, so that no comparison is left.
     ROBCOGEN_INLINE const Value& operator=(const Value& x) const noexcept {
-      x.store(data_);
+      if (!is_above_diagonal(k_)) x.store(columns_.data_ + k_ * columns_.element_);
       return x;
     }
-    // The columns from this one on.
-    ROBCOGEN_INLINE Columns operator&() const noexcept { return {data_, element_}; }
 
    private:
-    Scalar* data_;
-    std::ptrdiff_t element_;
+    const Columns& columns_;
+    std::ptrdiff_t k_;
   };
 
   ROBCOGEN_INLINE Columns(Scalar* data, std::ptrdiff_t element) noexcept : data_(data), element_(element) {}
-  ROBCOGEN_INLINE Column operator[](std::ptrdiff_t k) const noexcept { return {data_ + k * element_, element_}; }
+  ROBCOGEN_INLINE Column operator[](std::ptrdiff_t k) const noexcept { return {*this, k}; }
 
  private:
+  ROBCOGEN_INLINE static constexpr bool is_above_diagonal([[maybe_unused]] std::ptrdiff_t k) noexcept {
+    if constexpr (kRows == 0)
+      return false;
+    else
+      return k % kRows < k / kRows;
+  }
+
   Scalar* data_;
   std::ptrdiff_t element_;
 };
@@ -65,42 +71,54 @@ class Block {
     if (left() < kSize) {
       load_some(from, kElements, to);
     } else if (from.state == 1) {
-      in_fours<kElements>([&](int k, const Scalar* at) noexcept { to[k] = Value::load(at); }, data, from.element);
+      in_fours([&](int k, const Scalar* at) noexcept { to[k] = Value::load(at); }, kElements, data, from.element);
     } else if (kHasRows && from.element == 1) {
       load_rows<kElements>(data, from.state, to);
     } else {
-      in_fours<kElements>(
-          [&](int k, const Scalar* at) noexcept { to[k] = Value::gather(at, from.state); }, data, from.element);
+      in_fours(
+          [&](int k, const Scalar* at) noexcept { to[k] = Value::gather(at, from.state); }, kElements, data,
+          from.element);
     }
   }
 
   template <int kElements>
   void store(const Value* from, const Strided<Scalar>& to) const noexcept {
-    Scalar* data = to.data + first_ * to.state;
-    if (left() < kSize) {
-      store_some(from, kElements, to);
-    } else if (to.state == 1) {
-      in_fours<kElements>([&](int k, Scalar* at) noexcept { from[k].store(at); }, data, to.element);
-    } else if (kHasRows && to.element == 1) {
-      store_rows<kElements>(from, data, to.state);
-    } else {
-      in_fours<kElements>([&](int k, Scalar* at) noexcept { from[k].scatter(at, to.state); }, data, to.element);
-    }
+    store(from, kElements, to);
+  }
+
+  // The lower triangle of a matrix with kRows rows and columns, column by column.
+  template <int kRows>
+  void store_lower(const Value* from, const Strided<Scalar>& to) const noexcept {
+    for (int i = 0; i < kRows; ++i) store(from + i * kRows + i, kRows - i, to.from(i * kRows + i));
   }
 
   // Where a kernel writes a result: to its place where the states of the block are contiguous there, else to the
   // buffer.
   Columns<Scalar> columns(const Strided<Scalar>& to, Value* buffer) const noexcept {
-    if (is_in_place(to)) return {to.data + first_, to.element};
-    return {reinterpret_cast<Scalar*>(buffer), kSize};
+    return in_place_or<0>(to, buffer);
+  }
+  // The same of a lower triangle.
+  template <int kRows>
+  Columns<Scalar, kRows> lower_columns(const Strided<Scalar>& to, Value* buffer) const noexcept {
+    return in_place_or<kRows>(to, buffer);
   }
   // From the buffer, if it was written there.
   template <int kElements>
   void store_buffer(const Value* buffer, const Strided<Scalar>& to) const noexcept {
     if (!is_in_place(to)) store<kElements>(buffer, to);
   }
+  template <int kRows>
+  void store_lower_buffer(const Value* buffer, const Strided<Scalar>& to) const noexcept {
+    if (!is_in_place(to)) store_lower<kRows>(buffer, to);
+  }
 
  private:
+  template <int kRows>
+  Columns<Scalar, kRows> in_place_or(const Strided<Scalar>& to, Value* buffer) const noexcept {
+    if (is_in_place(to)) return {to.data + first_, to.element};
+    return {reinterpret_cast<Scalar*>(buffer), kSize};
+  }
+
   bool is_in_place(const Strided<Scalar>& to) const noexcept { return left() >= kSize && to.state == 1; }
 
   // With two lanes, single elements move as fast.
@@ -113,25 +131,37 @@ class Block {
     for (; k + 4 <= kElements; k += 4) lanes::load_block<4, false>(data + k, state, to + k);
     for (; k < kElements; ++k) to[k] = Value::gather(data + k, state);
   }
-  template <int kElements>
-  static void store_rows(const Value* from, Scalar* data, std::ptrdiff_t state) noexcept {
+  ROBCOGEN_INLINE static void store_rows(const Value* from, int elements, Scalar* data, std::ptrdiff_t state) noexcept {
     int k = 0;
-    for (; k + 4 <= kElements; k += 4)
+    for (; k + 4 <= elements; k += 4)
       lanes::store_block<false>(data + k, state, from[k], from[k + 1], from[k + 2], from[k + 3]);
-    for (; k < kElements; ++k) from[k].scatter(data + k, state);
+    for (; k < elements; ++k) from[k].scatter(data + k, state);
   }
 
   // move(k, pointer to element k) for each k. Four at a time are two thirds of the instructions of one at a time.
-  template <int kElements, class Move, class Number>
-  static void in_fours(Move move, Number* data, std::ptrdiff_t stride) noexcept {
+  template <class Move, class Number>
+  ROBCOGEN_INLINE static void in_fours(Move move, int elements, Number* data, std::ptrdiff_t stride) noexcept {
     int k = 0;
-    for (; k + 4 <= kElements; k += 4, data += 4 * stride) {
+    for (; k + 4 <= elements; k += 4, data += 4 * stride) {
       move(k, data);
       move(k + 1, data + stride);
       move(k + 2, data + 2 * stride);
       move(k + 3, data + 3 * stride);
     }
-    for (; k < kElements; ++k, data += stride) move(k, data);
+    for (; k < elements; ++k, data += stride) move(k, data);
+  }
+
+  ROBCOGEN_INLINE void store(const Value* from, int elements, const Strided<Scalar>& to) const noexcept {
+    Scalar* data = to.data + first_ * to.state;
+    if (left() < kSize) {
+      store_some(from, elements, to);
+    } else if (to.state == 1) {
+      in_fours([&](int k, Scalar* at) noexcept { from[k].store(at); }, elements, data, to.element);
+    } else if (kHasRows && to.element == 1) {
+      store_rows(from, elements, data, to.state);
+    } else {
+      in_fours([&](int k, Scalar* at) noexcept { from[k].scatter(at, to.state); }, elements, data, to.element);
+    }
   }
 
   std::ptrdiff_t left() const noexcept { return count_ - first_; }
@@ -164,17 +194,5 @@ void spread(const Scalar* from, int count, NativeLanes<Scalar>* to) noexcept {
 
 }  // namespace
 }  // namespace robcogen::batch
-
-namespace robcogen {
-namespace {
-
-// The same number in kCount columns, for kernels that write to them.
-template <int kCount, class Scalar>
-ROBCOGEN_INLINE void fill(const batch::Columns<Scalar>& to, const typename batch::Columns<Scalar>::Value& x) noexcept {
-  for (int i = 0; i < kCount; ++i) to[i] = x;
-}
-
-}  // namespace
-}  // namespace robcogen
 
 #undef ROBCOGEN_INLINE

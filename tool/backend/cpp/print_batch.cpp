@@ -1,96 +1,32 @@
 // Functions over many states: <name>/batch.h, Eigen types over arrays, and what the library compiles beneath it,
-// <name>/batch.cpp, which chooses the bodies for the processor that it runs on, and the bodies, <name>/batch/<group>.h,
-// instantiated in a source for each processor. And what the tables of <name>/reflection.h say of them.
+// <name>/batch.cpp, which chooses the bodies for the processor that it runs on.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <optional>
 #include <utility>
 
+#include "backend/cpp/batch_kernels.h"
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
-#include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
 
 namespace robcogen::backend::cpp {
 namespace {
 
-using symbolic::InputArray;
-using symbolic::OutputArray;
-using symbolic::Program;
-using symbolic::Role;
-
-// An array of a function, of one state. Parameters are the same for all states.
-struct Array {
-  std::string name;
-  std::string type;  // of one state
-  int size = 0;
-  bool is_output = false;
-  bool is_parameters = false;
-  bool is_gravity = false;
-};
-
-std::string input_type(const InputArray& input) {
-  const auto size = static_cast<int>(input.elements.size());
-  if (input.role != Role::inertia_factor) return type_of(input);
-  const auto rows = static_cast<int>(std::lround(std::sqrt(size)));
-  return matrix_type(rows, rows);
-}
-
-// Inputs, then outputs, as the kernel has them.
-std::vector<Array> arrays(const Program& program) {
-  std::vector<Array> result;
-  const std::vector<Parameter> names = parameters(program);
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    const InputArray& input = program.inputs[i];
-    const auto size = static_cast<int>(input.elements.size());
-    result.push_back(
-        {names[i].name, input_type(input), size, false, input.role == Role::parameters, input.role == Role::gravity});
-  }
-  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-    const OutputArray& output = program.outputs[i];
-    const std::string& name = names[program.inputs.size() + i].name;
-    result.push_back({name, type_of(output), output.rows * output.columns, true, false, false});
-  }
-  return result;
-}
-
-// The type in which compiled functions take an array.
-std::string strided(const Array& array, const std::string& scalar) {
-  if (array.is_parameters) return "const " + scalar + "*";
-  return "const robcogen::batch::Strided<" + std::string(array.is_output ? "" : "const ") + scalar + ">&";
-}
-
-// Parameters, the number of states, then the others; `with_names` or types alone.
-std::vector<std::string> compiled_parameters(const Program& program, const std::string& scalar, bool with_names) {
-  const auto name = [&](const std::string& n) { return with_names ? " " + n : ""; };
+// The kernel's arguments, those of its parameters first.
+std::vector<std::string> passed_on(const Callable& callable) {
   std::vector<std::string> list, others;
-  for (const Array& a : arrays(program)) (a.is_parameters ? list : others).push_back(strided(a, scalar) + name(a.name));
-  list.push_back("std::ptrdiff_t" + name("n"));
-  list.insert(list.end(), others.begin(), others.end());
-  return list;
-}
-
-// The same as arguments.
-std::vector<std::string> passed_on(const Program& program) {
-  std::vector<std::string> list, others;
-  for (const Array& a : arrays(program)) (a.is_parameters ? list : others).push_back(a.name);
+  for (const BatchArray& a : batch_arrays(callable.function->program))
+    (a.is_parameters ? list : others).push_back(a.name);
   list.emplace_back("n");
   list.insert(list.end(), others.begin(), others.end());
   return list;
 }
 
-// `template <Level, class Scalar> void f(…) noexcept`, without its end.
-std::string body_declaration(const Callable& callable, const std::string& tail) {
-  return "template <robcogen::batch::Level kLevel, class Scalar>\n" +
-         declaration("void " + callable.kernel, compiled_parameters(callable.function->program, "Scalar", true), tail);
-}
-
 // Declared in the interface, and defined where the processor is chosen.
-std::string chooser_declaration(const Callable& callable, const std::string& tail) {
-  std::vector<std::string> list = compiled_parameters(callable.function->program, "Scalar", true);
+std::string chooser_declaration(const BatchKernel& kernel, const std::string& tail) {
+  std::vector<std::string> list = batch_parameters(kernel, "Scalar", true);
   list.emplace_back("robcogen::batch::Level most");
-  return "template <class Scalar>\n" + declaration("void " + callable.kernel, list, tail);
+  return "template <class Scalar>\n" + declaration("void " + kernel.name(), list, tail);
 }
 
 // Whether bodies for a processor are compiled: `kHasAvx2`.
@@ -99,12 +35,12 @@ std::string constant_of(std::string level) {
   return "kHasA" + level.substr(1);
 }
 
-std::string chooser(const Callable& callable) {
-  const std::vector<std::string> arguments = passed_on(callable.function->program);
+std::string chooser(const BatchKernel& kernel) {
+  const std::vector<std::string> arguments = passed_on(*kernel.callable);
   const auto body = [&](const std::string& level) {
-    return "body::" + callable.kernel + "<robcogen::batch::Level::" + level + ", Scalar>";
+    return "body::" + kernel.name() + "<robcogen::batch::Level::" + level + ", Scalar>";
   };
-  std::string text = chooser_declaration(callable, " noexcept {");
+  std::string text = chooser_declaration(kernel, " noexcept {");
   text += "  [[maybe_unused]] const robcogen::batch::Level level = robcogen::batch::available(most);\n";
   // A machine with AVX-512 runs AVX2, too, where that is the best that is compiled.
   const std::pair<std::string, std::string> levels[] = {
@@ -130,80 +66,36 @@ std::string compiled_levels() {
   return text;
 }
 
-// Explicit instantiations for both precisions; `extra` ends the list of types.
-std::string instantiations(
-    const Callable& callable,
-    const std::string& arguments,
-    const std::vector<std::string>& extra = {}) {
+// A function of the interface: without gravity, standard gravity takes its place; with storage, of a symmetric matrix.
+struct Signature {
+  bool single_precision = false;
+  bool has_gravity = true;
+  bool has_storage = false;
+};
+
+std::string documentation(const Callable& callable, const Signature& signature, const std::string& sizes) {
+  if (signature.single_precision) return "";
+  if (signature.has_storage)
+    return comment("The same; with robcogen::batch::Storage::lower, elements above the diagonal are left as they are.");
   std::string text;
-  for (const std::string scalar : {"double", "float"}) {
-    std::vector<std::string> list = compiled_parameters(callable.function->program, scalar, false);
-    list.insert(list.end(), extra.begin(), extra.end());
-    text += declaration("template void " + callable.kernel + "<" + arguments + scalar + ">", list, " noexcept;");
-  }
-  return text;
+  if (signature.has_gravity)
+    for (const std::string& line : callable.function->summary) text += comment(line);
+  else
+    text += comment("The same under standard gravity.");
+  return text + comment("Elements of a state: " + sizes + ".");
 }
 
-std::string lanes_of(const Array& array) {
-  return array.name + "_lanes";
-}
-
-// The kernel of a function over many states that writes its result in place: a symmetric matrix, most of whose elements
-// are written twice or are zeros, and which fills the cache when it is stored on the way. None where the kernel is cut
-// into parts.
-std::optional<Kernel> kernel_in_place(const Callable& callable) {
-  const std::vector<OutputArray>& outputs = callable.function->program.outputs;
-  if (outputs.size() != 1 || outputs.front().role != Role::inertia_matrix) return std::nullopt;
-  Kernel kernel = lower(callable.function->program, callable.kernel);
-  return kernel.lines.size() <= kLongest ? std::optional(std::move(kernel)) : std::nullopt;
-}
-
-// A kernel that writes to columns. Inlined into the loop over blocks, it would keep the address of each column in
-// memory.
-std::string column_kernel(const Kernel& kernel) {
-  std::vector<std::string> list;
-  for (const Parameter& p : kernel.parameters)
-    list.push_back((p.output ? "const Columns " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
-  return "template <class Scalar, class Columns>\n" +
-         declaration("[[gnu::noinline]] void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
-}
-
-std::string definition(const Api& api, const Callable& callable, bool in_place) {
-  const Program& program = callable.function->program;
-  const std::string kernels = in_place ? "::batch::columns::" : "::kernel::";
-  std::string values, once, load, store;
-  std::vector<std::string> arguments;
-  for (const Array& a : arrays(program)) {
-    const std::string lanes = lanes_of(a), size = std::to_string(a.size);
-    values += "  Value " + lanes + "[" + (a.size == 0 ? "1" : size) + "];\n";
-    const bool is_column = in_place && a.is_output;
-    arguments.push_back(is_column ? "block.columns(" + a.name + ", " + lanes + ")" : lanes);
-    if (a.is_parameters)
-      once += call("robcogen::batch::spread", {a.name, size, lanes}, 2);
-    else if (a.is_output)
-      store +=
-          call((is_column ? "block.template store_buffer<" : "block.template store<") + size + ">", {lanes, a.name}, 4);
-    else
-      load += call("block.template load<" + size + ">", {a.name, lanes}, 4);
-  }
-  return body_declaration(callable, " noexcept {") + "  using Value = robcogen::NativeLanes<Scalar>;\n" + values +
-         once + "  for (robcogen::batch::Block<Scalar> block(n); block.is_left(); block.advance()) {\n" + load +
-         call("::" + api.space + kernels + callable.kernel, arguments, 4) + store + "  }\n}\n";
-}
-
-// A function of the interface, without gravity where standard gravity takes its place.
-std::string function(const Api& api, const Callable& callable, bool single_precision, bool with_gravity) {
-  const std::string kernels = single_precision ? "::" + api.space + "::batch::kernel::" : "kernel::";
-  const std::vector<Array> all = arrays(callable.function->program);
+std::string function(const Api& api, const Callable& callable, const Signature& signature) {
+  const std::string kernels = signature.single_precision ? "::" + api.space + "::batch::kernel::" : "kernel::";
   std::vector<std::string> list, inputs, arguments, passed;
   std::string sizes;
-  for (const Array& a : all) {
+  for (const BatchArray& a : batch_arrays(callable.function->program)) {
     if (a.is_parameters) {
       list.push_back("const " + a.type + "& " + a.name);
       arguments.push_back(a.name + ".data()");
       continue;
     }
-    const bool is_left_out = a.is_gravity && !with_gravity;
+    const bool is_left_out = a.is_gravity && !signature.has_gravity;
     const std::string type = std::string("robcogen::batch::") + (a.is_output ? "Output" : "Input") + "<" + a.type + ">";
     passed.push_back((is_left_out ? type + "(Gravity::standard())" : a.name) + ".array()");
     if (is_left_out) continue;
@@ -214,18 +106,15 @@ std::string function(const Api& api, const Callable& callable, bool single_preci
   arguments.emplace_back("n");
   list.insert(list.end(), inputs.begin(), inputs.end());
   arguments.insert(arguments.end(), passed.begin(), passed.end());
+  if (signature.has_storage) list.emplace_back("robcogen::batch::Storage storage");
   list.emplace_back("robcogen::batch::Level most = robcogen::batch::Level::avx512");
   arguments.emplace_back("most");
-  std::string text;
-  if (!single_precision) {
-    if (with_gravity)
-      for (const std::string& line : callable.function->summary) text += comment(line);
-    else
-      text += comment("The same under standard gravity.");
-    text += comment("Elements of a state: " + sizes + ".");
-  }
-  return text + declaration("inline void " + callable.name, list, " noexcept {") +
-         call(kernels + callable.kernel + "<Scalar>", arguments, 2) + "}\n";
+  std::string body;
+  if (signature.has_storage)
+    body = "  if (storage == robcogen::batch::Storage::lower)\n" +
+           call("return " + kernels + callable.kernel + "_lower<Scalar>", arguments, 4);
+  return documentation(callable, signature, sizes) + declaration("inline void " + callable.name, list, " noexcept {") +
+         body + call(kernels + callable.kernel + "<Scalar>", arguments, 2) + "}\n";
 }
 
 // Scopes of free functions and of those that are members of what one returns, in order.
@@ -241,7 +130,8 @@ std::vector<std::string> all_scopes(const Api& api, const std::string& group) {
 std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
   std::vector<std::string> parts;
   const auto add = [&](const Callable& c, bool with_gravity) {
-    parts.push_back(function(api, c, single_precision, with_gravity));
+    parts.push_back(function(api, c, {single_precision, with_gravity, false}));
+    if (is_symmetric(c)) parts.push_back(function(api, c, {single_precision, with_gravity, true}));
   };
   for (const Overload& o : overloads(api, group, scope)) {
     if (o.takes_sines) continue;
@@ -267,7 +157,7 @@ std::string interface(const Api& api, bool single_precision) {
 
 std::string batch_kernel_declarations(const Api& api) {
   std::vector<std::string> choosers;
-  for (const Callable& c : api.callables) choosers.push_back(chooser_declaration(c, " noexcept;"));
+  for (const BatchKernel& k : batch_kernels(api)) choosers.push_back(chooser_declaration(k, " noexcept;"));
   return in_namespace("batch::kernel", paragraphs(choosers));
 }
 
@@ -296,9 +186,9 @@ std::string print_batch(const Api& api, const std::string& path) {
 
 std::string print_batch_choice(const Api& api, const std::string& path) {
   std::vector<std::string> bodies, choosers;
-  for (const Callable& c : api.callables) {
-    bodies.push_back(body_declaration(c, " noexcept;"));
-    choosers.push_back(chooser(c) + "\n" + instantiations(c, "", {"robcogen::batch::Level"}));
+  for (const BatchKernel& k : batch_kernels(api)) {
+    bodies.push_back(batch_body_declaration(k, " noexcept;"));
+    choosers.push_back(chooser(k) + "\n" + batch_instantiations(k, "", {"robcogen::batch::Level"}));
   }
   return paragraphs(
       {banner(*api.library, path, "the choice of a processor's bodies"),
@@ -307,39 +197,6 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
            api.space + "::batch", paragraphs(
                                       {compiled_levels(), in_namespace("body", paragraphs(bodies)),
                                        in_namespace("kernel", paragraphs(choosers))}))});
-}
-
-std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path) {
-  std::vector<std::string> bodies, in_columns;
-  for (const Callable* c : callables_of(api, group)) {
-    const std::optional<Kernel> in_place = kernel_in_place(*c);
-    bodies.push_back(definition(api, *c, in_place.has_value()));
-    if (in_place) in_columns.push_back(column_kernel(*in_place));
-  }
-  const std::string remark = "// Kernels that write to the place of the result in the memory of the caller.\n";
-  return paragraphs(
-      {banner(*api.library, path, "bodies over many states, compiled once for each processor"), "#pragma once\n",
-       includes({"\"robcogen/batch_body.h\"", "\"" + kernel_path(folder(*api.library), group) + "\""}),
-       in_columns.empty() ? "" : remark + in_namespace(api.space + "::batch::columns", paragraphs(in_columns)),
-       in_namespace(api.space + "::batch::body", paragraphs(bodies))});
-}
-
-std::string print_batch_level(
-    const Api& api,
-    const std::string& group,
-    const std::string& level,
-    const std::string& path) {
-  std::vector<std::string> kernels;
-  for (const Callable* c : callables_of(api, group))
-    kernels.push_back(instantiations(*c, "robcogen::batch::Level::" + level + ", "));
-  const std::string text = paragraphs(
-      {includes({"\"" + batch_path(folder(*api.library), group) + "\""}),
-       in_namespace(api.space + "::batch::body", paragraphs(kernels))});
-  const std::string head = banner(*api.library, path, "bodies over many states, for one processor");
-  if (level == kLevels[0]) return paragraphs({head, text});
-  return paragraphs(
-      {head, includes({"\"robcogen/batch.h\""}), "#if ROBCOGEN_BATCH_LEVELS\n", text,
-       "#endif  // ROBCOGEN_BATCH_LEVELS\n"});
 }
 
 }  // namespace robcogen::backend::cpp
