@@ -34,13 +34,22 @@ bool chooses() {
   return robcogen::best_level() != Level::baseline;
 }
 
-// The forces of many states, at this level.
-Eigen::VectorXd of_level(Level level) {
+// A function of many states, at this level: a column each.
+template <class Function>
+Eigen::MatrixXd of_level(Level level, Function function) {
   puma560::reflection::use_level(level);
-  Eigen::VectorXd all(60 * puma560::kDof);
-  for (int i = 0; i < 60; ++i) all.segment<puma560::kDof>(i * puma560::kDof) = forces(0.1 * i);
+  Eigen::MatrixXd all(function(0.0).size(), 60);
+  for (int i = 0; i < 60; ++i) all.col(i) = function(0.1 * i).reshaped();
   puma560::reflection::use_level(Level::avx512);
   return all;
+}
+
+template <class Function>
+void expect_another_rounding(Function function) {
+  const Eigen::MatrixXd baseline = of_level(Level::baseline, function), avx2 = of_level(Level::avx2, function);
+  EXPECT_LT((baseline - avx2).lpNorm<Eigen::Infinity>(), kOtherRounding);
+  // Fused products are rounded once: among hundreds of numbers some differ.
+  EXPECT_EQ(baseline != avx2, chooses());
 }
 
 TEST(Levels, TheBestIsChosenBeforeMain) {
@@ -48,10 +57,13 @@ TEST(Levels, TheBestIsChosenBeforeMain) {
 }
 
 TEST(Levels, DifferByRoundingOnly) {
-  const Eigen::VectorXd baseline = of_level(Level::baseline), avx2 = of_level(Level::avx2);
-  EXPECT_LT((baseline - avx2).lpNorm<Eigen::Infinity>(), kOtherRounding);
-  // Fused products are rounded once: among hundreds of forces some differ.
-  EXPECT_EQ(baseline != avx2, chooses());
+  expect_another_rounding([](double first) { return forces(first); });
+}
+
+TEST(Levels, AreThoseOfTransformsAndJacobians) {
+  expect_another_rounding(
+      [](double first) { return puma560::transforms::homogeneous::fr_base_X_fr_ee(angles(first)); });
+  expect_another_rounding([](double first) { return puma560::jacobians::fr_base_J_fr_ee(angles(first)); });
 }
 
 // A level stays in use until another one is chosen, in all functions of the robot and in no other robot's.

@@ -23,10 +23,10 @@ bool gains(const CompiledKernel& kernel) {
          count.mul + count.add - count.instructions >= kFewestFused;
 }
 
-// A robot has dozens of small functions of frames. For several processors they would take as long to compile as all
-// others.
+// A robot has dozens of small functions of frames. For several processors, those that it does not have by default would
+// take as long to compile as all others.
 bool is_of_frames(const std::string& group) {
-  return group != "jacobians" && is_kinematics(group);
+  return group != "jacobians" && group != "transforms" && is_kinematics(group);
 }
 
 std::vector<CompiledKernel> chosen(const Api& api, const std::string& group) {
