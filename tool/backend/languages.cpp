@@ -15,7 +15,7 @@ const std::vector<Language>& languages() {
        .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true},
        .takes_transforms = true,
        .print = cpp::print},
-      {.name = "c", .takes_transforms = true, .print = c::print},
+      {.name = "c", .features = {.caches_parameters = true}, .takes_transforms = true, .print = c::print},
       {.name = "matlab", .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .takes_transforms = true, .print = maxima::print},
       {.name = "python", .features = {.caches_parameters = true}, .takes_transforms = true, .print = python::print},

@@ -196,6 +196,7 @@ Status list_outputs(const GenerateOptions& options) {
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, asked_groups(options));
     if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
     if (language->name == "c") {
+      if (!transforms) groups.insert(groups.begin(), backend::c::kParametersGroup);
       for (const std::string& file :
            backend::c::outputs(backend::c::prefix(options.names.name, options.names.enclosing), groups))
         print_output("c/{}\n", file);

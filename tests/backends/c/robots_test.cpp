@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -36,7 +37,8 @@ Library library(const std::filesystem::path& document, const std::string& name, 
   Diagnostics diagnostics;
   const auto model = driver::load(document, options, diagnostics);
   EXPECT_TRUE(model.has_value()) << document;
-  return model ? driver::library(*model, {.names = {name}, .groups = asked.groups}) : Library();
+  return model ? driver::library(*model, {.names = {name}, .groups = asked.groups}, {.caches_parameters = true})
+               : Library();
 }
 
 // The files below the folder, and a unit that has all of them.
@@ -93,6 +95,25 @@ std::vector<Real> random_values(const Library& library, const symbolic::InputArr
   return values;
 }
 
+// What the updates make of random parameters.
+template <class Real>
+std::vector<Real> random_cache(const Library& library, std::mt19937& dice) {
+  std::map<std::string, Real> values;
+  std::vector<Real> cache;
+  for (const Function& update : library.updates) {
+    symbolic::Arrays<Real> inputs;
+    for (const symbolic::InputArray& input : update.program.inputs) {
+      const std::vector<Real> drawn = random_values<Real>(library, input, dice);
+      for (std::size_t k = 0; k < drawn.size(); ++k)
+        inputs[input.name].push_back(values.insert({input.elements[k], drawn[k]}).first->second);
+    }
+    const symbolic::Arrays<Real> outputs = symbolic::interpret<Real>(update.program, inputs);
+    const std::vector<Real>& part = outputs.at(update.program.outputs.front().name);
+    cache.insert(cache.end(), part.begin(), part.end());
+  }
+  return cache;
+}
+
 // A line for each difference between the function and the interpreter.
 template <class Real>
 std::string differences(const Library& library, const c::Callable& c, void* function, std::mt19937& dice) {
@@ -102,9 +123,12 @@ std::string differences(const Library& library, const c::Callable& c, void* func
   symbolic::Arrays<Real> inputs;
   std::vector<std::vector<Real>> arrays;
   for (const symbolic::InputArray& input : program.inputs) {
-    const std::vector<Real>& values = inputs[input.name] = random_values<Real>(library, input, dice);
+    const bool reads_cache = !library.updates.empty() && c.function->group != c::kParametersGroup;
+    const bool is_cache = reads_cache && input.role == symbolic::Role::parameters;
+    const std::vector<Real>& values = inputs[input.name] =
+        is_cache ? random_cache<Real>(library, dice) : random_values<Real>(library, input, dice);
     arrays.push_back(values);
-    if (input.role != symbolic::Role::parameters) continue;
+    if (input.role != symbolic::Role::parameters || is_cache) continue;
     // The structure has all parameters, also those that the function does not take.
     std::vector<Real> all;
     for (const ParameterData& p : library.parameters) {
@@ -176,6 +200,47 @@ INSTANTIATE_TEST_SUITE_P(
     CRobots,
     testing::Values("hyl", "hyl_parametric", "geared_leg", "gripper", "scara", "ball_leg", "puma560", "quadruped"),
     [](const auto& robot) { return robot.param; });
+
+// Of the same parameters, functions after an update give what the program that computes all in one gives.
+TEST(C, UpdatedCachesStandForTheParameters) {
+  const std::filesystem::path document = kRobots / "hyl_parametric" / "hyl_parametric.kindsl";
+  const Library leg = library(document, "leg", {{"inverse_dynamics"}});
+  ASSERT_FALSE(leg.updates.empty());
+  const test::Scratch scratch("c-update");
+  write(scratch.path, leg);
+  ASSERT_EQ(run(scratch.path, "gcc " + (kStrict + std::string("-shared -fPIC -I. all.c -o all.so -lm"))), "");
+  void* const loaded = dlopen((scratch.path / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(loaded, nullptr) << dlerror();
+  Diagnostics diagnostics;
+  const auto model = driver::load(document, {}, diagnostics);
+  const Library plain = driver::library(*model, {.names = {"leg"}, .groups = {"inverse_dynamics"}});
+  const symbolic::Program& program = plain.functions.front().program;
+
+  std::vector<double> all, cache(1000, std::numeric_limits<double>::quiet_NaN());
+  symbolic::Arrays<double> inputs;
+  while (all.size() < leg.parameters.size()) all.push_back(0.5 + 0.1 * static_cast<double>(all.size()));
+  std::vector<std::vector<double>> arrays = {cache};
+  for (const symbolic::InputArray& input : program.inputs) {
+    std::vector<double>& values = inputs[input.name];
+    for (const std::string& element : input.elements) {
+      const auto p = std::find_if(leg.parameters.begin(), leg.parameters.end(), [&](const ParameterData& data) {
+        return data.name == element;
+      });
+      const bool is_parameter = input.role == symbolic::Role::parameters;
+      values.push_back(is_parameter ? all[std::size_t(p - leg.parameters.begin())] : 0.3 * double(values.size()) - 0.7);
+    }
+    if (input.role != symbolic::Role::parameters) arrays.push_back(values);
+  }
+  arrays.emplace_back(3, 0.0);
+  call(dlsym(loaded, "leg_update"), {all.data(), arrays.front().data()});
+  std::vector<void*> arguments;
+  for (std::vector<double>& array : arrays) arguments.push_back(array.data());
+  call(dlsym(loaded, "leg_inverse_dynamics"), arguments);
+  const std::vector<double> wanted = symbolic::interpret<double>(program, inputs).at(program.outputs.front().name);
+  // Two formulations of the same dynamics.
+  for (std::size_t j = 0; j < wanted.size(); ++j) EXPECT_NEAR(arrays.back()[j], wanted[j], 1e-12 * 300);
+  dlclose(loaded);
+}
 
 TEST(C, DerivativesAndContactsGiveWhatTheInterpreterGives) {
   const Library leg = library(

@@ -12,12 +12,29 @@ namespace {
 constexpr const char* kModel = "model";
 
 // Names that model.h has, without the prefix.
-const std::vector<std::string> kOthers = {"default_parameters", "default_parametersf", "dof",
-                                          "frame_names",        "joint_effort",        "joint_lower",
-                                          "joint_names",        "joint_upper",         "joint_velocity",
-                                          "link_count",         "link_names",          "parameter_count",
-                                          "parameter_names",    "parameters",          "parametersf",
-                                          "position_names",     "positions",           "restrict"};
+const std::vector<std::string> kOthers = {
+    "cache",
+    "cachef",
+    "update",
+    "updatef",
+    "default_parameters",
+    "default_parametersf",
+    "dof",
+    "frame_names",
+    "joint_effort",
+    "joint_lower",
+    "joint_names",
+    "joint_upper",
+    "joint_velocity",
+    "link_count",
+    "link_names",
+    "parameter_count",
+    "parameter_names",
+    "parameters",
+    "parametersf",
+    "position_names",
+    "positions",
+    "restrict"};
 
 bool is_free(const std::string&) {
   return false;
@@ -30,9 +47,16 @@ std::vector<std::string> members(const Library& library) {
   return claim_all(scope, wanted);
 }
 
+// Those of the library; a robot's parameters in front.
+std::vector<std::string> groups_of(const Library& library) {
+  std::vector<std::string> groups = library.groups;
+  if (library.has_robot()) groups.insert(groups.begin(), kParametersGroup);
+  return groups;
+}
+
 std::string print_umbrella(const Names& names) {
   std::string includes = "#include \"" + names.folder + "/" + kModel + ".h\"\n";
-  for (const std::string& group : names.library.groups)
+  for (const std::string& group : groups_of(names.library))
     includes += "#include \"" + names.folder + "/" + group + ".h\"\n";
   return header(names, names.folder + ".h", "all functions", includes);
 }
@@ -47,7 +71,8 @@ std::string prefix(const std::string& name, const std::string& enclosing) {
 
 std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups) {
   const std::string folder = prefix + "_c", path = folder + "/";
-  std::vector<std::string> files = {path + folder + ".h", path + kModel + ".h", path + kModel + ".c", path + "casadi.c"};
+  std::vector<std::string> files = {
+      path + folder + ".h", path + kModel + ".h", path + kModel + ".c", path + "casadi.c"};
   for (const std::string& group : groups)
     for (const char* end : {".h", ".c", "_f.c"}) files.push_back(path + group + end);
   return files;
@@ -58,7 +83,8 @@ std::vector<Callable> callables(const Library& library) {
   NameScope scope(is_free, kOthers);
   std::vector<Callable> result;
   const std::string start = prefix(library.name, library.enclosing) + "_";
-  for (const Function& f : library.functions) result.push_back({&f, scope.claim(f.kernel), {}});
+  for (const std::vector<Function>* list : {&library.functions, &library.updates})
+    for (const Function& f : *list) result.push_back({&f, scope.claim(f.kernel), {}});
   for (Callable& c : result) c.name_in_float = start + scope.claim(c.name + "f");
   for (Callable& c : result) c.name = start + c.name;
   return result;
@@ -70,13 +96,14 @@ std::vector<OutputFile> print(const Library& library) {
   std::vector<std::function<std::string()>> texts = {
       [&] { return print_umbrella(names); }, [&] { return print_model_header(names); },
       [&] { return print_model(names); }, [&] { return print_casadi(names); }};
-  for (const std::string& group : library.groups) {
+  const std::vector<std::string> groups = groups_of(library);
+  for (const std::string& group : groups) {
     texts.emplace_back([&names, group] { return print_header(names, group); });
     for (const Precision precision : {Precision::in_double, Precision::in_float})
       texts.emplace_back([&names, group, precision] { return print_functions(names, group, precision); });
   }
   std::vector<OutputFile> files;
-  for (const std::string& path : outputs(name, library.groups)) files.push_back({path, {}});
+  for (const std::string& path : outputs(name, groups)) files.push_back({path, {}});
   for_each_index(files.size(), [&](std::size_t i) { files[i].text = texts[i](); });
   return files;
 }

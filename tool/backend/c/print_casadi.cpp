@@ -107,9 +107,12 @@ std::string print_function(const Names& names, const Callable& c) {
     const std::string given = names.prefix + "__given(arg[" + std::to_string(i) + "], " + place(in[i]) + ", " +
                               std::to_string(in[i].size()) + ")";
     if (in[i].is_parameters) {
+      const bool has_cache = !names.library.updates.empty();
       before += "  " + names.prefix + "_parameters parameters;\n";
+      if (has_cache) before += "  " + names.prefix + "_cache cache;\n";
       after += "  memcpy(&parameters, " + given + ", sizeof parameters);\n";
-      arguments.emplace_back("&parameters");
+      if (has_cache) after += "  " + names.prefix + "_update(&parameters, &cache);\n";
+      arguments.emplace_back(has_cache ? "&cache" : "&parameters");
     } else {
       arguments.push_back(given);
     }
@@ -138,7 +141,7 @@ std::string print_function(const Names& names, const Callable& c) {
 }
 
 bool takes_inputs(const Callable& c) {
-  return !c.function->program.inputs.empty();
+  return c.function->group != kParametersGroup && !c.function->program.inputs.empty();
 }
 
 }  // namespace
@@ -176,7 +179,8 @@ std::string print_casadi(const Names& names) {
       "  for (column = 0; column < pattern[1]; ++column)\n"
       "    for (k = pattern[2 + column]; k < pattern[3 + column]; ++k)\n"
       "      result[k] = from[column * pattern[0] + pattern[3 + pattern[1] + k]];\n}\n";
-  for (const Callable& c : names.callables) text += print_function(names, c);
+  for (const Callable& c : names.callables)
+    if (c.function->group != kParametersGroup) text += print_function(names, c);
   return text;
 }
 

@@ -16,12 +16,18 @@ using symbolic::Role;
 // Longer functions take compilers more time than their length, in parts of so many lines less.
 constexpr std::size_t kLongest = 2000, kPart = 700;
 
+// Whether what it reads of the parameters was computed before.
+bool reads_cache(const Names& names, const Callable& c) {
+  return !names.library.updates.empty() && c.function->group != kParametersGroup;
+}
+
 // Of an argument, by its place among inputs and then outputs.
 std::string declared(const Names& names, const Callable& c, std::size_t i, const Parameter& p, Precision precision) {
   const std::vector<InputArray>& inputs = c.function->program.inputs;
   const std::string start = p.output ? "" : "const ";
   if (i < inputs.size() && inputs[i].role == Role::parameters)
-    return start + names.prefix + (precision == Precision::in_float ? "_parametersf *" : "_parameters *") + p.name;
+    return start + names.prefix + (reads_cache(names, c) ? "_cache" : "_parameters") +
+           (precision == Precision::in_float ? "f *" : " *") + p.name;
   return start + scalar(precision) + " *" + names.prefix + "_restrict " + p.name;
 }
 
@@ -38,10 +44,11 @@ std::string signature(
   return wrapped("void " + name + "(", arguments, ")" + end);
 }
 
-std::string describe(const InputArray& input, const std::string& name) {
+std::string describe(const InputArray& input, const std::string& name, bool is_cache) {
   constexpr std::size_t kMaxListed = 40;
   const std::string size = name + "[" + std::to_string(input.elements.size()) + "]";
-  if (input.role == Role::parameters) return name + ": the parameters";
+  if (input.role == Role::parameters)
+    return name + (is_cache ? ": of the parameters, as computed before" : ": the parameters");
   if (input.role == Role::link_wrenches) return size + ": six elements a link, base first";
   if (input.role == Role::inertia_factor) return size + ": L, column by column";
   return input.elements.size() > kMaxListed || input.elements.empty() ? size : size + ": " + joined(input.elements);
@@ -62,7 +69,8 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
   if (!f.method.empty()) text += comment(f.method);
   for (std::size_t i = 0; i < list.size(); ++i)
     text += comment(
-        i < count ? describe(f.program.inputs[i], list[i].name) : describe(f.program.outputs[i - count], list[i].name));
+        i < count ? describe(f.program.inputs[i], list[i].name, reads_cache(names, c))
+                  : describe(f.program.outputs[i - count], list[i].name));
   if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) text += comment(remark);
   std::vector<std::string> columns;
   for (const int j : f.columns) columns.push_back(names.library.joints[static_cast<std::size_t>(j)].name);
@@ -73,14 +81,20 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
 }
 
 // Elements of the arrays of parameters are members of a structure.
-void read_members(const Names& names, const symbolic::Program& program, Kernel& kernel) {
+void read_members(const Names& names, const Callable& c, Kernel& kernel) {
+  const symbolic::Program& program = c.function->program;
   const std::vector<ParameterData>& all = names.library.parameters;
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     if (program.inputs[i].role != Role::parameters) continue;
     const std::string& array = kernel.parameters[i].name;
     for (Line& line : kernel.lines) {
       if (line.kind != Line::Kind::binding || line.names != std::vector{array}) continue;
-      const std::size_t k = std::stoul(line.expression.substr(array.size() + 1));
+      const std::string index = line.expression.substr(array.size());  // `[3]`
+      if (reads_cache(names, c)) {
+        line.expression = array + "->values" + index;
+        continue;
+      }
+      const std::size_t k = std::stoul(index.substr(1));
       const auto place = std::find_if(
           all.begin(), all.end(), [&](const ParameterData& p) { return p.name == program.inputs[i].elements[k]; });
       line.expression = array + "->" + names.members.at(static_cast<std::size_t>(place - all.begin()));
@@ -100,7 +114,7 @@ std::string body(const Kernel& kernel, const Dialect& dialect) {
 std::string print_function(const Names& names, const Callable& c, Precision precision) {
   const Dialect& d = dialect(precision);
   Kernel kernel = lower(c.function->program, c.function->kernel, d);
-  read_members(names, c.function->program, kernel);
+  read_members(names, c, kernel);
   std::string unused;
   for (const Parameter& p : kernel.parameters)
     if (!p.used) unused += "  (void)" + p.name + ";\n";
@@ -128,6 +142,31 @@ std::string print_function(const Names& names, const Callable& c, Precision prec
   return text + head + calls + "}\n";
 }
 
+std::string update_signature(const Names& names, Precision precision) {
+  const std::string f = precision == Precision::in_float ? "f" : "";
+  return "void " + names.prefix + "_update" + f + "(const " + names.prefix + "_parameters" + f + " *parameters, " +
+         names.prefix + "_cache" + f + " *cache)";
+}
+
+// Computes the parts of the cache one after the other.
+std::string print_update(const Names& names, Precision precision) {
+  std::string text = update_signature(names, precision) + " {\n";
+  int begin = 0;
+  for (const Callable& c : names.callables) {
+    if (c.function->group != kParametersGroup) continue;
+    const int size = c.function->program.outputs.front().rows;
+    if (size > 0)
+      text += "  " + (precision == Precision::in_float ? c.name_in_float : c.name) + "(parameters, cache->values + " +
+              std::to_string(begin) + ");\n";
+    begin += size;
+  }
+  return text + (begin == 0 ? "  (void)parameters;\n  (void)cache;\n" : "") + "}\n";
+}
+
+bool has_update(const Names& names, const std::string& group) {
+  return group == kParametersGroup && !names.library.updates.empty();
+}
+
 }  // namespace
 
 std::string print_header(const Names& names, const std::string& group) {
@@ -140,6 +179,14 @@ std::string print_header(const Names& names, const std::string& group) {
     for (const Precision precision : {Precision::in_double, Precision::in_float})
       text += signature(names, c, list, precision, ";");
   }
+  if (has_update(names, group)) {
+    text +=
+        "\n" +
+        comment(
+            "The whole cache, of which functions read what they need of the parameters: once, and after every change.");
+    for (const Precision precision : {Precision::in_double, Precision::in_float})
+      text += update_signature(names, precision) + ";\n";
+  }
   text += "\n#ifdef __cplusplus\n}\n#endif\n";
   return header(names, group + ".h", group, text);
 }
@@ -150,7 +197,7 @@ std::string print_functions(const Names& names, const std::string& group, Precis
   text += "#include \"" + names.folder + "/" + group + ".h\"\n\n#include <math.h>\n";
   for (const Callable& c : names.callables)
     if (c.function->group == group) text += "\n" + print_function(names, c, precision);
-  return text;
+  return has_update(names, group) ? text + "\n" + print_update(names, precision) : text;
 }
 
 }  // namespace robcogen::backend::c

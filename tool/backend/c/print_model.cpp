@@ -1,4 +1,5 @@
 // Names, limits and parameters.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -85,6 +86,15 @@ std::string structures(const Names& names) {
     for (const std::string& member : names.members) text += "  " + scalar(precision) + " " + member + ";\n";
     text += "} " + type + ";\nextern const " + type + " " + names.prefix + "_default_parameters" + f + ";\n";
   }
+  if (names.library.updates.empty()) return text;
+  int size = 0;
+  for (const Function& update : names.library.updates) size += update.program.outputs.front().rows;
+  text += "\n" + comment(
+                     "What functions read: values that follow from the parameters. " + names.prefix +
+                     "_update computes them.");
+  for (const Precision precision : {Precision::in_double, Precision::in_float})
+    text += "typedef struct {\n  " + scalar(precision) + " values[" + std::to_string(std::max(size, 1)) + "];\n} " +
+            names.prefix + "_cache" + (precision == Precision::in_float ? "f" : "") + ";\n";
   return text;
 }
 
