@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "allocation_hook.h"
 #include "ground.h"
 #include "humanoid.h"
 #include "motions.h"
@@ -126,6 +127,28 @@ TEST(Controller, ForcesAreInTheirConesAndGiveTheMotion) {
   const double size = 1 + command.acceleration.cwiseAbs().maxCoeff();
   EXPECT_LT((motion.qdd - command.acceleration.tail<Humanoid::Robot::kDof>()).cwiseAbs().maxCoeff(), 1e-8 * size);
   EXPECT_LT((motion.base_acceleration.vector() - command.acceleration.head<6>()).cwiseAbs().maxCoeff(), 1e-8 * size);
+}
+
+// As control in real time wants it.
+template <Body B>
+void expect_no_allocation() {
+  StateOf<B> state = standing_state<B>();
+  const Stand<B> plan(state);
+  Controller<B> controller(Settings{});
+  Ground<B> ground(kFriction, kControlStep);
+  {
+    const robcogen::NoAllocation during("control and ground");
+    for (int i = 0; i < 5; ++i) {
+      const auto command = controller(state, plan(i * kControlStep, state));
+      state = ground(state, command.tau, Vector3d(10, 0, 0));
+    }
+  }
+  EXPECT_TRUE(state.q.allFinite());
+}
+
+TEST(Controller, DoesNotAllocate) {
+  expect_no_allocation<Quadruped>();
+  expect_no_allocation<Humanoid>();
 }
 
 struct Limits {

@@ -93,6 +93,66 @@ TEST(World, BiasCompletesTheAcceleration) {
   }
 }
 
+// The generated velocities and accelerations of a frame with respect to the base, seen from the world.
+TEST(World, FramesMoveAsTheirPosesDo) {
+  std::mt19937_64 engine(54);
+  namespace velocities = quadruped::velocities;
+  namespace accelerations = quadruped::accelerations;
+  const auto velocity_in = [](const State& s) {
+    return velocity_in_world(
+        s.pose, s.base_velocity, homogeneous::fr_trunk_X_fr_LF_foot(s.q), velocities::fr_trunk_V_fr_LF_foot(s.q, s.qd));
+  };
+  for (int i = 0; i < kStates; ++i) {
+    const State s = random_state(engine);
+    Coordinates a;
+    for (double& x : a) x = reference::uniform(engine, 1.0);
+    const auto foot = [](const State& at) {
+      return homogeneous_in_world(at.pose, homogeneous::fr_trunk_X_fr_LF_foot(at.q));
+    };
+    const State up = moved(s, a, kStep), down = moved(s, a, -kStep);
+    const Eigen::Matrix4d rate = (foot(up) - foot(down)) / (2 * kStep);
+    const Eigen::Matrix3d spin = rate.topLeftCorner<3, 3>() * foot(s).topLeftCorner<3, 3>().transpose();
+    const Vector6 velocity = velocity_in(s);
+    EXPECT_LT((velocity.tail<3>() - rate.topRightCorner<3, 1>()).norm(), kDifference);
+    EXPECT_LT((velocity.head<3>() - Eigen::Vector3d(spin(2, 1), spin(0, 2), spin(1, 0))).norm(), kDifference);
+
+    const Vector6 acceleration = acceleration_in_world(
+        s.pose, s.base_velocity, SpatialAcceleration(a.head<6>()), homogeneous::fr_trunk_X_fr_LF_foot(s.q),
+        velocities::fr_trunk_V_fr_LF_foot(s.q, s.qd),
+        accelerations::fr_trunk_A_fr_LF_foot(s.q, s.qd, a.tail<quadruped::kDof>()));
+    EXPECT_LT((acceleration - (velocity_in(up) - velocity_in(down)) / (2 * kStep)).norm(), kDifference);
+    // The same by Jacobian and bias that are generated with the columns of the base, in world axes.
+    namespace with_base = quadruped::jacobians::with_base;
+    const Eigen::Matrix3d R = s.pose.rotation();
+    const Vector6 by_jacobian =
+        rows_in_axes(R, with_base::fr_trunk_J_fr_LF_foot(s.q)) * a +
+        rows_in_axes<double, 1>(R, with_base::fr_trunk_bias_fr_LF_foot(s.q, s.qd, s.base_velocity));
+    EXPECT_LT((acceleration - by_jacobian).norm(), kRounding);
+  }
+}
+
+// The rate of the momentum in world axes, and of the centre of mass: central differences.
+TEST(World, CentroidalMomentumChangesByMatrixAndBias) {
+  constexpr double kMomentum = 1e-6;  // some tens of N m s, at differences of kStep
+  std::mt19937_64 engine(55);
+  const auto momentum = [](const State& s) -> Vector6 {
+    return rows_in_axes(s.pose.rotation(), quadruped::centroidal_momentum_matrix(s.q)) * velocity_of(s);
+  };
+  const auto com = [](const State& s) { return position_in_world(s.pose, quadruped::center_of_mass(s.q)); };
+  for (int i = 0; i < kStates; ++i) {
+    const State s = random_state(engine);
+    Coordinates a;
+    for (double& x : a) x = reference::uniform(engine, 1.0);
+    const State up = moved(s, a, kStep), down = moved(s, a, -kStep);
+    const Eigen::Matrix3d R = s.pose.rotation();
+    const Vector6 rate = rows_in_axes(R, quadruped::centroidal_momentum_matrix(s.q)) * a +
+                         rows_in_axes<double, 1>(R, quadruped::centroidal_momentum_bias(s.q, s.qd, s.base_velocity));
+    EXPECT_LT((rate - (momentum(up) - momentum(down)) / (2 * kStep)).norm(), kMomentum);
+    EXPECT_LT(
+        (momentum(s).tail<3>() / quadruped::kTotalMass - (com(up) - com(down)) / (2 * kStep)).norm(), kDifference);
+  }
+}
+
 // By the generated transform of forces, and by the power that the force has.
 TEST(World, WrenchOnLinkIsTheForceAtThePoint) {
   std::mt19937_64 engine(53);

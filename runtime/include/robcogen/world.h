@@ -1,5 +1,5 @@
-// A frame of a floating-base robot in the world: its Jacobian with the columns of the base, its acceleration, and
-// forces that act there. Written over the generated functions from the base frame to the frame:
+// Frames of a floating-base robot in the world: where they are, how they move, their Jacobians with the columns of the
+// base, and forces that act there. Written over the generated functions from the base frame to the frame:
 //
 //     const Eigen::Matrix4d X = quadruped::transforms::homogeneous::fr_trunk_X_fr_LF_foot(q);
 //     const auto joints = quadruped::jacobians::fr_trunk_J_fr_LF_foot(q);
@@ -12,10 +12,68 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "robcogen/pose.h"
 #include "robcogen/rigid_exponential.h"
 #include "robcogen/spatial.h"
 
 namespace robcogen {
+
+// world_X_frame.
+template <class Scalar>
+Eigen::Matrix<Scalar, 4, 4> homogeneous_in_world(
+    const BasicBasePose<Scalar>& pose,
+    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame) noexcept {
+  return pose.homogeneous() * base_X_frame;
+}
+
+// A point (m), in base coordinates, in the world: of center_of_mass, for example.
+template <class Scalar>
+Eigen::Matrix<Scalar, 3, 1> position_in_world(
+    const BasicBasePose<Scalar>& pose,
+    const Eigen::Matrix<Scalar, 3, 1>& point) noexcept {
+  return pose.position() + pose.to_world_axes(point);
+}
+
+// Angular velocity of a frame (rad/s), then the velocity of its origin (m/s), in the world and in its axes.
+// base_V_frame is the generated velocity of the frame with respect to the base.
+template <class Scalar>
+Eigen::Matrix<Scalar, 6, 1> velocity_in_world(
+    const BasicBasePose<Scalar>& pose,
+    const BasicTwist<Scalar>& base_velocity,
+    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
+    const BasicTwist<Scalar>& base_V_frame) noexcept {
+  using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+  const Vector3 origin = base_X_frame.template topRightCorner<3, 1>();
+  const BasicTwist<Scalar> V = base_velocity + base_V_frame;
+  Eigen::Matrix<Scalar, 6, 1> result;
+  result << pose.to_world_axes(V.angular()), pose.to_world_axes(V.linear() + V.angular().cross(origin));
+  return result;
+}
+
+// Angular acceleration of a frame (rad/s^2), then the acceleration of its origin (m/s^2): the time derivative of
+// velocity_in_world. The acceleration of the base is spatial, as forward dynamics returns it, base_A_frame the
+// generated acceleration of the frame with respect to the base.
+template <class Scalar>
+Eigen::Matrix<Scalar, 6, 1> acceleration_in_world(
+    const BasicBasePose<Scalar>& pose,
+    const BasicTwist<Scalar>& base_velocity,
+    const BasicSpatialAcceleration<Scalar>& base_acceleration,
+    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
+    const BasicTwist<Scalar>& base_V_frame,
+    const BasicSpatialAcceleration<Scalar>& base_A_frame) noexcept {
+  using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+  const Vector3 origin = base_X_frame.template topRightCorner<3, 1>();
+  const Vector3 w = base_velocity.angular(), v = base_velocity.linear();
+  const Vector3 w_frame = base_V_frame.angular(), v_frame = base_V_frame.linear();
+  // Base and frame together, with the spatial cross product of their velocities (Featherstone 2008, sec. 2.11).
+  const Vector3 angular = base_acceleration.angular() + base_A_frame.angular() + w.cross(w_frame);
+  const Vector3 linear = base_acceleration.linear() + base_A_frame.linear() + w.cross(v_frame) + v.cross(w_frame);
+  const Vector3 spin = w + w_frame;
+  Eigen::Matrix<Scalar, 6, 1> result;
+  result << pose.to_world_axes(angular),
+      pose.to_world_axes(linear + angular.cross(origin) + spin.cross(v + v_frame + spin.cross(origin)));
+  return result;
+}
 
 // 6 x (6 + n), base_X_frame and base_J_frame given: times the twist of the base and qd, the angular velocity of the
 // frame and the velocity of its origin in the world, in base axes. Columns have the order of the joint-space inertia
@@ -58,7 +116,8 @@ Eigen::Matrix<Scalar, 6, 1> bias_acceleration_with_base(
 }
 
 // The angular and the linear rows in other axes: of the world with R = pose.rotation(), of a frame with the transpose
-// of the rotation in base_X_frame.
+// of the rotation in base_X_frame. Of Jacobians and biases of frames, and of the centroidal momentum matrix and its
+// bias: what is added to the matrix times the accelerations stays so, as biases are rates in an inertial frame.
 template <class Scalar, int kColumns>
 Eigen::Matrix<Scalar, 6, kColumns> rows_in_axes(
     const Eigen::Matrix<Scalar, 3, 3>& R,

@@ -1,0 +1,226 @@
+// Forward dynamics of the quadruped on its feet, generated and by MuJoCo: the same result, then the time of a call.
+//
+//     contacts <URDF>
+//
+// In MuJoCo the feet are tied to the world by equality constraints, which are soft: constraint forces obey
+// (J M^-1 J' + R) f = reference acceleration - J M^-1 (forces - bias). R is the compliance of the generated function
+// and the reference acceleration, but for what velocities add, its contact acceleration: both are taken over, so that
+// the two agree to rounding. Exit status 1: they do not.
+#include <mujoco/mujoco.h>
+#include <quadruped_on_feet/quadruped_on_feet.h>
+#include <robcogen/conversions.h>
+#include <robcogen/generic/simulation.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace robcogen::bench {
+namespace {
+
+namespace quadruped = quadruped_on_feet;
+using Robot = quadruped::Robot;
+using State = robcogen::State<Robot>;
+using Rows = Eigen::Matrix<double, 12, 1>;
+using Active = Eigen::Vector4d;
+
+constexpr double kAgreement = 1e-10;  // of the largest acceleration
+constexpr int kStates = 50;
+constexpr int kDof = quadruped::kDof;
+
+struct Deleter {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using ModelPtr = std::unique_ptr<mjModel, Deleter>;
+using DataPtr = std::unique_ptr<mjData, Deleter>;
+
+ModelPtr load(const std::string& path) {
+  char error[1000] = "";
+  ModelPtr model(mj_loadXML(path.c_str(), nullptr, error, sizeof error));
+  if (!model) throw std::runtime_error(error);
+  return model;
+}
+
+// MuJoCo reads the URDF, and its own text of it gets the feet.
+ModelPtr model_with_feet(const std::string& urdf, const std::string& scratch) {
+  {
+    const ModelPtr model = load(urdf);
+    char error[1000] = "";
+    if (mj_saveLastXML(scratch.c_str(), model.get(), error, sizeof error) == 0) throw std::runtime_error(error);
+    mj_freeLastXML();
+  }
+  std::ifstream in(scratch);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  in.close();
+  std::string feet = "<equality>";
+  for (const char* leg : {"LF", "RF", "LH", "RH"})
+    feet += std::string("<connect body1=\"") + leg + "_lowerleg\" anchor=\"0.33 0 0\"/>";
+  text.insert(text.rfind("</mujoco>"), feet + "</equality>");
+  std::ofstream(scratch) << text;
+  ModelPtr model = load(scratch);
+  mj_freeLastXML();
+  model->opt.disableflags |= mjDSBL_CONTACT | mjDSBL_LIMIT | mjDSBL_WARMSTART;
+  model->opt.tolerance = 0;
+  model->opt.iterations = 20;
+  return model;
+}
+
+struct Call {
+  State state;
+  quadruped::JointState tau;
+  Rows contact_acceleration, compliance;
+};
+
+class Comparison {
+ public:
+  explicit Comparison(const std::string& urdf)
+      : model_(model_with_feet(urdf, urdf + ".mujoco.xml")), data_(mj_makeData(model_.get())) {
+    std::vector<const char*> names;  // after the floating joint
+    for (int j = 1; j < model_->njnt; ++j) names.push_back(mj_id2name(model_.get(), mjOBJ_JOINT, j));
+    const auto match = match_joints(quadruped::kJointNames, names);
+    if (!match.order) throw std::runtime_error(std::string(match.name));
+    order_.emplace(*match.order);
+  }
+
+  // A state with the feet where they are tied, and what the constraints of MuJoCo ask for there.
+  Call call(std::mt19937_64& engine, const Active& active) {
+    std::uniform_real_distribution<double> number(-1, 1);
+    Call c;
+    for (double& x : c.state.q) x = number(engine);
+    for (double& x : c.state.qd) x = number(engine);
+    for (double& x : c.tau) x = 20 * number(engine);
+    c.state.pose = BasePose::from_rpy(number(engine), number(engine), number(engine), Eigen::Vector3d(0, 0, 0.6));
+    Eigen::Matrix<double, 6, 1> velocity;
+    for (double& x : velocity) x = number(engine);
+    c.state.base_velocity = Twist(velocity);
+    set(c);
+    namespace homogeneous = quadruped::transforms::homogeneous;
+    const Eigen::Matrix4d feet[] = {
+        homogeneous::fr_trunk_X_fr_LF_foot(c.state.q), homogeneous::fr_trunk_X_fr_RF_foot(c.state.q),
+        homogeneous::fr_trunk_X_fr_LH_foot(c.state.q), homogeneous::fr_trunk_X_fr_RH_foot(c.state.q)};
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Vector4d place = c.state.pose.homogeneous() * feet[k].col(3);
+      std::copy(place.data(), place.data() + 3, model_->eq_data + mjNEQDATA * k + 3);
+      model_->eq_active[k] = active[k] != 0;
+    }
+    mj_forward(model_.get(), data_.get());
+    // What velocities add: MuJoCo leaves it out, with the acceleration of the base's origin instead of the spatial one.
+    const Rows bias = quadruped::contact_bias(c.state.q, c.state.qd, c.state.base_velocity);
+    const Eigen::Vector3d excess = velocity.head<3>().cross(velocity.tail<3>());
+    for (int k = 0, row = 0; k < 4; ++k) {
+      auto wanted = c.contact_acceleration.segment<3>(3 * k);
+      auto compliance = c.compliance.segment<3>(3 * k);
+      wanted.setZero();
+      compliance.setZero();
+      if (active[k] == 0) continue;
+      const Eigen::Map<const Eigen::Vector3d> reference(data_->efc_aref + row), R(data_->efc_R + row);
+      wanted = c.state.pose.to_base_axes(reference) + bias.segment<3>(3 * k) - excess;
+      compliance = R;
+      row += 3;
+    }
+    return c;
+  }
+
+  void set(const Call& c) {
+    to_mujoco(c.state, *order_, data_->qpos, data_->qvel);
+    std::fill(data_->qfrc_applied, data_->qfrc_applied + 6, 0);
+    order_->to(c.tau, data_->qfrc_applied + 6);
+  }
+
+  void run_theirs(const Call& c) {
+    set(c);
+    mj_forward(model_.get(), data_.get());
+  }
+
+  static quadruped::ConstrainedForwardDynamics run_ours(const Call& c, const Active& active) {
+    return quadruped::constrained_forward_dynamics(
+        c.state.q, c.state.qd, c.tau, c.state.base_velocity, c.contact_acceleration, active, c.compliance,
+        gravity_in_base(c.state));
+  }
+
+  // Of the accelerations, relative to the largest.
+  double difference(const Call& c, const Active& active) {
+    const auto ours = run_ours(c, active);
+    run_theirs(c);
+    const auto base = classical_from_spatial(ours.base_acceleration, c.state.base_velocity);
+    Eigen::Matrix<double, 6 + kDof, 1> expected = Eigen::Matrix<double, 6 + kDof, 1>::Zero();
+    expected.head<6>() << c.state.pose.to_world_axes(base.linear()), base.angular();
+    order_->to(ours.qdd, expected.data() + 6);
+    const Eigen::Map<const Eigen::Matrix<double, 6 + kDof, 1>> theirs(data_->qacc);
+    return (theirs - expected).cwiseAbs().maxCoeff() / (1 + expected.cwiseAbs().maxCoeff());
+  }
+
+  void quick() {
+    model_->opt.tolerance = 1e-8;  // MuJoCo's default
+    model_->opt.iterations = 100;
+    model_->opt.disableflags &= ~mjDSBL_WARMSTART;
+  }
+
+ private:
+  ModelPtr model_;
+  DataPtr data_;
+  std::optional<JointOrder<kDof>> order_;
+};
+
+// The least of some averages over the states (ns).
+template <class Run>
+double time_of(const std::vector<Call>& calls, const Run& run) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kRounds = 30, kTimes = 20;
+  double least = HUGE_VAL;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto before = Clock::now();
+    for (int i = 0; i < kTimes; ++i)
+      for (const Call& c : calls) run(c);
+    const std::chrono::duration<double, std::nano> time = Clock::now() - before;
+    least = std::min(least, time.count() / kTimes / static_cast<double>(calls.size()));
+  }
+  return least;
+}
+
+int compare(const std::string& urdf) {
+  Comparison comparison(urdf);
+  std::mt19937_64 engine(3);
+  bool is_equal = true;
+  for (const Active& active : {Active(0, 0, 0, 0), Active(0, 1, 0, 0), Active(1, 0, 0, 1), Active(1, 1, 1, 1)}) {
+    std::vector<Call> calls;
+    double most = 0;
+    for (int i = 0; i < kStates; ++i) {
+      calls.push_back(comparison.call(engine, active));
+      most = std::max(most, comparison.difference(calls.back(), active));
+    }
+    is_equal = is_equal && most < kAgreement;
+    std::printf("%g feet: accelerations differ by %.1e of the largest\n", active.sum(), most);
+    if (active.sum() != 4 || !is_equal) continue;
+    comparison.quick();
+    double sum = 0;
+    const double ours = time_of(calls, [&](const Call& c) { sum += Comparison::run_ours(c, active).qdd[0]; });
+    const double theirs = time_of(calls, [&](const Call& c) { comparison.run_theirs(c); });
+    std::printf("generated: %.0f ns, MuJoCo: %.0f ns a call%s\n", ours, theirs, std::isnan(sum) ? " (NaN)" : "");
+  }
+  if (!is_equal) std::fprintf(stderr, "contacts: results differ by more than %.0e\n", kAgreement);
+  return is_equal ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace robcogen::bench
+
+int main(int argc, char** argv) {
+  try {
+    if (argc == 2) return robcogen::bench::compare(argv[1]);
+    std::fprintf(stderr, "usage: contacts <URDF>\n");
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "contacts: %s\n", e.what());
+  }
+  return 2;
+}
