@@ -1,0 +1,2 @@
+# robcogen_install_robots(): TARGETS is missing
+robcogen_install_robots(PACKAGE arms)
