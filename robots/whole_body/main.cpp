@@ -19,12 +19,12 @@ bool report(const Motion& motion, const std::string& file_name) {
   std::vector<double> times = motion.times;
   std::sort(times.begin(), times.end());
   std::printf(
-      "%s\n"
+      "%s%s\n"
       "  centre of mass up to %.0f mm from its goal, at the end %.1f mm and %.1f mm/s; feet slip by %.2f mm\n"
       "  friction up to %.2f of %.2f, torques up to %.0f N m; a step of the controller takes %.0f us, 99 %% less than "
       "%.0f us\n",
-      motion.title.c_str(), 1e3 * farthest, 1e3 * (last.com - last.goal).norm(), 1e3 * motion.last_speed,
-      1e3 * motion.greatest_slip, motion.greatest_friction, kFriction, motion.greatest_torque,
+      motion.title.c_str(), motion.has_fallen ? ", and falls" : "", 1e3 * farthest, 1e3 * (last.com - last.goal).norm(),
+      1e3 * motion.last_speed, 1e3 * motion.greatest_slip, motion.greatest_friction, kFriction, motion.greatest_torque,
       1e6 * times[times.size() / 2], 1e6 * times[times.size() * 99 / 100]);
   std::ofstream file(file_name);
   file << picture(motion);

@@ -35,6 +35,13 @@ Instant instant_of(
   return instant;
 }
 
+// So has a state that is not finite.
+template <Body B>
+bool has_fallen(const StateOf<B>& state, const Goal<B>& goal) {
+  const bool is_up = state.pose.rotation()(2, 2) > std::cos(0.5) && center_of_mass<B>(state).z() > 0.5 * goal.com.z();
+  return !is_up;
+}
+
 // How far points slide while they touch.
 template <Body B>
 class Watch {
@@ -72,7 +79,7 @@ Motion simulate(const std::string& title, Plan plan, double duration, const Vect
   Watch<B> watch;
   StateOf<B> state = standing_state<B>();
   const int controls = static_cast<int>(std::lround(duration / kControlStep));
-  for (int i = 0; i <= controls; ++i) {
+  for (int i = 0; i <= controls && !motion.has_fallen; ++i) {
     const double time = i * kControlStep;
     const Goal<B> goal = plan(time, state);
     const double before = seconds();
@@ -91,7 +98,8 @@ Motion simulate(const std::string& title, Plan plan, double duration, const Vect
         motion.momentum_given += ground.step() * ground.contact().forces.template segment<3>(3 * point);
       watch.see(ground.contact(), state, ground.step(), motion);
     }
-    if (i % kControlsPerInstant == 0)
+    motion.has_fallen = has_fallen<B>(state, goal);
+    if (i % kControlsPerInstant == 0 || motion.has_fallen)
       motion.instants.push_back(instant_of<B>(time + kControlStep, state, goal.com, ground.contact().forces));
   }
   motion.momentum = B::kMass * com_velocity<B>(state);

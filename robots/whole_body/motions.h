@@ -24,6 +24,7 @@ struct Motion {
   std::vector<Instant> instants;
   double push_begins = 0, push_ends = 0;  // s
   Eigen::Vector3d push = {0, 0, 0};       // N
+  bool has_fallen = false;  // the simulation ends there: the base tilted by half a radian, or low above the ground
   // Over all steps of the simulation.
   double greatest_slip = 0;      // m, of a point since it touched
   double greatest_friction = 0;  // horizontal by vertical force, of a point
