@@ -11,6 +11,7 @@
 #include "ill_robot.h"
 #include "packed_programs.h"
 #include "random_robot.h"
+#include "spherical_robot.h"
 #include "symbolic/derivative.h"
 #include "symbolic/interpret.h"
 #include "volume.h"
@@ -67,7 +68,7 @@ double uniform(std::mt19937_64& engine) {
   return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
 }
 
-// Numbers that a float holds.
+// Numbers that a float holds, but for quaternions: of these few are of unit length.
 Arrays<double> inputs_of(const Program& program, int place, int nearby) {
   std::mt19937_64 far(static_cast<std::uint64_t>(place) * 1000),
       near(static_cast<std::uint64_t>(place * 1000 + nearby));
@@ -79,6 +80,11 @@ Arrays<double> inputs_of(const Program& program, int place, int nearby) {
     for (std::size_t k = 0; k < array.elements.size(); ++k) {
       const double x = limit * uniform(far) + kNear * uniform(near);
       inputs[array.name].push_back(static_cast<double>(static_cast<float>(x)));
+    }
+    for (const int first : array.quaternions) {
+      double* const q = inputs[array.name].data() + first;
+      const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+      for (int k = 0; k < 4; ++k) q[k] /= norm;
     }
   }
   return inputs;
@@ -270,6 +276,10 @@ std::string losses(const KinematicTree& tree) {
 void expect_digits(const KinematicTree& tree, std::uint64_t seed) {
   const std::string text = losses(tree);
   if (text.empty()) return;
+  if (!tree.spherical_joints().empty()) {  // whose components `shrink` would part
+    ADD_FAILURE() << "seed " << seed << "\n" << text << describe(tree);
+    return;
+  }
   const KinematicTree small = shrink(tree, [](const KinematicTree& t) { return !losses(t).empty(); });
   ADD_FAILURE() << "seed " << seed << "\n" << text << "shrunk to\n" << describe(small) << losses(small);
 }
@@ -296,6 +306,26 @@ TEST_P(IllRobots, LoseNoMoreDigitsThanThePlainRecursions) {
     expect_digits(ill_robot(static_cast<std::uint64_t>(i)), static_cast<std::uint64_t>(i));
   }
 }
+
+// The same with some joints spherical, and few enough coordinates for derivatives of forward dynamics.
+KinematicTree ill_robot_with_spherical_joints(std::uint64_t seed) {
+  for (std::uint64_t next = seed;; next += 1000) {
+    KinematicTree robot = with_spherical_joints(ill_robot(next), next, false);
+    if (!robot.spherical_joints().empty() && robot.joints.size() <= 12) return robot;
+  }
+}
+
+class IllRobotsWithSphericalJoints : public testing::TestWithParam<int> {};
+
+TEST_P(IllRobotsWithSphericalJoints, LoseNoMoreDigitsThanThePlainRecursions) {
+  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 40) / 2;
+  for (int i = GetParam(); i < count; i += kShards) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    expect_digits(ill_robot_with_spherical_joints(seed), seed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shard, IllRobotsWithSphericalJoints, testing::Range(0, kShards));
 
 // Robots whose losses hid behind those of another result, of a single state, or below a floor.
 TEST(IllRobotsOfOld, LoseNoMoreDigitsThanThePlainRecursions) {

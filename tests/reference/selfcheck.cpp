@@ -107,7 +107,7 @@ void check_derivatives(
     std::mt19937_64& engine,
     int samples,
     Checks& checks) {
-  const auto inputs_of = [&](const reflection::Function& f) { return random_inputs(engine, f, cache); };
+  const auto inputs_of = [&](const reflection::Function& f) { return random_inputs(engine, robot, f, cache); };
   const auto cache_of = [](const std::vector<double>& moved) {
     if constexpr (kIsParametric<R>) {
       const auto parameters = parameters_of<R>(moved);
@@ -116,7 +116,20 @@ void check_derivatives(
       return moved;
     }
   };
-  check_partial_derivatives(robot.functions, robot.derivatives, inputs_of, values, cache_of, samples, checks);
+  const auto move = [&](const reflection::Function& f, const reflection::Derivative& d, int element, double step,
+                        std::vector<double>& inputs) {
+    if (d.input != f.positions || d.by_parameters) {
+      inputs[static_cast<std::size_t>(d.input + element)] += step;
+      return;
+    }
+    Vector<double> q(robot.position_count()), way(robot.dof());
+    const auto begin = inputs.begin() + f.positions;
+    std::copy(begin, begin + q.rows(), q.data());
+    way(element) = step;
+    const Vector<double> there = moved(robot, q, way);
+    std::copy(there.data(), there.data() + q.rows(), begin);
+  };
+  check_partial_derivatives(robot.functions, robot.derivatives, inputs_of, move, values, cache_of, samples, checks);
 }
 
 constexpr int kSetsOfValues = 4;

@@ -81,5 +81,26 @@ TEST(BatchChecks, FindWhatHasNoFunctionOfOneState) {
   EXPECT_EQ(checks_of("g", &right).failures(), 1);
 }
 
+// Behind a parameter and another joint: positions of functions that say where they are.
+TEST(RandomInputs, HaveQuaternionsOfUnitLength) {
+  reflection::Joint joints[4] = {};
+  for (int j = 1; j < 4; ++j) {
+    joints[j].type = JointType::spherical;
+    joints[j].child = 2;
+  }
+  Robot robot = {};
+  robot.joints = {joints, 4};
+  reflection::Function f = {"f", {}, 9, 1, nullptr};
+  std::mt19937_64 engine(3);
+  const auto norm = [&] {
+    const std::vector<double> in = random_inputs(engine, robot, f, {0.5});
+    EXPECT_EQ(in[0], 0.5);
+    return in[2] * in[2] + in[3] * in[3] + in[4] * in[4] + in[5] * in[5];
+  };
+  EXPECT_GT(std::abs(norm() - 1), 1e-3);
+  f.positions = 1;
+  EXPECT_NEAR(norm(), 1, 1e-15);
+}
+
 }  // namespace
 }  // namespace robcogen::reference

@@ -103,12 +103,11 @@ Function differentiated(Function function, const Derivative& derivative, Derivat
   bool is_by_turns = false;
   for (const std::string& input : derivative.inputs)
     for (int k = 0; k < values; ++k, ++place) {
-      // Columns by quaternions are not those of their elements.
       const bool has_quaternions = std::any_of(
           function.program.inputs.begin(), function.program.inputs.end(),
           [&](const auto& array) { return array.name == input && !array.quaternions.empty(); });
       is_by_turns = is_by_turns || has_quaternions;
-      if (!has_quaternions) blocks.push_back({k, input, place});
+      blocks.push_back({k, input, place});
     }
   function.derivatives = std::move(blocks);
   function.program = differentiated(function.program, derivative, mode);

@@ -188,9 +188,10 @@ struct Function {
   int inputs;
   int outputs;
   void (*call)(const double* inputs, double* outputs) noexcept;
-  // Where it reads sines or cosines of joints: where these joint positions begin among the inputs, and the same
-  // function of them all, as Trigonometry computes them.
-  int positions = 0;
+  // Where it reads sines or cosines of joints, and of robots with spherical joints: where the joint positions begin
+  // among the inputs; -1: it has none, or it is not said. Then the same function of the sines and cosines of all
+  // joints, as Trigonometry computes them.
+  int positions = -1;
   void (*call_core)(const double* inputs, const double* sin_q, const double* cos_q, double* outputs) noexcept = nullptr;
 };
 

@@ -113,8 +113,7 @@ std::vector<symbolic::DerivativeBlock> second_blocks(const symbolic::Program& pr
   for (std::size_t place = 0; place < program.outputs.size(); ++place)
     for (std::size_t of = 0; of < place; ++of)
       for (const symbolic::InputArray& input : program.inputs)
-        // Columns by quaternions are not those of their elements.
-        if (input.quaternions.empty() && program.outputs[place].name == program.outputs[of].name + "_" + input.name)
+        if (program.outputs[place].name == program.outputs[of].name + "_" + input.name)
           blocks.push_back({index(of), input.name, index(place)});
   return blocks;
 }

@@ -117,10 +117,11 @@ Table jacobians(const Api& api) {
   return result;
 }
 
-std::size_t positions_of(const symbolic::Program& program) {
+// -1: it reads none.
+int positions_of(const symbolic::Program& program) {
   std::size_t input = 0;
-  while (program.inputs[input].role != Role::joint_position) ++input;
-  return offset_of(program, input);
+  while (input < program.inputs.size() && program.inputs[input].role != Role::joint_position) ++input;
+  return input < program.inputs.size() ? static_cast<int>(offset_of(program, input)) : -1;
 }
 
 // And its core, which takes sines and cosines behind q.
@@ -225,9 +226,10 @@ Table functions(const Api& api) {
   std::vector<std::vector<Field>> rows;
   for (const Callable* c : all_callables(api)) {
     rows.push_back(function_row(*c));
-    if (!c->function->parts) continue;
-    rows.back().push_back(static_cast<int>(positions_of(c->function->program)));
-    rows.back().emplace_back(flat_core(*c));
+    const int positions = positions_of(c->function->program);
+    if (positions < 0 || !(c->function->parts || api.library->has_spherical_joints())) continue;
+    rows.back().push_back(positions);
+    if (c->function->parts) rows.back().emplace_back(flat_core(*c));
   }
   return table("Function", "kFunctions", rows);
 }

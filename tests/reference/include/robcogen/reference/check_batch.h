@@ -15,6 +15,7 @@ inline constexpr int kManyStatesCount = 19;
 
 // One function in one layout, on every processor that this machine can stand for.
 inline void check_batch(
+    const Robot& robot,
     const reflection::Function& single,
     const reflection::BatchFunction& many,
     const std::vector<double>& cache,
@@ -37,7 +38,7 @@ inline void check_batch(
   const std::vector<double> parameters(cache.begin(), before > 0 ? cache.end() : cache.begin());
   std::vector<double> results(written);
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const std::vector<double> one = random_inputs(engine, single, parameters);
+    const std::vector<double> one = random_inputs(engine, robot, single, parameters);
     for (std::size_t k = 0; k < read; ++k) at(in, i, k) = one[before + k];
     single.call(one.data(), results.data());
     for (std::size_t k = 0; k < written; ++k) at(all, i, k) = results[k];
@@ -67,7 +68,7 @@ inline void check_batches(
       checks.record(std::string(many.name) + " of one state", kOtherRounding, std::numeric_limits<Real>::infinity(), 0);
       continue;
     }
-    for (const bool by_state : {false, true}) check_batch(*single, many, cache, by_state, engine, checks);
+    for (const bool by_state : {false, true}) check_batch(robot, *single, many, cache, by_state, engine, checks);
   }
 }
 

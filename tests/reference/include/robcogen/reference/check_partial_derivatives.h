@@ -57,12 +57,30 @@ inline Real error_of(const reflection::Derivative& d, const Moved& moved) {
   return error;
 }
 
+// Moves inputs by a step of what a column of the derivative is by: of positions of spherical joints a turn.
+using MoveInputs = std::function<void(
+    const reflection::Function&,
+    const reflection::Derivative&,
+    int element,
+    double step,
+    std::vector<double>& inputs)>;
+
+inline void move_number(
+    const reflection::Function&,
+    const reflection::Derivative& d,
+    int element,
+    double step,
+    std::vector<double>& inputs) {
+  inputs[static_cast<std::size_t>(d.input + element)] += step;
+}
+
 // `inputs` are those of a function in one state; `cache_of` gives the first of them from values of parameters, of which
 // `parameters` are those of that state.
 inline void check_partial_derivatives(
     const reflection::Table<reflection::Function>& functions,
     const reflection::Table<reflection::Derivative>& derivatives,
     const std::function<std::vector<double>(const reflection::Function&)>& inputs_of,
+    const MoveInputs& move,
     const std::vector<double>& parameters,
     const std::function<std::vector<double>(const std::vector<double>&)>& cache_of,
     int samples,
@@ -80,7 +98,7 @@ inline void check_partial_derivatives(
           const std::vector<double> cache = cache_of(values);
           std::copy(cache.begin(), cache.end(), moved.begin());
         } else {
-          moved[static_cast<std::size_t>(d.input + element)] += step;
+          move(f, d, element, step, moved);
         }
         f.call(moved.data(), results.data());
         return results;

@@ -119,7 +119,7 @@ inline Checks check_transforms(const reflection::Transforms& model, std::uint64_
     for (double& x : inputs) x = 1 + uniform(engine, 0.75);
     return inputs;
   };
-  check_partial_derivatives(model.functions, model.derivatives, inputs_of, {}, {}, samples, checks);
+  check_partial_derivatives(model.functions, model.derivatives, inputs_of, move_number, {}, {}, samples, checks);
   return checks;
 }
 

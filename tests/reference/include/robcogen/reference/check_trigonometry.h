@@ -55,11 +55,17 @@ class Difference {
 // Numbers of moderate size for all inputs, the cache of a robot with parameters before them.
 inline std::vector<double> random_inputs(
     std::mt19937_64& engine,
+    const Robot& robot,
     const reflection::Function& f,
     const std::vector<double>& cache) {
   std::vector<double> inputs(static_cast<std::size_t>(f.inputs));
   for (double& x : inputs) x = uniform(engine, 3);
   std::copy(cache.begin(), cache.end(), inputs.begin());
+  for (int j = 0; f.positions >= 0 && j < robot.dof(); ++j) {
+    if (robot.joints[j].type != JointType::spherical || robot.is_follower(j)) continue;
+    const Vector<double> quaternion = unit_vector(engine, 4);
+    std::copy(quaternion.data(), quaternion.data() + 4, inputs.begin() + f.positions + robot.position_of(j) - 1);
+  }
   return inputs;
 }
 
@@ -77,7 +83,7 @@ inline void check_core(
   std::vector<double> expected(outputs), found(outputs);
   Difference computed, given;
   for (int i = 0; i < samples; ++i) {
-    const std::vector<double> in = random_inputs(engine, f, cache);
+    const std::vector<double> in = random_inputs(engine, robot, f, cache);
     const double* q = in.data() + f.positions;
     f.call(in.data(), expected.data());
 
