@@ -70,14 +70,14 @@ function(_robcogen_install_library target)
   get_property(root TARGET ${target} PROPERTY ROBCOGEN_INCLUDE_ROOT)
   if(CMAKE_VERSION VERSION_LESS 3.23 AND root)
     install(TARGETS ${target} EXPORT ${arg_PACKAGE} ${places} INCLUDES DESTINATION include)
+    string(REGEX REPLACE "([][+.*()^$|?])" "\\\\\\1" pattern "${root}")
     install(
       DIRECTORY ${root}/
       DESTINATION include
       FILES_MATCHING
       PATTERN "*.h"
       PATTERN "*.inc"
-      PATTERN c EXCLUDE
-      PATTERN python EXCLUDE)
+      REGEX "^${pattern}/(c|python)$" EXCLUDE)
     return()
   endif()
   get_property(sets TARGET ${target} PROPERTY HEADER_SETS)

@@ -1,7 +1,7 @@
 # The oldest CMake that is supported is 3.22: the functions do without what came later. A robot is built as there, without
 # file sets, and no script of the package uses another word that 3.22 does not know.
 #
-# cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P floor.cmake
+# cmake -D PREFIX=dir -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P floor.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -15,7 +15,7 @@ foreach(script IN LISTS scripts)
   file(STRINGS ${script} lines)
   foreach(line IN LISTS lines)
     foreach(word IN LISTS later)
-      if(line MATCHES "${word}" AND NOT line MATCHES "^ *#" AND NOT line MATCHES "target_sources.*PUBLIC FILE_SET")
+      if(line MATCHES "${word}" AND NOT line MATCHES "^ *#" AND NOT line MATCHES "target_sources.*PUBLIC FILE_SET|HEADER_SETS|headers FILE_SET")
         message(FATAL_ERROR "${script} uses ${word}, which CMake 3.22 does not know:\n${line}")
       endif()
     endforeach()
@@ -37,18 +37,18 @@ file(WRITE ${dir}/CMakeLists.txt "
     endif()
     _target_sources(\${ARGN})
   endmacro()
-  add_subdirectory(${SOURCE_DIR} robcogen)
+  find_package(robcogen REQUIRED)
   robcogen_add_robot(TARGET hyl MODEL ${SOURCE_DIR}/robots/hyl/hyl.kindsl LANGUAGES cpp c PROCESSORS baseline NO_TESTS NO_BENCH)
   add_executable(controller ${CMAKE_CURRENT_LIST_DIR}/consumers/main.cpp)
   target_link_libraries(controller PRIVATE hyl hyl_c)
-  install(TARGETS hyl)
-  install(DIRECTORY \${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/hyl/hyl DESTINATION include FILES_MATCHING PATTERN *.h PATTERN *.inc)")
-run(output ${CMAKE_COMMAND} -G Ninja -S ${dir} -B ${dir}/build -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DROBCOGEN_HOST_TOOL=${TOOL}
+  robcogen_install_robots(TARGETS hyl hyl_c)")
+run(output ${CMAKE_COMMAND} -G Ninja -S ${dir} -B ${dir}/build -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_PREFIX_PATH=${PREFIX}
     -DCMAKE_INSTALL_PREFIX=${dir}/prefix)
 run(output ${CMAKE_COMMAND} --build ${dir}/build --target controller --parallel 2)
 run(output ${dir}/build/controller)
 run(output ${CMAKE_COMMAND} --install ${dir}/build)
-foreach(file include/hyl/hyl.h include/hyl/kernel/inverse_dynamics.h lib/libhyl.a)
+foreach(file include/hyl/hyl.h include/hyl/kernel/inverse_dynamics.h include/hyl_c/hyl_c.h lib/libhyl.a lib/libhyl_c.a
+             lib/cmake/old/oldConfig.cmake)
   if(NOT EXISTS ${dir}/prefix/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()
