@@ -80,7 +80,7 @@ std::string print_model(const Library& library) {
     documentation.push_back(
         "positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
         "three "
-        "components, its angular velocities about the axes of the child.");
+        "components, its angular velocities about the axes of the child. Factors multiply q without the scalar parts.");
   if (!library.parameters.empty())
     documentation.push_back(
         "Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");

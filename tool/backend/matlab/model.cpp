@@ -157,7 +157,8 @@ std::string print_model(const Library& library) {
   if (library.has_spherical_joints())
     text += comment(
         "  positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
-        "three components, is_spherical, its angular velocities about the axes of the child.");
+        "three components, is_spherical, its angular velocities about the axes of the child. Factors of couplings "
+        "multiply q without the scalar parts.");
   if (library.has_pitches())
     text += comment("  joints also have is_helical, and the pitch of those that are, m a radian; 0 of others.");
   text += comment(
