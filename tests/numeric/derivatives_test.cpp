@@ -107,6 +107,42 @@ TEST(Derivatives, GradientOfInverseDynamics) {
   }
 }
 
+// ---- Derivatives of forward dynamics in a loop over right-hand sides.
+
+// The results that a language with loops computes.
+Arrays<double> solved_in_columns(const symbolic::SolvedColumns& solved, const Arrays<double>& state) {
+  Arrays<double> results = symbolic::interpret(solved.right_sides, state);
+  for (const symbolic::SolvedColumns::Block& block : solved.blocks) {
+    const symbolic::OutputArray& output = solved.right_sides.outputs[static_cast<std::size_t>(block.output)];
+    std::vector<double>& columns = results.at(output.name);
+    for (int c = 0; c < block.columns; ++c) {
+      const auto begin = columns.begin() + c * output.rows;
+      const Arrays<double> inputs = {
+          {"factor", results.at("factor")}, {"b", std::vector<double>(begin, begin + output.rows)}};
+      const std::vector<double> x = symbolic::interpret(solved.solution, inputs).at("x");
+      std::copy(x.begin(), x.end(), begin);
+    }
+  }
+  return results;
+}
+
+TEST(Derivatives, OfForwardDynamicsInColumns) {
+  int robots = 0;
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const model::KinematicTree robot = robot_with_drives_or_couplings(seed);
+    if (!algorithm::is_available(robot, "forward_dynamics_derivatives")) continue;
+    ++robots;
+    const Loads loads = seed % 2 == 0 ? Loads::gravity : Loads::gravity_and_external;
+    const Program whole = algorithm::forward_dynamics_derivatives(robot, "f", loads);
+    const symbolic::SolvedColumns solved = algorithm::forward_dynamics_derivatives_in_columns(robot, "f", loads);
+    const Arrays<double> state = random_inputs(whole, seed);
+    const Arrays<double> expected = symbolic::interpret(whole, state), found = solved_in_columns(solved, state);
+    for (const symbolic::OutputArray& output : whole.outputs)
+      expect_near(found.at(output.name), expected.at(output.name), "seed " + std::to_string(seed) + ": " + output.name);
+  }
+  EXPECT_GT(robots, kRobots / 2);
+}
+
 // Fourth-order central differences in long double of the first results, by element `k` of an input.
 std::vector<long double> difference(
     const Program& program,

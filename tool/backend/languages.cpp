@@ -12,14 +12,23 @@ namespace robcogen::backend {
 const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
       {.name = "cpp",
-       .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true},
+       .features = {.caches_parameters = true, .has_lanes = true, .takes_sines = true, .solves_columns = true},
        .takes_transforms = true,
        .print = cpp::print},
-      {.name = "c", .features = {.caches_parameters = true}, .takes_transforms = true, .print = c::print},
-      {.name = "matlab", .takes_transforms = true, .print = matlab::print},
-      {.name = "maxima", .takes_transforms = true, .print = maxima::print},
-      {.name = "python", .features = {.caches_parameters = true}, .takes_transforms = true, .print = python::print},
-      {.name = "javascript", .takes_transforms = true, .print = javascript::print},
+      {.name = "c",
+       .features = {.caches_parameters = true, .takes_long_programs = false},
+       .takes_transforms = true,
+       .print = c::print},
+      {.name = "matlab", .features = {.takes_long_programs = false}, .takes_transforms = true, .print = matlab::print},
+      {.name = "maxima", .features = {.takes_long_programs = false}, .takes_transforms = true, .print = maxima::print},
+      {.name = "python",
+       .features = {.caches_parameters = true, .solves_columns = true},
+       .takes_transforms = true,
+       .print = python::print},
+      {.name = "javascript",
+       .features = {.takes_long_programs = false},
+       .takes_transforms = true,
+       .print = javascript::print},
   };
   return all;
 }

@@ -15,6 +15,7 @@
 #include "symbolic/count.h"
 #include "symbolic/derivative.h"
 #include "symbolic/program.h"
+#include "symbolic/solved_columns.h"
 
 namespace robcogen::backend {
 
@@ -157,6 +158,9 @@ struct Function {
   // for each class.
   std::optional<symbolic::Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
+  // For languages with loops: that it calls the stage of this name, `right_sides`, of which `factor` is the last
+  // output, and solves. Then `program` has inputs and outputs only.
+  std::optional<symbolic::SolvedColumns> solved = {};
   // Homogeneous transforms, where Library::primitives is a convention: in this convention.
   std::optional<ProductData> product = {};
   // The same without a robot, for checks: in the convention `right`, from all parameters and all variables.
@@ -166,9 +170,11 @@ struct Function {
 // The forms of programs that a language uses.
 struct Features {
   bool caches_parameters =
-      false;                 // functions read values that depend on parameters alone from a cache: Library::updates
-  bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
-  bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
+      false;                    // functions read values that depend on parameters alone from a cache: Library::updates
+  bool has_lanes = false;       // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool takes_sines = false;     // functions take precomputed sines and cosines: Library::trigonometry
+  bool solves_columns = false;  // functions may loop over right-hand sides: Function::solved, Library::stages
+  bool takes_long_programs = true;  // else functions that only such a loop makes short are left out
 };
 
 struct Library {
@@ -193,6 +199,7 @@ struct Library {
   std::vector<std::string> variables;      // with no robot: in the document's order of their first use
   std::vector<std::string> groups;         // which groups were asked for, in canonical order
   std::vector<Function> functions;
+  std::vector<Function> stages = {};  // that functions with Function::solved call
   // Of robots with parameters, for languages that cache the values that depend on parameters alone (`functions` then
   // read the cache as their parameters). Each update computes a part of the cache from the parameters: the values that
   // depend on kinematics parameters alone, on dynamics parameters alone, and on both; the parts follow one another.

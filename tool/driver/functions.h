@@ -24,6 +24,7 @@ struct Function {
   std::optional<symbolic::Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
   std::optional<symbolic::AngleParts> parts = {};
+  bool is_stage = false;  // of another function: its right-hand sides
 };
 
 struct Functions {

@@ -73,6 +73,7 @@ backend::Function library_function(
   function.parts = std::move(f.parts);
   function.in_lanes = std::move(f.in_lanes);
   function.limbs_in_lanes = std::move(f.limbs_in_lanes);
+  function.solved = std::move(traced.solved);
   const bool is_homogeneous = function.scope == "transforms::homogeneous" && function.derivatives.empty();
   if (const Robot* robot = model.robot()) {
     function.left_frame = index_of(library.frames, traced.frames.left.name);
@@ -130,7 +131,8 @@ backend::Library assemble(
     add_document(model.transforms()->document, result);
   }
   for (Function& f : functions.list)
-    result.functions.push_back(library_function(model, result, std::move(f), primitives));
+    (f.is_stage ? result.stages : result.functions)
+        .push_back(library_function(model, result, std::move(f), primitives));
   result.updates = std::move(functions.updates);
   result.numbers = std::move(functions.numbers);
   result.trigonometry = std::move(functions.trigonometry);

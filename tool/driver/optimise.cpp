@@ -37,6 +37,35 @@ Functions run_passes(Functions functions, const Passes& passes) {
   return functions;
 }
 
+// Right-hand sides become functions of their own, which are followed by a loop over the solutions: their programs are
+// those that are printed, of the function itself only its inputs and outputs.
+Functions separate_right_sides(Functions functions, const Passes& passes, const Passes& passes_of_solution) {
+  const std::size_t count = functions.list.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    algorithm::RobotFunction& outer = functions.list[i].traced;
+    if (!outer.solved) continue;
+    Function stage;
+    stage.is_stage = true;
+    stage.traced.group = outer.group;
+    stage.traced.name = outer.solved->right_sides.name;
+    stage.traced.summary = {
+        "Right-hand sides of " + outer.program.name + ", and the factor that they are solved with."};
+    stage.traced.program = pass::run(std::move(outer.solved->right_sides), passes);
+    outer.solved->right_sides = {};
+    outer.solved->right_sides.name = stage.traced.name;
+    outer.solved->right_sides.outputs = {stage.traced.program.outputs.back()};
+    outer.solved->solution = pass::run(std::move(outer.solved->solution), passes_of_solution);
+    for (symbolic::OutputArray& array : outer.program.outputs)
+      array.values.assign(array.values.size(), symbolic::Operand{});
+    outer.program.constants = {Number()};
+    outer.program.statements.clear();
+    functions.list[i].congruent.reset();
+    functions.list[i].results.reset();
+    functions.list.push_back(std::move(stage));
+  }
+  return functions;
+}
+
 // Updates compute what follows from the parameters alone into a cache, which the functions then read. Before the
 // passes, which put parameters and variables together in one sum.
 Functions split_parameters(const Robot& robot, Functions functions, const Passes& passes) {
@@ -117,6 +146,8 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   if (!robot) return run_passes(std::move(functions), passes);
   const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
   functions = run_accurate_passes(*robot, std::move(functions), steps.formulation(), splits ? Passes() : passes);
+  if (features.solves_columns)
+    functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
   if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
   // Of quaternions there are no sines.

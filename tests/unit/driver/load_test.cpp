@@ -138,7 +138,7 @@ TEST_F(Load, GroupsThatARobotCannotHaveAreErrorsWhereTheyAreAskedFor) {
 // Where a group is not generated though the mass properties allow it: a chain of many links, solved for many columns.
 TEST_F(Load, GroupsWhoseCodeWouldBeTooLongAreErrorsWhereTheyAreAskedFor) {
   std::string links, joints;
-  constexpr int kLinks = 30;
+  constexpr int kLinks = 60;
   for (int i = 1; i <= kLinks; ++i) {
     const std::string number = std::to_string(i), next = std::to_string(i + 1);
     links +=

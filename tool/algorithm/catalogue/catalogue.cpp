@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algorithm/catalogue/groups.h"
+#include "algorithm/catalogue/sizes.h"
 #include "support/index.h"
 
 namespace robcogen::algorithm {
@@ -83,23 +84,10 @@ const Group* group_of(const std::string& name) {
   return found == kGroups.end() ? nullptr : &*found;
 }
 
-// Of a coordinate and one that carries it.
-long pairs_of_coordinates(const KinematicTree& tree) {
-  std::vector<long> carrying(tree.joints.size());
-  long pairs = tree.floating_base ? 15 : 0;
-  for (const int j : tree.topological()) {
-    const int parent = tree.parent_joint_of(j);
-    carrying[at(j)] = parent < 0 ? (tree.floating_base ? 6 : 0) : carrying[at(parent)] + 1;
-    pairs += carrying[at(j)];
-  }
-  return pairs;
-}
-
-// A product and a sum, there and back, for each such pair, and each right-hand side. More would outgrow the caches for
-// instructions.
+// The program without a loop, which some languages print and `eval` runs, would take too long to make.
 bool has_many_operations(const KinematicTree& tree) {
-  constexpr long kMany = 32'000;
-  return 4 * pairs_of_coordinates(tree) * (3 * tree.dof() + (tree.floating_base ? 3 : 0)) > kMany;
+  constexpr long kMany = 600'000;
+  return operations_of_solutions(tree) > kMany;
 }
 
 // Second derivatives take some hundred operations for each such pair.
@@ -137,7 +125,7 @@ constexpr std::array kRequirements = {
         "with so many joints its code without loops would outgrow the caches of processors"},
     Requirement{
         kFewOperations, [](const KinematicTree& tree) { return !has_many_operations(tree); },
-        "with so many joints its code without loops would outgrow the caches of processors"},
+        "with so many joints its code would be too long"},
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
         "with ten columns for each of so many links its matrix would outgrow the stacks of threads"}};
@@ -195,6 +183,10 @@ const std::vector<std::string>& groups_between_frames() {
 bool is_available(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
   return found && is_available(*found, tree);
+}
+
+bool needs_loops(const KinematicTree& tree, const std::string& group) {
+  return group == "forward_dynamics_derivatives" && solves_in_columns(tree);
 }
 
 std::string reason_of_absence(const KinematicTree& tree, const std::string& group, Reasons reasons) {

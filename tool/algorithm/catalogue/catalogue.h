@@ -10,6 +10,7 @@
 #include "symbolic/accuracy.h"
 #include "symbolic/derivative.h"
 #include "symbolic/program.h"
+#include "symbolic/solved_columns.h"
 
 namespace robcogen::algorithm {
 
@@ -26,6 +27,8 @@ struct RobotFunction {
   std::optional<symbolic::RoundingError> error = {};        // once it was measured
   std::vector<symbolic::DerivativeBlock> derivatives = {};  // among its outputs, to be checked by differences
   std::vector<std::string> labels = {};                     // regressors: what each column multiplies
+  // The same with a loop, where the program is too long for caches.
+  std::optional<symbolic::SolvedColumns> solved = {};
 };
 
 // In canonical order.
@@ -43,6 +46,9 @@ const std::vector<std::string>& default_groups();
 // Whether the robot's mass properties allow the functions of this group: functions that divide by the joint-space
 // inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
 bool is_available(const model::KinematicTree& tree, const std::string& group);
+
+// Whether the code of a group would be too long without loops.
+bool needs_loops(const model::KinematicTree& tree, const std::string& group);
 
 // Why a group is not available; empty where it is, and, if asked so, where the mass properties do not allow it, which
 // diagnostics of the model say.

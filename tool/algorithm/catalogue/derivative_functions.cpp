@@ -1,6 +1,9 @@
 // Derivatives of the dynamics.
+#include <algorithm>
+
 #include "algorithm/catalogue/groups.h"
 #include "algorithm/catalogue/overloads.h"
+#include "algorithm/catalogue/sizes.h"
 
 namespace robcogen::algorithm {
 
@@ -146,6 +149,20 @@ std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
   return list;
 }
 
+namespace {
+
+// What the inputs of a program say of its loads.
+Loads loads_of(const symbolic::Program& program) {
+  const auto has = [&](symbolic::Role role) {
+    return std::any_of(
+        program.inputs.begin(), program.inputs.end(), [&](const auto& input) { return input.role == role; });
+  };
+  if (has(symbolic::Role::link_wrenches)) return Loads::gravity_and_external;
+  return has(symbolic::Role::gravity) ? Loads::gravity : Loads::standard_gravity;
+}
+
+}  // namespace
+
 std::vector<RobotFunction> forward_dynamics_derivatives_functions(
     const KinematicTree& tree,
     FormulationChoices& choices) {
@@ -160,6 +177,9 @@ std::vector<RobotFunction> forward_dynamics_derivatives_functions(
   add_overloads(list, tree, name, name, summary, [&](const std::string& kernel, Loads loads) {
     return forward_dynamics_derivatives(tree, kernel, loads, formulation);
   });
+  if (solves_in_columns(tree))
+    for (RobotFunction& f : list)
+      f.solved = forward_dynamics_derivatives_in_columns(tree, f.program.name, loads_of(f.program), formulation);
   add_wrenches_remark(list);
   add_method(list, name, description(tree, formulation.frames));
   return list;

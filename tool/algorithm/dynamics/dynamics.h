@@ -11,6 +11,7 @@
 #include "algorithm/formulation/formulation.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
+#include "symbolic/solved_columns.h"
 
 namespace robcogen::algorithm {
 
@@ -136,6 +137,12 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
 // Forward dynamics and its derivatives: q, qd, tau [, base_velocity] -> qdd [, base_acceleration], d_q, d_qd, d_tau [,
 // d_base_rotation, d_base_velocity], rows of the base acceleration first. d_tau: columns of H^-1.
 symbolic::Program forward_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+// The same for a loop over right-hand sides.
+symbolic::SolvedColumns forward_dynamics_derivatives_in_columns(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,

@@ -1,10 +1,12 @@
 // Forward dynamics by articulated bodies, or by solving with the joint-space inertia matrix.
 #include <algorithm>
+#include <utility>
 
 #include "algorithm/dynamics/articulated_body.h"
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/elimination.h"
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
@@ -75,13 +77,30 @@ symbolic::Program forward_dynamics(
   return trace.program(name);
 }
 
+namespace {
+
+// Where the elimination in H leaves elements of L, by row and column of the ordered matrix.
+std::vector<std::pair<int, int>> elements_of_factor(const model::KinematicTree& tree) {
+  const EliminationTree elimination = elimination_tree(tree);
+  std::vector<int> rank(elimination.order.size());
+  for (std::size_t k = 0; k < rank.size(); ++k) rank[at(elimination.order[k])] = static_cast<int>(k);
+  std::vector<std::pair<int, int>> elements;
+  for (std::size_t k = 0; k < rank.size(); ++k)
+    for (const int ancestor : elimination.ancestors[at(elimination.order[k])])
+      elements.emplace_back(static_cast<int>(k), rank[at(ancestor)]);
+  return elements;
+}
+
+enum class Solutions { written_out, in_columns };
+
 // With H x = (base wrench, tau) - …: the derivatives of x are -H^-1 times those of inverse dynamics at x (Carpentier
 // and Mansard 2018, eq. 6).
-symbolic::Program forward_dynamics_derivatives(
+symbolic::Program derivatives(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,
-    const Formulation& formulation) {
+    const Formulation& formulation,
+    Solutions solutions) {
   Trace trace(tree);
   StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
   const LoadInputs load(trace, loads);
@@ -102,7 +121,12 @@ symbolic::Program forward_dynamics_derivatives(
     for (std::vector<Expression>& column : *block) columns.push_back(&column);
   if (tree.floating_base)
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(&d.base_velocity[k]);
-  solve_columns(H, columns);
+  if (solutions == Solutions::written_out) {
+    solve_columns(H, columns);
+  } else {
+    for (std::vector<Expression>* column : columns)
+      for (Expression& e : *column) e = -e;
+  }
   trace.output("qdd", Role::joint_acceleration, motion.qdd);
   if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
   trace.output("d_q", Role::matrix, rows, d.q);
@@ -113,7 +137,66 @@ symbolic::Program forward_dynamics_derivatives(
     trace.output("d_base_rotation", Role::matrix, rows, d.base_rotation);
     trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
   }
+  if (solutions == Solutions::in_columns) {
+    const LdlFactors factors = ldl_factors(H.a, H.names);
+    std::vector<Expression> factor;
+    for (const auto& [row, column] : elements_of_factor(tree)) factor.push_back(factors.l(row, column));
+    factor.insert(factor.end(), factors.inverse_d.begin(), factors.inverse_d.end());
+    trace.output("factor", Role::value, factor);
+  }
   return trace.program(name);
+}
+
+// x of H x = b.
+symbolic::Program solution_with_factor(const model::KinematicTree& tree, const std::string& name) {
+  const std::vector<std::pair<int, int>> elements = elements_of_factor(tree);
+  const std::vector<std::string> names = coordinate_names(tree);
+  const OrderedInertia H(tree, SquareMatrix(static_cast<int>(names.size())));
+  std::vector<std::string> labels;
+  for (const auto& [row, column] : elements) labels.push_back(H.names[at(row)] + "_" + H.names[at(column)]);
+  labels.insert(labels.end(), H.names.begin(), H.names.end());
+  ProgramTrace trace;
+  const std::vector<Expression> given = trace.input("factor", Role::value, labels);
+  const std::vector<Expression> b = trace.input("b", Role::value, names);
+  LdlFactors factors{SquareMatrix(H.a.size()), {}};
+  for (std::size_t k = 0; k < elements.size(); ++k) factors.l(elements[k].first, elements[k].second) = given[k];
+  factors.inverse_d.assign(given.end() - H.a.size(), given.end());
+  trace.section("solution", "one column of the solution");
+  const std::vector<Expression> half = first_half(factors, H.ordered(b));
+  for (std::size_t k = 0; k < half.size(); ++k) describe(half[k], "b_" + H.names[k]);
+  const std::vector<Expression> x = H.unordered(second_half(factors, half));
+  for (std::size_t k = 0; k < x.size(); ++k) describe(x[k], "x_" + names[k]);
+  trace.output("x", Role::value, x);
+  return trace.program(name);
+}
+
+}  // namespace
+
+symbolic::Program forward_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  return derivatives(tree, name, loads, formulation, Solutions::written_out);
+}
+
+symbolic::SolvedColumns forward_dynamics_derivatives_in_columns(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  symbolic::SolvedColumns result{
+      derivatives(tree, name + "_right_sides", loads, formulation, Solutions::in_columns),
+      solution_with_factor(tree, "forward_dynamics_derivatives_column"),
+      {}};
+  const std::vector<symbolic::OutputArray>& outputs = result.right_sides.outputs;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const std::string& output = outputs[k].name;
+    if (output == "d_q" || output == "d_qd" || output == "d_tau")
+      result.blocks.push_back({static_cast<int>(k), outputs[k].columns});
+    if (output == "d_base_velocity") result.blocks.push_back({static_cast<int>(k), 3});
+  }
+  return result;
 }
 
 }  // namespace robcogen::algorithm

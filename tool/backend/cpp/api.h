@@ -37,6 +37,7 @@ struct Api {
   std::vector<std::string> variables;                                         // arguments
   std::vector<std::string> parameters;                                        // members of Parameters
   std::vector<Callable> callables;                                            // in the order of Library::functions
+  std::vector<Callable> stages;                                               // that callables call, in no interface
   // Of robots with parameters, whose functions take these first:
   std::vector<std::string> fields, getters;  // by parameter
   std::vector<Callable> updates, numbers;

@@ -9,6 +9,15 @@ std::string qualified(const CompiledKernel& kernel) {
   return kernel.is_core ? "core::" + kernel.name : kernel.name;
 }
 
+std::vector<const Callable*> kernels_of(const Api& api, const std::string& group) {
+  std::vector<const Callable*> result;
+  for (const Callable& c : api.stages)
+    if (c.function->group == group) result.push_back(&c);
+  const std::vector<const Callable*> others = callables_of(api, group);
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
 std::vector<const Callable*> callables_of(const Api& api, const std::string& group) {
   std::vector<const Callable*> result;
   for (const std::vector<Callable>* list : {&api.callables, &api.updates, &api.numbers, &api.trigonometry})
@@ -26,7 +35,7 @@ std::vector<Parameter> trigonometry_parameters(const Library& library) {
 
 std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& group) {
   std::vector<CompiledKernel> result;
-  for (const Callable* c : callables_of(api, group)) {
+  for (const Callable* c : kernels_of(api, group)) {
     if (c->function->parts) result.push_back({c->kernel, true, c->core_parameters, c});
     result.push_back({c->kernel, false, c->parameters, c});
   }

@@ -25,6 +25,9 @@ std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& 
 // The functions of a group in their order, those of `parameters` and `trigonometry` too.
 std::vector<const Callable*> callables_of(const Api& api, const std::string& group);
 
+// The same, and in front of them the stages that they call.
+std::vector<const Callable*> kernels_of(const Api& api, const std::string& group);
+
 // Of joint_trigonometry.
 std::vector<Parameter> trigonometry_parameters(const Library& library);
 

@@ -250,8 +250,49 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
       comments + comment(counts(callable.count)) + arrays(library, program), lower(program, callable.kernel));
 }
 
+// A kernel that calls a stage for right-hand sides, and solves for them column by column.
+std::string print_solver(const Callable& callable) {
+  const symbolic::SolvedColumns& solved = *callable.function->solved;
+  const std::string factor = solved.right_sides.outputs.front().name;
+  const std::string size = std::to_string(solved.right_sides.outputs.front().rows);
+  const std::vector<symbolic::OutputArray>& outputs = callable.function->program.outputs;
+  const std::string rows = std::to_string(outputs[static_cast<std::size_t>(solved.blocks.front().output)].rows);
+  std::vector<std::string> arguments;
+  for (const Parameter& p : callable.parameters) arguments.push_back(p.name);
+  const std::size_t first = arguments.size() - outputs.size();
+  std::string text = signature("void " + callable.kernel, callable.parameters, " noexcept {");
+  text += "  Scalar " + factor + "[" + size + "];\n";
+  std::vector<std::string> with_factor = arguments;
+  with_factor.push_back(factor);
+  text += call(solved.right_sides.name, with_factor, 2);
+  text += declaration("  const auto solve = []", {"const auto* f", "const auto* b", "auto* x"}, " noexcept {") +
+          "    " + solved.solution.name + "(f, b, x);\n  };\n";
+  text += "  const robcogen::ColumnSolver<" + rows + ", " + size + ", Scalar> solver(" + factor + ");\n";
+  for (const symbolic::SolvedColumns::Block& block : solved.blocks)
+    text += call(
+        "solver.solve",
+        {arguments[first + static_cast<std::size_t>(block.output)], std::to_string(block.columns), "solve"}, 2);
+  return summary(callable) + text + "}\n";
+}
+
+// What these kernels solve with, column by column; overloads have it in common.
+std::string print_solutions(const std::vector<const Callable*>& callables) {
+  std::vector<std::string> names, texts;
+  for (const Callable* c : callables) {
+    if (!c->function->solved) continue;
+    const symbolic::Program& solution = c->function->solved->solution;
+    if (std::find(names.begin(), names.end(), solution.name) != names.end()) continue;
+    names.push_back(solution.name);
+    texts.push_back(
+        comment("One column of the solutions of " + c->name + ".") + comment(counts(solution)) +
+        definition(lower(solution, solution.name)));
+  }
+  return paragraphs(texts);
+}
+
 std::string print_kernel(const Library& library, const Callable& callable) {
   const Function& function = *callable.function;
+  if (function.solved) return print_solver(callable);
   if (!has_own_lanes(function)) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
   const symbolic::Program& program = *function.in_lanes;
   const Kernel kernel = lower(program, callable.kernel);
@@ -337,19 +378,23 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
     return paragraphs({banner(*api.library, path, "no kernels, as it has no parameters"), "#pragma once\n"});
   if (group == kTrigonometry && !api.takes_sines())
     return paragraphs({banner(*api.library, path, "no kernels of sines and cosines"), "#pragma once\n"});
-  const std::vector<const Callable*> callables = callables_of(api, group);
+  const std::vector<const Callable*> callables = kernels_of(api, group);
   const bool has_lanes = std::any_of(
       callables.begin(), callables.end(), [](const Callable* c) { return c->function->in_lanes.has_value(); });
+  const bool solves = std::any_of(
+      callables.begin(), callables.end(), [](const Callable* c) { return c->function->solved.has_value(); });
   std::vector<std::string> cores(callables.size()), kernels(callables.size());
   for_each_index(callables.size(), [&](std::size_t i) {
     if (callables[i]->function->parts) cores[i] = print_core(*callables[i]);
     kernels[i] = print_kernel(*api.library, *callables[i]);
   });
+  if (solves) kernels.insert(kernels.begin(), print_solutions(callables));
   std::erase(cores, std::string());  // of those that read no angles
   if (group == kParameters) kernels.push_back(whole_update(api));
   if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
+  if (solves) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
   const std::string remark = "// Kernels that take precomputed sin(q) and cos(q), of all angles.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(

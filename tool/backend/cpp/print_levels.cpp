@@ -19,7 +19,7 @@ constexpr int kFewestFused = 24;
 bool gains(const CompiledKernel& kernel) {
   if (kernel.callable == nullptr) return true;  // sines and cosines of all joints
   const symbolic::OperationCount& count = kernel.callable->count;
-  return count.sincos > 1 || kernel.callable->function->in_lanes ||
+  return kernel.callable->function->solved || count.sincos > 1 || kernel.callable->function->in_lanes ||
          count.mul + count.add - count.instructions >= kFewestFused;
 }
 
@@ -58,9 +58,10 @@ std::string own_kernels(const Api& api, const std::vector<std::string>& groups) 
   return in_namespace(kAround, "namespace {\n" + includes(files) + "}  // namespace\n");
 }
 
-std::string includes_of_kernels(const std::vector<std::string>& more) {
+std::string includes_of_kernels(const Api& api, const std::vector<std::string>& more) {
   std::vector<std::string> headers = {
       "\"robcogen/lane_blocks.h\"", "\"robcogen/level.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
+  if (!api.stages.empty()) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
   headers.insert(headers.end(), more.begin(), more.end());
   return paragraphs({includes({"<cmath>"}), includes(headers)});
 }
@@ -157,7 +158,7 @@ std::string print_choice(const Api& api, const std::string& group, const std::st
       in_namespace(api.space + "::kernel::levels", "void " + group + "(robcogen::Level) noexcept {}\n");
   return paragraphs(
       {banner(*api.library, path, "kernels compiled for double and float, and the choice of a processor's"),
-       includes_of_kernels({"\"" + kernels_path(name) + "\""}), "#if ROBCOGEN_CHOOSES_LEVEL\n",
+       includes_of_kernels(api, {"\"" + kernels_path(name) + "\""}), "#if ROBCOGEN_CHOOSES_LEVEL\n",
        own_kernels(api, {group}), chosen_kernels(api, group), "#else  // ROBCOGEN_CHOOSES_LEVEL\n",
        includes({"\"" + kernel_path(name, group) + "\""}), nothing_to_choose, "#endif  // ROBCOGEN_CHOOSES_LEVEL\n",
        instantiations(api, group)});
@@ -176,7 +177,7 @@ std::string print_level(const Api& api, const std::string& level, const std::str
   const std::string forwarders =
       in_their_namespaces(kernels, [&](const CompiledKernel& k) { return forwarder(k, baseline_of(api)); });
   return paragraphs(
-      {banner(*api.library, path, "kernels for one processor"), includes_of_kernels({}), guard,
+      {banner(*api.library, path, "kernels for one processor"), includes_of_kernels(api, {}), guard,
        own_kernels(api, groups), in_namespace(api.space + "::kernel::" + level, paragraphs({forwarders, instantiated})),
        "#endif\n"});
 }

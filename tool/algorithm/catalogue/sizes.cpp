@@ -1,0 +1,29 @@
+#include "algorithm/catalogue/sizes.h"
+
+#include <vector>
+
+#include "support/index.h"
+
+namespace robcogen::algorithm {
+
+long pairs_of_coordinates(const model::KinematicTree& tree) {
+  std::vector<long> carrying(tree.joints.size());
+  long pairs = tree.floating_base ? 15 : 0;
+  for (const int j : tree.topological()) {
+    const int parent = tree.parent_joint_of(j);
+    carrying[at(j)] = parent < 0 ? (tree.floating_base ? 6 : 0) : carrying[at(parent)] + 1;
+    pairs += carrying[at(j)];
+  }
+  return pairs;
+}
+
+long operations_of_solutions(const model::KinematicTree& tree) {
+  return 4 * pairs_of_coordinates(tree) * (3 * tree.dof() + (tree.floating_base ? 3 : 0));
+}
+
+bool solves_in_columns(const model::KinematicTree& tree) {
+  constexpr long kMany = 32'000;
+  return operations_of_solutions(tree) > kMany;
+}
+
+}  // namespace robcogen::algorithm

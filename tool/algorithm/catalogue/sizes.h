@@ -1,0 +1,18 @@
+// How long the code of large robots is.
+#pragma once
+
+#include "model/kinematic_tree.h"
+
+namespace robcogen::algorithm {
+
+// Pairs of a coordinate and one that carries it, those of a floating base too.
+long pairs_of_coordinates(const model::KinematicTree& tree);
+
+// Operations of the solutions in derivatives of forward dynamics: a product and a sum, there and back, for each such
+// pair, and each right-hand side.
+long operations_of_solutions(const model::KinematicTree& tree);
+
+// Whether one after the other, without a loop, these would outgrow the caches for instructions.
+bool solves_in_columns(const model::KinematicTree& tree);
+
+}  // namespace robcogen::algorithm
