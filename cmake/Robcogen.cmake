@@ -402,7 +402,7 @@ function(_robcogen_add_library target)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the
   # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other passes
   # that are off take a sixth of gcc's time without effect: dead stores do not occur, and processors reorder
-  # instructions themselves. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers to the
+  # instructions themselves; where ordering pays, RobcogenProcessors.cmake has it. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers to the
   # handlers, as clang does with assertions.
   set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-exceptions)
   _robcogen_optimisation(optimisation)

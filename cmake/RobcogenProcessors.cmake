@@ -92,5 +92,11 @@ function(_robcogen_set_levels target)
     elseif(source MATCHES "/(kernels|batch/[a-z_]+)_(avx2|avx512)\\.cpp$")
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${_robcogen_${CMAKE_MATCH_2}_options} ${all})
     endif()
+    # gcc orders the instructions of the highest level's kernels by latency, as long as registers last: 4 % faster on average.
+    # Bodies over many states would take up to a half longer: there, registers do not last.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
+       AND (source MATCHES "/kernels_(avx2|avx512)\\.cpp$" OR (NOT library_levels AND NOT source MATCHES "/batch(/[a-z_0-9]+)?\\.cpp$")))
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fschedule-insns -fsched-pressure -fschedule-insns2)
+    endif()
   endforeach()
 endfunction()
