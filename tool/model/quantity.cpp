@@ -88,6 +88,13 @@ const Quantity& Quantity::right() const {
   return node_->right;
 }
 
+bool operator==(const Quantity& a, const Quantity& b) {
+  if (a.node_ == b.node_) return true;
+  if (!a.node_ || !b.node_ || a.op() != b.op()) return false;
+  const Quantity::Node &x = *a.node_, &y = *b.node_;
+  return x.number == y.number && x.index == y.index && x.left == y.left && x.right == y.right;
+}
+
 Quantity operator-(const Quantity& a) {
   if (a.is_constant()) return Quantity(-a.number());
   if (a.op() == Quantity::Op::negate) return a.left();

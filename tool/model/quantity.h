@@ -77,6 +77,9 @@ class Quantity {
   friend Quantity tan(const Quantity& a);
   friend Quantity sqrt(const Quantity& a);
 
+  // The same operations on the same constants, parameters and variables; not whether the values are the same.
+  friend bool operator==(const Quantity& a, const Quantity& b);
+
  private:
   struct Node;
   explicit Quantity(std::shared_ptr<const Node> node);

@@ -102,19 +102,39 @@ Expression cos(const Expression& a) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Graph: nodes
 
-Graph::Graph() : known_(1024, -1) {
+Graph::Graph() : known_(1024) {
   sections_.push_back({"", "t"});
   constant(0.0);
   constant(1.0);
 }
 
-std::size_t Graph::slot(const Key& k) const {
+std::uint32_t Graph::hash(const Key& k) {
   std::uint64_t h = k.bits * 0x9e3779b97f4a7c15ULL ^ (k.kind + 0x7f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
   h ^= h >> 29;
   h *= 0x94d049bb133111ebULL;
-  std::size_t place = static_cast<std::size_t>(h ^ (h >> 32)) & (known_.size() - 1);
-  while (known_[place] >= 0 && !(key(nodes_[at(known_[place])]) == k)) place = (place + 1) & (known_.size() - 1);
+  return static_cast<std::uint32_t>(h ^ (h >> 32));
+}
+
+std::size_t Graph::slot(const Key& k, std::uint32_t hash) const {
+  const auto is_other = [&](const KnownNode& known) {
+    return known.node >= 0 && (known.hash != hash || !(key(nodes_[at(known.node)]) == k));
+  };
+  std::size_t place = hash & (known_.size() - 1);
+  while (is_other(known_[place])) place = (place + 1) & (known_.size() - 1);
   return place;
+}
+
+// The nodes stand in the order of their making again.
+void Graph::grow() {
+  std::vector<std::uint32_t> hashes(nodes_.size());
+  for (const KnownNode& known : known_)
+    if (known.node >= 0) hashes[at(known.node)] = known.hash;
+  known_.assign(2 * known_.size(), {});
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    std::size_t place = hashes[i] & (known_.size() - 1);
+    while (known_[place].node >= 0) place = (place + 1) & (known_.size() - 1);
+    known_[place] = {hashes[i], static_cast<int>(i)};
+  }
 }
 
 Graph::Key Graph::key(const Node& n) const {
@@ -132,17 +152,17 @@ Graph::Key Graph::key(const Node& n) const {
 
 int Graph::intern(const Node& n) {
   const Key wanted = key(n);
-  std::size_t place = slot(wanted);
-  if (known_[place] >= 0) return known_[place];
+  const std::uint32_t own = hash(wanted);
+  std::size_t place = slot(wanted, own);
+  if (known_[place].node >= 0) return known_[place].node;
   if (2 * (nodes_.size() + 1) > known_.size()) {
-    known_.assign(2 * known_.size(), -1);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) known_[slot(key(nodes_[i]))] = static_cast<int>(i);
-    place = slot(wanted);
+    grow();
+    place = slot(wanted, own);
   }
-  known_[place] = static_cast<int>(nodes_.size());
+  known_[place] = {own, static_cast<int>(nodes_.size())};
   nodes_.push_back(n);
   section_of_.push_back(static_cast<int>(sections_.size()) - 1);
-  return known_[place];
+  return known_[place].node;
 }
 
 Expression Graph::constant(const Number& value) {
@@ -167,7 +187,8 @@ Expression Graph::input(int element) {
 
 void Graph::rollback(std::size_t mark) {
   while (nodes_.size() > mark) {
-    known_[slot(key(nodes_.back()))] = -1;
+    const Key last = key(nodes_.back());
+    known_[slot(last, hash(last))] = {};
     nodes_.pop_back();
     section_of_.pop_back();
   }

@@ -137,8 +137,10 @@ class Graph {
 
   void set_name(const Expression& e, const std::string& name, bool is_own);
   Key key(const Node& n) const;
-  // Where in known_ the node with this key stands, or would stand.
-  std::size_t slot(const Key& k) const;
+  static std::uint32_t hash(const Key& k);
+  // Where in known_ the node with this key, and the hash of it, stands, or would stand.
+  std::size_t slot(const Key& k, std::uint32_t hash) const;
+  void grow();
   int intern(const Node& n);
   Expression operation(Op op, const Expression& a, const Expression& b);
   Expression add(Expression a, Expression b);
@@ -162,8 +164,13 @@ class Graph {
   std::vector<NodeName> names_;  // up to the last node that has one
   std::vector<Section> sections_;
   // Nodes by their keys: open addressing, no more than half full, -1 where none is. The last node can be taken out by
-  // clearing its place, since none came after it.
-  std::vector<int> known_;
+  // clearing its place, since none came after it. Most other nodes that a search passes have another hash: their keys
+  // need not be looked at.
+  struct KnownNode {
+    std::uint32_t hash = 0;
+    int node = -1;
+  };
+  std::vector<KnownNode> known_;
 };
 
 }  // namespace robcogen::symbolic

@@ -1,7 +1,9 @@
 // Link frames that the search finds: cheaper than those of the model, with the same results.
 #include "algorithm/search/frame_search.h"
+#include "algorithm/search/trials.h"
 
 #include <cmath>
+#include <map>
 
 #include "algorithm/dynamics/dynamics.h"
 #include "random_robots.h"
@@ -114,6 +116,44 @@ TEST(FrameSearch, LimbsOfOneShapeGetCorrespondingFrames) {
     EXPECT_EQ(
         frame((std::string("L_") + joint).c_str()).turns_with_joint,
         frame((std::string("R_") + joint).c_str()).turns_with_joint);
+}
+
+// The second leg takes what was found for the first: it is traced to compare its cost and its digits only.
+TEST(FrameSearch, SearchesLimbsOfOneShapeOnce) {
+  const model::KinematicTree tree = two_legs(0.125, -0.125);
+  std::map<char, int> traces;  // by the first letter of the joints
+  cheap_frames(tree, {.effort = 1}, [&](const model::KinematicTree& part, const Formulation& formulation) {
+    if (part.joints.size() < tree.joints.size()) ++traces[part.joints.front().name[0]];
+    return inertia(part, formulation);
+  });
+  EXPECT_GE(traces['L'], 10);
+  EXPECT_GE(traces['R'], 1);
+  EXPECT_LE(traces['R'], 5);
+}
+
+TEST(Trials, TraceTheSameFramesOnce) {
+  const model::KinematicTree tree = crooked_arm();
+  Trials trials;
+  int traces = 0;
+  const auto work_in = [&](double turn, model::Quantity slide) {
+    const LinkFrames frames = {{}, {model::Quantity(turn), std::move(slide)}};
+    return trials
+        .in_frames(
+            frames,
+            [&] {
+              ++traces;
+              return inertia(tree, {.frames = frames, .is_draft = true});
+            })
+        .work;
+  };
+  const int first = work_in(0.5, model::Quantity(0.0));
+  EXPECT_EQ(work_in(0.5, model::Quantity(0.0)), first);
+  EXPECT_EQ(traces, 1);
+  work_in(0.25, model::Quantity(0.0));
+  work_in(0.5, model::Quantity(0.125));
+  EXPECT_EQ(traces, 3);
+  EXPECT_EQ(work_in(0.5, model::Quantity(0.0)), first);
+  EXPECT_EQ(traces, 3);
 }
 
 }  // namespace

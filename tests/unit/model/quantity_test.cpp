@@ -34,6 +34,16 @@ TEST(Quantity, IsZeroByDefault) {
   EXPECT_EQ(text(Quantity()), "0.0");
 }
 
+TEST(Quantity, ComparesOperationsNotValues) {
+  EXPECT_EQ(a() + b() * sin(c()), a() + b() * sin(c()));
+  EXPECT_NE(a() + b(), b() + a());
+  EXPECT_NE(a() - b(), a() + b());
+  EXPECT_NE(a(), Quantity::variable(0));
+  EXPECT_NE(constant(0.5), constant(0.25));
+  EXPECT_NE(sin(a()), -sin(a()));
+  EXPECT_EQ(Quantity(), constant(0.0));
+}
+
 TEST(Quantity, FoldsConstantsExactly) {
   const Quantity right_angle(Number::pi_multiple(1, 2));
   EXPECT_TRUE(cos(right_angle).is_zero());

@@ -21,6 +21,7 @@ struct LinkFrame {
   model::Quantity turn;
   model::Quantity slide;
   bool turns_with_joint = true;
+  friend bool operator==(const LinkFrame&, const LinkFrame&) = default;
 };
 
 // By joint: the frame of its child. Empty: the frames of the model.

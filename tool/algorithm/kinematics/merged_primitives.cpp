@@ -9,17 +9,6 @@ using model::PrimitiveTransform;
 using model::Quantity;
 using Op = Quantity::Op;
 
-bool is_binary(Op op) {
-  return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide;
-}
-
-bool same(const Quantity& a, const Quantity& b) {
-  if (a.op() != b.op()) return false;
-  if (a.is_constant()) return a.number() == b.number();
-  if (a.op() == Op::parameter || a.op() == Op::variable) return a.index() == b.index();
-  return same(a.left(), b.left()) && (!is_binary(a.op()) || same(a.right(), b.right()));
-}
-
 // A sum: its constant, and the other terms with their signs.
 struct Sum {
   struct Term {
@@ -43,8 +32,8 @@ struct Sum {
       default:
         break;
     }
-    const auto opposite = std::find_if(
-        terms.begin(), terms.end(), [&](const Term& t) { return t.negative != negative && same(t.value, q); });
+    const auto opposite =
+        std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.negative != negative && t.value == q; });
     if (opposite != terms.end())
       terms.erase(opposite);
     else

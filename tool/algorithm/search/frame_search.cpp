@@ -6,11 +6,11 @@
 
 #include "algorithm/search/frame_candidates.h"
 #include "algorithm/search/limb_view.h"
+#include "algorithm/search/trials.h"
 #include "algorithm/spatial/trace.h"
 #include "model/limbs.h"
 #include "support/index.h"
 #include "symbolic/accuracy.h"
-#include "symbolic/count.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -22,12 +22,6 @@ constexpr long kStatements = 2'000'000;
 constexpr int kRounds = 3;
 // Constants of a choice may be larger than those before it by this factor.
 constexpr double kLarger = 16.0;
-
-double largest_constant(const symbolic::Program& program) {
-  double largest = 0.0;
-  for (const Number& n : program.constants) largest = std::max(largest, n.value());
-  return largest;
-}
 
 // An accepted change.
 struct Step {
@@ -52,7 +46,7 @@ class Search {
     for (int j = 0; j < static_cast<int>(tree.joints.size()); ++j) {
       LimbView view = limb_view(tree, j);
       std::shared_ptr<const LinkNumbers> of_view = numbers ? numbers_of(view, *numbers) : nullptr;
-      views_.push_back({std::move(view), std::move(of_view), nullptr, 0.0});
+      views_.push_back({std::move(view), std::move(of_view), nullptr, {}, 0.0});
     }
   }
 
@@ -72,7 +66,8 @@ class Search {
     LimbView limb;
     std::shared_ptr<const LinkNumbers> numbers;
     std::shared_ptr<const symbolic::AccurateResults> results;  // once they were asked for
-    double largest_constant = 0.0;                             // that a choice may have
+    Trials trials;
+    double largest_constant = 0.0;  // that a choice may have
   };
 
   const KinematicTree& tree_;
@@ -102,7 +97,7 @@ class Search {
         improve(joint);
         visit(tree_.joints[at(joint)].child);
       }
-      done.push_back({joint, first, taken_.size(), cost(joint, frames_)});
+      done.push_back({joint, first, taken_.size(), tried(joint, frames_).work});
     }
   }
 
@@ -121,8 +116,8 @@ class Search {
         return false;
       }
     }
-    const symbolic::Program program = traced(joint, frames_);
-    if (symbolic::work(program) == expected && (first == last || keeps_digits(joint, program))) {
+    Trial& trial = tried(joint, frames_);
+    if (trial.work == expected && (first == last || keeps_digits(joint, frames_, trial))) {
       if (first != last) history_.push_back(frames_);
       return true;
     }
@@ -145,33 +140,41 @@ class Search {
     return true;
   }
 
-  // Of what the joint has to do with, in these frames.
-  int cost(int joint, const LinkFrames& frames) { return symbolic::work(traced(joint, frames)); }
+  // What the joint has to do with, in these frames. The bound counts what is asked for again, too: it is one on what is
+  // tried.
+  Trial& tried(int joint, const LinkFrames& frames) {
+    Trial& trial =
+        views_[at(joint)].trials.in_frames(frames_of_view(joint, frames), [&] { return traced(joint, frames); });
+    left_ -= trial.statements;
+    return trial;
+  }
 
-  symbolic::Program traced(int joint, const LinkFrames& frames) {
+  LinkFrames frames_of_view(int joint, const LinkFrames& frames) const {
+    LinkFrames result;
+    for (const int j : views_[at(joint)].limb.joints) result.push_back(frames[at(j)]);
+    return result;
+  }
+
+  symbolic::Program traced(int joint, const LinkFrames& frames) const {
     const View& view = views_[at(joint)];
+    return trace_(view.limb.tree, draft(view, frames_of_view(joint, frames)));
+  }
+
+  Formulation draft(const View& view, LinkFrames frames) const {
     Formulation choice = formulation_;
     choice.is_draft = true;
     choice.numbers = view.numbers;
-    choice.frames.clear();
-    for (const int j : view.limb.joints) choice.frames.push_back(frames[at(j)]);
-    symbolic::Program program = trace_(view.limb.tree, choice);
-    left_ -= static_cast<long>(program.statements.size());
-    return program;
+    choice.frames = std::move(frames);
+    return choice;
   }
 
   // Whether a trace of what the joint has to do with keeps the digits that it keeps in the frames of the model: with
   // the same mass properties, which other limbs may have a share in.
-  bool keeps_digits(int joint, const symbolic::Program& program) {
+  bool keeps_digits(int joint, const LinkFrames& frames, Trial& trial) {
     View& view = views_[at(joint)];
-    if (!view.results) {
-      Formulation choice = formulation_;
-      choice.is_draft = true;
-      choice.numbers = view.numbers;
-      choice.frames.assign(view.limb.joints.size(), {});
-      view.results = results_of(view.limb.tree, choice);
-    }
-    return view.results->are_kept_by(program);
+    if (!view.results) view.results = results_of(view.limb.tree, draft(view, LinkFrames(view.limb.joints.size())));
+    if (!trial.keeps_digits) trial.keeps_digits = view.results->are_kept_by(traced(joint, frames));
+    return *trial.keeps_digits;
   }
 
   std::shared_ptr<const symbolic::AccurateResults> results_of(const KinematicTree& part, const Formulation& choice)
@@ -208,19 +211,18 @@ class Search {
   // Turns, then slides at the best turn; each with and without the joint's turning.
   void improve(int joint) {
     if (tree_.joints[at(joint)].type == model::JointType::spherical) return;  // it has no axis to turn or slide about
-    const symbolic::Program start = traced(joint, frames_);
-    int best = symbolic::work(start);
+    const Trial& start = tried(joint, frames_);
+    int best = start.work;
     double& most = views_[at(joint)].largest_constant;
-    if (most == 0.0) most = kLarger * largest_constant(start);
+    if (most == 0.0) most = kLarger * start.largest_constant;
     const auto attempt = [&](const LinkFrame& frame, Step step) {
       if (left_ <= 0) return;
       LinkFrames frames = frames_;
       frames[at(joint)] = frame;
       if (step.parent_turns) frames[at(tree_.parent_joint_of(joint))].turns_with_joint = *step.parent_turns;
-      const symbolic::Program program = traced(joint, frames);
-      const int c = symbolic::work(program);
-      if (c >= best || largest_constant(program) > most || !keeps_digits(joint, program)) return;
-      best = c;
+      Trial& trial = tried(joint, frames);
+      if (trial.work >= best || trial.largest_constant > most || !keeps_digits(joint, frames, trial)) return;
+      best = trial.work;
       frames_ = std::move(frames);
       history_.push_back(frames_);
       step.joint = joint;
