@@ -48,7 +48,8 @@ TEST(QuickFixes, RemoveWhatTheyFix) {
   // Fixes of each kind did what they are for.
   for (const char* code :
        {"unknown-link", "unknown-joint", "missing-item", "unknown-frame", "unexpected-token", "similar-name",
-        "unit-as-name"})
+        "unit-as-name", "decimal-comma", "number-runs-into-name", "signed-product", "duplicate-id",
+        "child-before-parent", "large-angle", "old-dialect", "bad-number"})
     EXPECT_GT(fixed[code], 0) << code;
 }
 
@@ -68,6 +69,59 @@ TEST(QuickFixes, DeclareWhatIsMissing) {
   for (const std::string& code : client.codes(uri)) EXPECT_EQ(code, "no-inertia") << repaired;
   EXPECT_NE(repaired.find("link upper {\n        id = 1\n        children {}\n    }"), std::string::npos) << repaired;
   EXPECT_NE(repaired.find("r_joint shoulder {"), std::string::npos) << repaired;
+}
+
+// The text after the fix of the first diagnostic of this code.
+std::string fixed(const std::string& text, const std::string& code) {
+  const std::string uri = "file:///nowhere/arm.kindsl";
+  Client client;
+  client.open(uri, text);
+  for (const Json& d : client.diagnostics[uri]) {
+    if (d.at("code") != code) continue;
+    const Json actions = fixes_of(client, uri, d.at("range"));
+    return actions.empty() ? "" : edited(text, actions[0].at("edit").at("changes").at(uri));
+  }
+  return "there is no " + code;
+}
+
+std::string arm(const std::string& inertia, const std::string& ids, const std::string& placement) {
+  return "Robot Arm {\nRobotBase base { children { upper via a } }\nlink upper {\n    id = " + ids.substr(0, 1) +
+         "\n    inertia_params { " + inertia +
+         " }\n    children { lower via b }\n}\nlink lower { id = " + ids.substr(1) + " children {} }\nr_joint a { " +
+         placement + " }\nr_joint b { " + placement + " }\n}\n";
+}
+const std::string kPlaced = "ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) }";
+const std::string kRod =
+    "mass = 2.0  CoM = (0.5, 0.25, 0.0)  Ix = 0.0  Iy = 0.1  Iz = 0.1  Ixy = 0.0  Ixz = 0.0  Iyz = 0.0";
+
+TEST(QuickFixes, MoveMomentsToTheOrigin) {
+  // m y^2, m x^2 and m (x^2 + y^2) more; the product of inertia is m x y.
+  EXPECT_EQ(
+      fixed(arm(kRod, "12", kPlaced), "inertia-not-positive"),
+      arm("mass = 2.0  CoM = (0.5, 0.25, 0.0)  Ix = 0.125  Iy = 0.6  Iz = 0.725  Ixy = 0.25  Ixz = 0.0  Iyz = 0.0",
+          "12", kPlaced));
+}
+
+TEST(QuickFixes, NumberLinksAnew) {
+  EXPECT_EQ(fixed(arm(kRod, "21", kPlaced), "child-before-parent"), arm(kRod, "12", kPlaced));
+  EXPECT_EQ(fixed(arm(kRod, "11", kPlaced), "duplicate-id"), arm(kRod, "12", kPlaced));
+}
+
+TEST(QuickFixes, BringOldPlacementsUpToDate) {
+  EXPECT_EQ(
+      fixed(arm(kRod, "12", "translation : (0.0, 0.0, 0.0)  rotation : (0.0, 0.0, 0.0)"), "old-dialect"),
+      arm(kRod, "12", kPlaced));
+  EXPECT_EQ(
+      fixed(arm(kRod, "12", "ref_frame { translation : (0.0, 0.0, 0.0)  rotation : (0.0, 0.0, 0.0) }"), "old-dialect"),
+      arm(kRod, "12", kPlaced));
+}
+
+TEST(QuickFixes, TurnDegreesIntoRadians) {
+  const auto turned = [](const std::string& angle) {
+    return arm(kRod, "12", "ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, " + angle + ", 0.0) }");
+  };
+  const std::string once = fixed(turned("90"), "large-angle");
+  EXPECT_NE(once.find("rotation = (0.0, 90.0 PI/180.0, 0.0)"), std::string::npos) << once;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The life of a session, and what an editor may do wrong.
 #include "client.h"
+#include "run_tool.h"
 
 namespace robcogen::test {
 namespace {
@@ -92,6 +93,47 @@ TEST(Session, ChangesOfRangesAreUnderstood) {
   const Json& d = client.diagnostics.at("file:///a.dtdsl").at(0);
   EXPECT_EQ(d.at("code"), "unexpected-token");
   EXPECT_NE(d.at("message").get<std::string>().find("did you mean 'Robot'?"), std::string::npos) << d;
+}
+
+// Parts in folders that the command line or the editor names: relative ones are those of the workspace.
+TEST(Session, ImportsFromFolders) {
+  const Scratch scratch("import-folders");
+  const std::string part =
+      "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
+      "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n";
+  for (const char* folder : {"of_command", "of_editor"}) {
+    std::filesystem::create_directory(scratch.path / folder);
+    write_text(scratch.path / folder / (std::string(folder) + ".kindsl"), part);
+  }
+  const std::string uri = file_uri(scratch.path / "biped.kindsl");
+  const auto told = [&](const std::string& import, const Json& options) {
+    server::Session session({scratch.path / "of_command"});
+    bool is_message = false;
+    const Json item = {
+        {"uri", uri},
+        {"text", "import \"" + import + ".kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n"}};
+    session.receive(
+        server::text_of(request(
+            1, "initialize",
+            {{"rootUri", file_uri(scratch.path)},
+             {"initializationOptions", options},
+             {"capabilities", Json::object()}})),
+        is_message);
+    return session.receive(server::text_of(notification("textDocument/didOpen", {{"textDocument", item}})), is_message)
+        .at(0)
+        .at("params")
+        .at("diagnostics")
+        .dump();
+  };
+  const std::string missing = "unknown-file";
+  EXPECT_EQ(told("of_command", Json::object()).find(missing), std::string::npos);
+  EXPECT_NE(told("of_editor", Json::object()).find(missing), std::string::npos);
+  EXPECT_EQ(told("of_editor", {{"importFolders", {"of_editor"}}}).find(missing), std::string::npos);
+  EXPECT_EQ(
+      told("of_editor", {{"importFolders", {(scratch.path / "of_editor").string()}}}).find(missing), std::string::npos);
+  // Options of another kind are left alone.
+  for (const Json& wrong : {Json({{"importFolders", "of_editor"}}), Json({{"importFolders", {1}}}), Json(3)})
+    EXPECT_NE(told("of_editor", wrong).find(missing), std::string::npos);
 }
 
 }  // namespace

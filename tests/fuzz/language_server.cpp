@@ -101,7 +101,7 @@ void as_documents(const std::string& text) {
   editor.change(robot, as_utf8(text.substr(0, half)));
   editor.change(robot, as_utf8(text.substr(half)));
   for (const char* uri : {robot.c_str(), list.c_str()}) editor.ask_everything(uri, half % 7, half % 11);
-  for (const char* uri : {"file:///fuzz/a.motdsl", "file:///fuzz/a.ctdsl"}) {
+  for (const char* uri : {"file:///fuzz/a.motdsl", "file:///fuzz/a.ctdsl", "file:///fuzz/a.urdf"}) {
     editor.open(uri, text);
     editor.ask_everything(uri, half % 10, half % 20);
   }

@@ -306,7 +306,9 @@ Action declare_language_server(CLI::App& application) {
   subcommand->add_flag_callback(
       "--stdio", [] {}, "Over standard input and output, which is the default");
   subcommand->footer("Speaks the Language Server Protocol. An editor starts it; tool/editors/ has what editors need.");
-  return &language_server;
+  const auto folders = std::make_shared<std::vector<std::filesystem::path>>();
+  declare_import_folders(*subcommand, *folders);
+  return [folders] { return language_server(*folders); };
 }
 
 void declare_picture(CLI::App& subcommand, ViewOptions& options, const std::string& file) {

@@ -20,12 +20,12 @@ std::size_t read_input(char* bytes, std::size_t size) {
 
 }  // namespace
 
-Status language_server() {
+Status language_server(const std::vector<std::filesystem::path>& import_folders) {
   const auto write = [](std::string_view bytes) {
     write_output(bytes);
     flush_output();
   };
-  return server::serve(&read_input, write) ? ok : wrong_input;
+  return server::serve(&read_input, write, import_folders) ? ok : wrong_input;
 }
 
 }  // namespace robcogen::command

@@ -77,7 +77,8 @@ struct ConvertOptions {
 };
 Status convert(const ConvertOptions& options);
 
-// Over standard input and output. wrong_input when the editor ends the session without `shutdown`.
-Status language_server();
+// Over standard input and output, with folders to search for imported documents. wrong_input when the editor ends the
+// session without `shutdown`.
+Status language_server(const std::vector<std::filesystem::path>& import_folders);
 
 }  // namespace robcogen::command

@@ -43,9 +43,11 @@ std::string limits_text(const model::KinematicTree& tree) {
 }
 
 // Of a tree that was read from a format of others.
-Model foreign_model(model::KinematicTree tree) {
-  const std::string text = language::kinematics::print(exporting::kinematics_document(tree)) + limits_text(tree);
-  return {Robot{std::move(tree), {}}, text};
+Model foreign_model(model::KinematicTree tree, const LoadOptions& options) {
+  std::string text;
+  if (options.prints_canonical)
+    text = language::kinematics::print(exporting::kinematics_document(tree)) + limits_text(tree);
+  return {Robot{std::move(tree), {}}, std::move(text)};
 }
 
 std::optional<import::RobotDocument> expanded(
@@ -78,21 +80,21 @@ std::optional<Model> load_tree(
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read = import::mjcf(source, file, {options.urdf.free_mimic_joints}, diagnostics);
     if (!read) return std::nullopt;
-    Model model = foreign_model(std::move(read->tree));
+    Model model = foreign_model(std::move(read->tree), options);
     model.read = std::move(read->included);
     return model;
   }
   if (language == Language::urdf) {
     std::optional<model::KinematicTree> tree = import::urdf(source, options.urdf, diagnostics);
-    return tree ? std::optional(foreign_model(std::move(*tree))) : std::nullopt;
+    return tree ? std::optional(foreign_model(std::move(*tree), options)) : std::nullopt;
   }
   std::optional<import::RobotDocument> read = expanded(source, options, diagnostics);
   if (!read || !require_robot(read->document, file, options, diagnostics)) return std::nullopt;
   std::optional<model::KinematicTree> tree = import::kinematic_tree(read->document, diagnostics);
   if (!tree) return std::nullopt;
-  Model model = {
-      Robot{std::move(*tree), {}},
-      language::kinematics::print(language::kinematics::without_comments(std::move(read->document)))};
+  Model model = {Robot{std::move(*tree), {}}};
+  if (options.prints_canonical)
+    model.canonical = language::kinematics::print(language::kinematics::without_comments(std::move(read->document)));
   model.read = std::move(read->imported);
   return model;
 }
@@ -227,9 +229,9 @@ std::optional<Model> load_motions(
   if (!motions) return std::nullopt;
   const std::optional<std::vector<FrameNames>> pairs = load_pairs(*motions, options, diagnostics);
   if (!pairs) return std::nullopt;
-  return Model{
-      Transforms{model::transforms_of(*motions, *pairs)},
-      language::motion::print(exporting::motion_document(*motions))};
+  Model model = {Transforms{model::transforms_of(*motions, *pairs)}};
+  if (options.prints_canonical) model.canonical = language::motion::print(exporting::motion_document(*motions));
+  return model;
 }
 
 std::optional<Model> load_transforms(
@@ -238,7 +240,8 @@ std::optional<Model> load_transforms(
     Diagnostics& diagnostics) {
   std::optional<model::CoordinateTransforms> transforms = read_transforms(source, diagnostics);
   if (!transforms) return std::nullopt;
-  const std::string canonical = language::transforms::print(exporting::transforms_document(*transforms));
+  const std::string canonical =
+      options.prints_canonical ? language::transforms::print(exporting::transforms_document(*transforms)) : "";
   if (!options.desired) return Model{Transforms{std::move(*transforms)}, canonical};
   const auto pairs = desired_pairs(options, model::motions_of(*transforms), diagnostics);
   if (!pairs) return std::nullopt;

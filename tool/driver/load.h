@@ -36,7 +36,8 @@ struct Transforms {
 // A robot, or coordinate transforms without one, as loaded from documents.
 struct Model {
   std::variant<Robot, Transforms> content;
-  std::string canonical = {};                    // all that the document says, in one form whatever its layout was
+  // All that the document says, in one form whatever its layout was; empty unless LoadOptions::prints_canonical.
+  std::string canonical = {};
   std::filesystem::path file = {};               // as given
   std::vector<std::filesystem::path> read = {};  // every file that was read
 
@@ -61,6 +62,7 @@ struct LoadOptions {
   std::vector<std::string> contacts = {};
   bool lists_absent_groups = false;   // a note for each group that the robot cannot have
   import::OpenTexts open_texts = {};  // of documents, lists and imported documents; not of what MJCF includes
+  bool prints_canonical = true;       // false saves a third of the time
 };
 
 // In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt

@@ -11,13 +11,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Open documents, and a record of what was asked for.
-import::OpenTexts open_texts(const Documents& documents, std::set<fs::path>& read){
-    return [&](const fs::path& path){read.insert(path);
-const OpenDocument* open = documents.find(path);
-return open != nullptr ? open->source : nullptr;
-};  // namespace
-}  // namespace robcogen::server
+// Open documents are read in place of their files, with a record of what was asked for.
+driver::LoadOptions load_options(const Documents& documents, std::set<fs::path>& read) {
+  driver::LoadOptions options;
+  options.import_folders = documents.import_folders;
+  options.prints_canonical = false;
+  options.open_texts = [&](const fs::path& path) {
+    read.insert(path);
+    const OpenDocument* open = documents.find(path);
+    return open != nullptr ? open->source : nullptr;
+  };
+  return options;
+}
 
 void check_list(const OpenDocument& list, const Documents& documents, RobotFinder& robots, Analysis& analysis) {
   const language::desired::Document document = language::desired::parse(list.source, analysis.diagnostics);
@@ -36,8 +41,7 @@ void check_list(const OpenDocument& list, const Documents& documents, RobotFinde
     return;
   }
   Diagnostics of_robot;
-  driver::LoadOptions options;
-  options.open_texts = open_texts(documents, analysis.read);
+  const driver::LoadOptions options = load_options(documents, analysis.read);
   const driver::Language language = *driver::language_of_suffix(*robot);
   if (language == driver::Language::motions || language == driver::Language::transforms) {
     if (const auto motions = driver::load_motions_of(*robot, of_robot, options.open_texts))
@@ -66,9 +70,8 @@ std::shared_ptr<const Analysis> analyse(const OpenDocument& document, const Docu
     if (document.language == driver::Language::desired) {
       check_list(document, documents, robots, *analysis);
     } else {
-      driver::LoadOptions options;
+      driver::LoadOptions options = load_options(documents, analysis->read);
       options.may_be_library = true;
-      options.open_texts = open_texts(documents, analysis->read);
       analysis->model = driver::load(document.path, options, analysis->diagnostics);
     }
   } catch (const driver::Failure& failure) {

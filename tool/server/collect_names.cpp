@@ -266,6 +266,22 @@ class FramesCollector : public Collector {
   std::set<std::string> known_;
 };
 
+class UrdfCollector : public Collector {
+ public:
+  using Collector::Collector;
+
+  void run(const UrdfNames& urdf) {
+    declare(urdf.robot, NameKind::robot);
+    for (const UrdfLink& link : urdf.links) declare(link.name, NameKind::link);
+    for (const UrdfJoint& joint : urdf.joints) {
+      declare(joint.name, NameKind::joint);
+      use(joint.parent, NameKind::link);
+      use(joint.child, NameKind::link);
+    }
+    for (const UrdfName& name : urdf.uses) add_pieces(name.span, names_.element({&document_, nullptr}, name.text));
+  }
+};
+
 class ListCollector : public Collector {
  public:
   using Collector::Collector;
@@ -289,6 +305,7 @@ class ListCollector : public Collector {
   const Parsed* model_ = nullptr;
 
   bool declares(const std::string& name) const {
+    if (model_->urdf() != nullptr) return model_->urdf()->robot.text == name;
     if (model_->robot() != nullptr) return model_->robot()->robot.text == name;
     if (model_->motions() != nullptr) return model_->motions()->header.model.text == name;
     return model_->transforms() != nullptr && model_->transforms()->header.model.text == name;
@@ -301,7 +318,7 @@ class ListCollector : public Collector {
         member({model_, nullptr}, name.span, name.instance, name.text, loops, name.loop, true);
       return;
     }
-    if (model_->robot() != nullptr)
+    if (model_->robot() != nullptr || model_->urdf() != nullptr)
       add_pieces(name.span, names_.frame({model_, nullptr}, name.text));
     else if (model_->motions() != nullptr || model_->transforms() != nullptr)
       add(name.span, {model_->path, "", NameKind::frame, name.text});
@@ -311,6 +328,11 @@ class ListCollector : public Collector {
 }  // namespace
 
 std::vector<Occurrence> collect_names(const Parsed& document, Names& names) {
+  if (document.urdf() != nullptr) {
+    UrdfCollector collector(document, names);
+    collector.run(*document.urdf());
+    return std::move(collector.list);
+  }
   if (document.robot() != nullptr) {
     RobotCollector collector(document, names);
     collector.run(*document.robot());

@@ -168,7 +168,7 @@ class Completion {
       if (token.span.begin >= lookup_.offset) break;
       if (parts.contains(std::string(token.text)) || declares_part(token)) name = token.text;
     }
-    if (const auto found = parts.find(name); found != parts.end())
+    if (const auto found = parts.find(name); found != parts.end() && found->second.document->urdf() == nullptr)
       for (const kinematics::Joint& joint : found->second.body().joints) add(joint.name.text, function_item, "joint");
     for (const std::string& joint : declared_in_part(tokens, name).joints) add(joint, function_item, "joint");
   }

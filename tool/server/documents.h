@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "driver/documents.h"
 #include "support/source.h"
@@ -23,6 +24,9 @@ struct OpenDocument {
 
 class Documents {
  public:
+  // Searched for imported documents, after the folder of the document that imports.
+  std::vector<std::filesystem::path> import_folders;
+
   // Documents in other languages are left alone: nullptr.
   const OpenDocument* open(const std::string& uri, const std::string& language, std::int64_t version, std::string text);
   // nullptr where it is not open.

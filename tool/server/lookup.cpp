@@ -5,7 +5,7 @@
 namespace robcogen::server {
 
 Lookup::Lookup(Workspace& workspace, const Json& parameters)
-    : documents(workspace.documents()),
+    : documents(workspace.documents(), workspace.parsed_texts()),
       names(documents, workspace.robots()),
       positions(workspace.encoding),
       workspace_(workspace) {
@@ -36,8 +36,9 @@ std::vector<Lookup::Found> Lookup::everywhere(const Symbol& symbol) {
   for (const std::filesystem::path& path : paths) {
     const Parsed* other = documents(path);
     if (other == nullptr || other->source->text().find(symbol.name) == std::string_view::npos) continue;
-    for (Occurrence& o : names.occurrences(*other))
-      if (o.symbol == symbol) found.push_back({other, std::move(o)});
+    const std::vector<Occurrence> all = other == document ? occurrences : names.occurrences(*other);
+    for (const Occurrence& o : all)
+      if (o.symbol == symbol) found.push_back({other, o});
   }
   return found;
 }

@@ -51,9 +51,15 @@ std::string describe(NameKind kind) {
 }
 
 const Names::Elements& Names::elements(const Scope& scope) {
-  const kinematics::Body& body = scope.body();
-  const auto [known, is_new] = elements_.try_emplace(&body);
+  const void* of = scope.part != nullptr ? static_cast<const void*>(scope.part) : scope.document;
+  const auto [known, is_new] = elements_.try_emplace(of);
   if (!is_new) return known->second;
+  if (const UrdfNames* urdf = scope.document->urdf()) {
+    for (const UrdfLink& link : urdf->links) known->second.links.insert(link.name.text);
+    for (const UrdfJoint& joint : urdf->joints) known->second.joints.insert({joint.name.text, nullptr});
+    return known->second;
+  }
+  const kinematics::Body& body = scope.body();
   for (const kinematics::Link& link : body.links) {
     known->second.links.insert(link.name.text);
     for (const kinematics::Frame& frame : link.frames) known->second.frames.insert(frame.name.text);
@@ -70,6 +76,8 @@ const std::map<std::string, Scope>& Names::known_parts(const Parsed& document) {
   for (const kinematics::Part& part : document.robot()->parts) scopes.insert({part.name.text, {&document, &part}});
   for (const kinematics::Import& import : document.robot()->imports) {
     const Parsed* imported = documents_.imported(document, import);
+    if (imported != nullptr && imported->urdf() != nullptr)
+      scopes.insert({import.name ? import.name->text : imported->urdf()->robot.text, {imported, nullptr}});
     if (imported == nullptr || imported->robot() == nullptr) continue;
     for (const auto& [name, scope] : known_parts(*imported)) scopes.insert({name, scope});
     if (imported->robot()->has_robot())
@@ -117,6 +125,7 @@ std::vector<Names::Piece> Names::element(const Scope& scope, std::string_view na
   if (known.joints.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::joint, name)}};
   // A coordinate of a joint with several, and the link without mass behind it.
   for (const auto& [joint, declared] : known.joints) {
+    if (declared == nullptr) break;  // URDFs have joints with one coordinate only
     if (name.size() <= joint.size() + 1 || !name.starts_with(joint) || name[joint.size()] != '_') continue;
     std::string_view rest = name.substr(joint.size() + 1);
     if (rest.ends_with("_link")) rest.remove_suffix(5);
@@ -129,6 +138,8 @@ std::vector<Names::Piece> Names::element(const Scope& scope, std::string_view na
 
 std::vector<Names::Piece> Names::frame(const Scope& scope, std::string_view name, std::size_t depth) {
   if (elements(scope).frames.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::frame, name)}};
+  // A link that a fixed joint carries is a frame of its own name.
+  if (scope.document->urdf() != nullptr && elements(scope).links.contains(name)) return element(scope, name, depth);
   if (name.starts_with(kFrame)) {
     const std::string_view rest = name.substr(kFrame.size());
     if (std::vector<Piece> pieces = element(scope, rest, depth); !pieces.empty())

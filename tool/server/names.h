@@ -36,9 +36,10 @@ struct Occurrence {
 
 // A robot or a part.
 struct Scope {
-  const Parsed* document = nullptr;
+  const Parsed* document = nullptr;                  // of robots or parts, or a URDF
   const language::kinematics::Part* part = nullptr;  // none: the robot
 
+  // Not of a URDF.
   const language::kinematics::Body& body() const {
     return part != nullptr ? static_cast<const language::kinematics::Body&>(*part) : *document->robot();
   }
@@ -72,13 +73,13 @@ class Names {
  private:
   struct Elements {
     std::set<std::string, std::less<>> links, frames;
-    std::map<std::string, const language::kinematics::Joint*, std::less<>> joints;
+    std::map<std::string, const language::kinematics::Joint*, std::less<>> joints;  // nullptr in a URDF
     std::vector<const language::kinematics::Instance*> instances;
   };
 
   ParsedDocuments& documents_;
   RobotFinder& robots_;
-  std::map<const language::kinematics::Body*, Elements> elements_;
+  std::map<const void*, Elements> elements_;  // by part, or by document
   std::map<const Parsed*, std::map<std::string, Scope>> parts_;
 
   const Elements& elements(const Scope& scope);

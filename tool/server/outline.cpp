@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "server/features.h"
 #include "server/lookup.h"
@@ -104,6 +105,48 @@ class Outline {
   }
 };
 
+// The links that no joint moves, and the trees that hang on them.
+class UrdfOutline {
+ public:
+  UrdfOutline(const UrdfNames& urdf, const Outline& outline) : urdf_(urdf), outline_(outline) {
+    for (const UrdfLink& link : urdf.links) links_.insert({link.name.text, &link});
+    for (const UrdfJoint& joint : urdf.joints) {
+      joints_[joint.parent.text].push_back(&joint);
+      moved_.insert(joint.child.text);
+    }
+  }
+
+  Json run() {
+    Json links = Json::array();
+    for (const bool is_moved : {false, true})
+      for (const UrdfLink& link : urdf_.links)
+        if (moved_.contains(link.name.text) == is_moved && !seen_.contains(link.name.text))
+          links.push_back(this->link(link, "base"));
+    Span whole = urdf_.robot.span;
+    for (const UrdfLink& link : urdf_.links) whole.end = std::max(whole.end, link.element.end);
+    for (const UrdfJoint& joint : urdf_.joints) whole.end = std::max(whole.end, joint.element.end);
+    return Json::array({outline_.symbol(urdf_.robot, kModule, "robot", whole, std::move(links))});
+  }
+
+ private:
+  const UrdfNames& urdf_;
+  const Outline& outline_;
+  std::map<std::string_view, const UrdfLink*> links_;
+  std::map<std::string_view, std::vector<const UrdfJoint*>> joints_;  // by parent
+  std::set<std::string_view> moved_, seen_;
+
+  Json link(const UrdfLink& link, const std::string& detail, int depth = 0) {
+    seen_.insert(link.name.text);
+    Json children = Json::array();
+    for (const UrdfJoint* joint : joints_[link.name.text]) {
+      const auto child = links_.find(joint->child.text);
+      if (child != links_.end() && !seen_.contains(joint->child.text) && depth < kMaxDepth)
+        children.push_back(this->link(*child->second, "via " + joint->name.text, depth + 1));
+    }
+    return outline_.symbol(link.name, kClass, detail, link.element, std::move(children));
+  }
+};
+
 Json of_frames(const Lookup& lookup, const Outline& outline) {
   Json list = Json::array();
   for (const Occurrence& o : lookup.occurrences) {
@@ -142,6 +185,7 @@ Json document_symbols(Workspace& workspace, const Json& parameters) {
   if (lookup.document == nullptr) return Json::array();
   Outline outline(*lookup.document, lookup.here());
   if (lookup.document->robot() != nullptr) return outline.robot(*lookup.document->robot());
+  if (lookup.document->urdf() != nullptr) return UrdfOutline(*lookup.document->urdf(), outline).run();
   if (lookup.document->desired() != nullptr) return of_list(*lookup.document->desired(), outline);
   return of_frames(lookup, outline);
 }

@@ -10,9 +10,15 @@ namespace robcogen::server {
 Parsed parsed(const OpenDocument& document) {
   Parsed result = {document.path, document.language, document.source, {}, {}, false};
   Diagnostics faults, ignored;
-  const bool is_ours = language::content_of(document.source->text()) == language::Content::unknown;
+  const language::Content content = language::content_of(document.source->text());
+  const bool is_ours = content == language::Content::unknown || content == language::Content::urdf;
   if (!is_ours || document.source->text().find('\0') != std::string_view::npos) {
     result.has_errors = true;
+    return result;
+  }
+  if (content == language::Content::urdf) {
+    result.language = driver::Language::urdf;
+    result.document = urdf_names(document.source->text());
     return result;
   }
   switch (document.language) {
@@ -40,8 +46,10 @@ const Parsed* ParsedDocuments::operator()(const std::filesystem::path& path) {
   const auto [known, is_new] = known_.insert({path, nullptr});
   if (!is_new) return known->second.get();
   if (const OpenDocument* open = documents_.find(path)) {
-    known->second = std::make_unique<const Parsed>(parsed(*open));
-    return known->second.get();
+    std::shared_ptr<const Parsed>& last = texts_[path];
+    if (!last || last->source != open->source) last = std::make_shared<const Parsed>(parsed(*open));
+    known->second = last;
+    return last.get();
   }
   const std::optional<driver::Language> language = driver::language_of_suffix(path);
   std::error_code ignored;
@@ -50,12 +58,15 @@ const Parsed* ParsedDocuments::operator()(const std::filesystem::path& path) {
   std::optional<std::string> text = read_file(path, fault);
   if (!text) return nullptr;
   const OpenDocument file = {"", path, *language, 0, std::make_shared<const Source>(path.string(), std::move(*text))};
-  known->second = std::make_unique<const Parsed>(parsed(file));
+  known->second = std::make_shared<const Parsed>(parsed(file));
   return known->second.get();
 }
 
 const Parsed* ParsedDocuments::imported(const Parsed& from, const language::kinematics::Import& import) {
-  return (*this)((from.path.parent_path() / import.file).lexically_normal());
+  if (const Parsed* beside = (*this)((from.path.parent_path() / import.file).lexically_normal())) return beside;
+  for (const std::filesystem::path& folder : documents_.import_folders)
+    if (const Parsed* found = (*this)((folder / import.file).lexically_normal())) return found;
+  return nullptr;
 }
 
 }  // namespace robcogen::server

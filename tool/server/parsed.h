@@ -14,6 +14,7 @@
 #include "language/motion/document.h"
 #include "language/transforms/document.h"
 #include "server/documents.h"
+#include "server/urdf_names.h"
 
 namespace robcogen::server {
 
@@ -21,9 +22,10 @@ struct Parsed {
   std::filesystem::path path;
   driver::Language language = driver::Language::robot;
   std::shared_ptr<const Source> source;
-  // None: a URDF.
+  // None: MJCF, or no text.
   std::variant<
       std::monostate,
+      UrdfNames,
       language::kinematics::Document,
       language::desired::Document,
       language::motion::Document,
@@ -33,6 +35,7 @@ struct Parsed {
   bool has_errors = false;  // of syntax: the document may be incomplete
 
   const language::kinematics::Document* robot() const { return std::get_if<language::kinematics::Document>(&document); }
+  const UrdfNames* urdf() const { return std::get_if<UrdfNames>(&document); }
   const language::desired::Document* desired() const { return std::get_if<language::desired::Document>(&document); }
   const language::motion::Document* motions() const { return std::get_if<language::motion::Document>(&document); }
   const language::transforms::Document* transforms() const {
@@ -42,10 +45,13 @@ struct Parsed {
 
 Parsed parsed(const OpenDocument& document);
 
+// Open documents as they were parsed last: an editor asks many questions about one text.
+using ParsedTexts = std::map<std::filesystem::path, std::shared_ptr<const Parsed>>;
+
 // Parses each document once: open ones, and those in files.
 class ParsedDocuments {
  public:
-  explicit ParsedDocuments(const Documents& documents) : documents_(documents) {}
+  ParsedDocuments(const Documents& documents, ParsedTexts& texts) : documents_(documents), texts_(texts) {}
   // nullptr where there is no such file, or none of our languages.
   const Parsed* operator()(const std::filesystem::path& path);
   // The document that an import names.
@@ -54,7 +60,8 @@ class ParsedDocuments {
 
  private:
   const Documents& documents_;
-  std::map<std::filesystem::path, std::unique_ptr<const Parsed>> known_;
+  ParsedTexts& texts_;
+  std::map<std::filesystem::path, std::shared_ptr<const Parsed>> known_;
 };
 
 }  // namespace robcogen::server

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "language/common/lexer.h"
+#include "server/text_fixes.h"
 
 namespace robcogen::server {
 namespace {
@@ -184,6 +185,7 @@ std::vector<QuickFix> quick_fixes(const Diagnostic& diagnostic) {
   std::vector<QuickFix> fixes;
   if (!place.source) return fixes;
   add_replacements(diagnostic, place, fixes);
+  add_text_fixes(diagnostic, place, fixes);
   const bool is_robot =
       diagnostic.message.find("URDF") == std::string::npos && !place.source->name().ends_with(".urdf");
   if (!is_robot) return fixes;

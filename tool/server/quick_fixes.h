@@ -18,7 +18,8 @@ struct QuickFix {
   std::vector<TextChange> changes;  // of the text that the diagnostic is in
 };
 
-// `did you mean 'x'?` and `write '^x'` as replacements; declarations of missing links and joints; missing items.
+// `did you mean 'x'?` and `write '^x'` as replacements; declarations of missing links and joints; missing items; the
+// corrections of text_fixes.h.
 std::vector<QuickFix> quick_fixes(const Diagnostic& diagnostic);
 
 }  // namespace robcogen::server

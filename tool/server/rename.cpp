@@ -40,34 +40,47 @@ std::string with_word(std::string_view text, const std::vector<Span>& places, co
 
 using Places = std::map<const Parsed*, std::vector<Span>>;
 
-// Messages of each code, over the documents that change. All are open in the copy.
-std::map<std::string, int> messages(
-    Documents& documents,
-    const std::vector<std::filesystem::path>& folders,
-    const Places& places) {
-  RobotFinder robots(documents);
-  robots.set_folders(folders);
-  std::map<std::string, int> counts;
+using Counts = std::map<std::string, int>;  // of messages, by code
+
+void add(const Analysis& analysis, Counts& counts) {
+  for (const Diagnostic& d : analysis.diagnostics.all()) ++counts[d.code];
+}
+
+// Of the documents that are to change, as they are.
+Counts messages(Workspace& workspace, const Places& places) {
+  Counts counts;
   for (const auto& [parsed, spans] : places) {
-    const OpenDocument* document = documents.find(parsed->path);
-    if (document == nullptr) continue;
-    const auto analysis = analyse(*document, documents, robots);
-    for (const Diagnostic& d : analysis->diagnostics.all()) ++counts[d.code];
+    if (const OpenDocument* open = workspace.documents().find(parsed->path)) {
+      add(workspace.analysis(*open), counts);
+      continue;
+    }
+    Documents with_file = workspace.documents();
+    const OpenDocument* document =
+        with_file.open(workspace.documents().uri(parsed->path), "", 0, std::string(parsed->source->text()));
+    RobotFinder robots(with_file);
+    robots.set_folders(workspace.robots().folders());
+    if (document != nullptr) add(*analyse(*document, with_file, robots), counts);
   }
+  return counts;
+}
+
+// Of the same with the new name.
+Counts messages(Workspace& workspace, const Places& places, const std::string& name) {
+  Documents changed = workspace.documents();
+  for (const auto& [parsed, spans] : places)
+    changed.open(workspace.documents().uri(parsed->path), "", 0, with_word(parsed->source->text(), spans, name));
+  RobotFinder robots(changed);
+  robots.set_folders(workspace.robots().folders());
+  Counts counts;
+  for (const auto& [parsed, spans] : places)
+    if (const OpenDocument* document = changed.find(parsed->path)) add(*analyse(*document, changed, robots), counts);
   return counts;
 }
 
 // Refuses a name that makes a document worse: it may be taken.
 void require_no_harm(Workspace& workspace, const Places& places, const std::string& name) {
-  Documents before = workspace.documents(), after = workspace.documents();
-  for (const auto& [parsed, spans] : places) {
-    const std::string uri = workspace.documents().uri(parsed->path);
-    if (before.find(parsed->path) == nullptr) before.open(uri, "", 0, std::string(parsed->source->text()));
-    after.open(uri, "", 0, with_word(parsed->source->text(), spans, name));
-  }
-  const auto old_counts = messages(before, workspace.robots().folders(), places);
-  std::map<std::string, int> counts = messages(after, workspace.robots().folders(), places);
-  for (const auto& [code, count] : old_counts) counts[code] -= count;
+  Counts counts = messages(workspace, places, name);
+  for (const auto& [code, count] : messages(workspace, places)) counts[code] -= count;
   // A name used once may be like another one: that is a matter of taste.
   counts.erase("similar-name");
   for (const auto& [code, count] : counts)

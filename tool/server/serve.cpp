@@ -7,8 +7,8 @@
 
 namespace robcogen::server {
 
-bool serve(const ReadBytes& read, const WriteBytes& write) {
-  Session session;
+bool serve(const ReadBytes& read, const WriteBytes& write, const std::vector<std::filesystem::path>& import_folders) {
+  Session session(import_folders);
   FrameReader frames;
   std::array<char, 65536> bytes;
   while (!session.is_over()) {

@@ -28,6 +28,22 @@ std::vector<std::filesystem::path> folders_of(const Json& parameters) {
   return folders;
 }
 
+// Of the option `importFolders`; relative ones are those of each folder of the workspace.
+std::vector<std::filesystem::path> import_folders_of(
+    const Json& options,
+    const std::vector<std::filesystem::path>& workspace_folders) {
+  std::vector<std::filesystem::path> folders;
+  const Json& list = member(options, "importFolders");
+  for (const Json& name : list.is_array() ? list : Json::array()) {
+    if (!name.is_string()) continue;
+    const std::filesystem::path folder(name.get<std::string>());
+    if (folder.is_absolute()) folders.push_back(folder.lexically_normal());
+    if (folder.is_relative())
+      for (const std::filesystem::path& of : workspace_folders) folders.push_back((of / folder).lexically_normal());
+  }
+  return folders;
+}
+
 // utf-8 where the editor offers it: no counting.
 PositionEncoding encoding_of(const Json& parameters) {
   const Json& offered = member(member(member(parameters, "capabilities"), "general"), "positionEncodings");
@@ -58,11 +74,20 @@ Json Session::fault(const std::string& what) {
   return error_response(nullptr, ErrorCode::parse_error, what);
 }
 
+Session::Session(const std::vector<std::filesystem::path>& import_folders) {
+  std::error_code ignored;
+  for (const std::filesystem::path& folder : import_folders)
+    workspace_.documents().import_folders.push_back(std::filesystem::absolute(folder, ignored).lexically_normal());
+}
+
 Json Session::initialize(const Json& parameters) {
   if (state_ != State::starting) throw RequestError{ErrorCode::invalid_request, "the session is initialized already"};
   state_ = State::running;
   workspace_.encoding = encoding_of(parameters);
-  workspace_.robots().set_folders(folders_of(parameters));
+  const std::vector<std::filesystem::path> folders = folders_of(parameters);
+  workspace_.robots().set_folders(folders);
+  for (std::filesystem::path& folder : import_folders_of(member(parameters, "initializationOptions"), folders))
+    workspace_.documents().import_folders.push_back(std::move(folder));
   Json capabilities = capabilities_of_answers();
   capabilities["positionEncoding"] = workspace_.encoding == PositionEncoding::utf8 ? "utf-8" : "utf-16";
   capabilities["textDocumentSync"] = {{"openClose", true}, {"change", 1}, {"save", true}};

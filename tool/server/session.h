@@ -1,6 +1,7 @@
 // A session with an editor: messages in, messages out (Language Server Protocol 3.17, over JSON-RPC 2.0).
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ struct RequestError {
 
 class Session {
  public:
+  // `import_folders`: searched for imported documents, before those that the editor names.
+  explicit Session(const std::vector<std::filesystem::path>& import_folders = {});
+
   // The messages that answer the content of a frame. `is_message`: whether it was a message at all.
   std::vector<Json> receive(std::string_view content, bool& is_message);
   // The answer to a broken header.

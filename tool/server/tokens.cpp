@@ -90,7 +90,7 @@ Json semantic_token_types() {
 
 Json semantic_tokens(Workspace& workspace, const Json& parameters) {
   Lookup lookup(workspace, parameters);
-  Json data = Json::array();
+  std::vector<std::size_t> data;
   if (lookup.document == nullptr) return {{"data", data}};
   const Positions& here = lookup.here();
   Position last;
@@ -102,15 +102,14 @@ Json semantic_tokens(Workspace& workspace, const Json& parameters) {
       const std::size_t end = std::min(marked.span.end, here.line_end(at.line));
       if (end > begin) {
         const std::size_t length = here.position(end).character - at.character;
-        data.insert(
-            data.end(), {at.line - last.line, at.line == last.line ? at.character - last.character : at.character,
-                         length, static_cast<int>(marked.type), 0});
+        const std::size_t start = at.line == last.line ? at.character - last.character : at.character;
+        data.insert(data.end(), {at.line - last.line, start, length, static_cast<std::size_t>(marked.type), 0});
         last = at;
       }
       begin = at.line + 1 < here.line_count() ? here.offset(Position{at.line + 1, 0}) : marked.span.end;
     }
   }
-  return {{"data", std::move(data)}};
+  return {{"data", data}};
 }
 
 }  // namespace robcogen::server

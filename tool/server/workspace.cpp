@@ -20,6 +20,7 @@ void Workspace::forget(const std::filesystem::path& changed) {
 
 void Workspace::forget_all() {
   analyses_.clear();
+  std::erase_if(parsed_texts_, [&](const auto& known) { return documents_.find(known.first) == nullptr; });
   robots_.forget_files();
 }
 

@@ -9,6 +9,7 @@
 
 #include "server/analysis.h"
 #include "server/documents.h"
+#include "server/parsed.h"
 #include "server/positions.h"
 #include "server/publish.h"
 #include "server/robots.h"
@@ -22,6 +23,7 @@ class Workspace {
   Documents& documents() { return documents_; }
   const Documents& documents() const { return documents_; }
   RobotFinder& robots() { return robots_; }
+  ParsedTexts& parsed_texts() { return parsed_texts_; }
 
   // Of an open document, at its present text.
   const Analysis& analysis(const OpenDocument& document);
@@ -35,6 +37,7 @@ class Workspace {
  private:
   Documents documents_;
   RobotFinder robots_{documents_};
+  ParsedTexts parsed_texts_;
   std::map<std::string, std::shared_ptr<const Analysis>> analyses_;           // by URI
   std::map<std::string, std::map<std::filesystem::path, Json>> diagnostics_;  // that each open document yields
   std::map<std::filesystem::path, Json> published_;                           // what the editor has

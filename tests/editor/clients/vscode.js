@@ -6,6 +6,15 @@
 const assert = require('assert');
 const fs = require('fs');
 const Module = require('module');
+const os = require('os');
+const path = require('path');
+
+const kPart = `Part Nothing {
+  root link_of_nothing via joint_of_nothing
+  link link_of_nothing { children {} }
+  r_joint joint_of_nothing { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }
+}
+`;
 
 const seen = { clients: [], messages: [], stopped: 0 };
 let settings = {};
@@ -75,12 +84,17 @@ async function until(condition) {
 }
 
 async function preview() {
-  settings = { 'robcogen.path': process.argv[3] };
+  // The robot imports a part that is found in a folder of the settings only.
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'robcogen-test-'));
+  fs.mkdirSync(path.join(folder, 'parts'));
+  fs.writeFileSync(path.join(folder, 'parts', 'nothing.kindsl'), kPart);
+  stand_ins.vscode.workspace.workspaceFolders = [{ uri: { fsPath: folder } }];
+  settings = { 'robcogen.path': process.argv[3], 'robcogen.importFolders': ['parts', '/opt/parts'] };
   const subscribed = context();
   await extension.activate(subscribed);
   assert.strictEqual(await commands['robcogen.view'](), undefined); // no editor is active
   const fileName = process.argv[4];
-  let text = fs.readFileSync(fileName, 'utf8');
+  let text = 'import "nothing.kindsl"\n' + fs.readFileSync(fileName, 'utf8');
   const document = { fileName, getText: () => text };
   stand_ins.vscode.window.activeTextEditor = { document };
 
@@ -108,6 +122,10 @@ async function preview() {
   assert.match(panels[1].webview.html, /^<pre>hyl\.kindsl:\d+:\d+: error/);
   subscribed.subscriptions.forEach((s) => s.dispose());
   assert.ok(panels[1].disposed);
+  assert.deepStrictEqual(
+    seen.clients[0].server.args, ['language-server', '-I', path.join(folder, 'parts'), '-I', '/opt/parts']);
+  stand_ins.vscode.workspace.workspaceFolders = undefined;
+  fs.rmSync(folder, { recursive: true, force: true });
   seen.clients.pop();
   seen.stopped = 0;
   settings = {};

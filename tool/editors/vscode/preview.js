@@ -13,9 +13,10 @@ const previews = new Map(); // by the document's path
 const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
 
 class Preview {
-  constructor(document, program) {
+  constructor(document, program, imports) {
     this.document = document;
     this.program = program;
+    this.imports = imports;
     this.name = path.basename(document.fileName);
     this.folder = fs.mkdtempSync(path.join(os.tmpdir(), 'robcogen-'));
     this.has_page = false;
@@ -33,7 +34,7 @@ class Preview {
     fs.writeFileSync(copy, this.document.getText());
     const beside = path.dirname(this.document.fileName);
     this.run = new Promise((done) => {
-      execFile(this.program, ['view', copy, '-I', beside, '-o', page], (fault, output, messages) => {
+      execFile(this.program, ['view', copy, '-I', beside, ...this.imports, '-o', page], (fault, output, messages) => {
         if (!this.is_disposed) this.show(fault, page, messages.split(copy).join(this.name));
         done();
       });
@@ -66,7 +67,7 @@ class Preview {
 }
 
 // Shows the robot of the active editor; a second call brings its page to the front.
-function show(program) {
+function show(program, imports) {
   const editor = vscode.window.activeTextEditor;
   if (!editor) return undefined;
   const { document } = editor;
@@ -75,7 +76,7 @@ function show(program) {
     known.panel.reveal();
     return known.run;
   }
-  const preview = new Preview(document, program);
+  const preview = new Preview(document, program, imports);
   previews.set(document.fileName, preview);
   return preview.render();
 }

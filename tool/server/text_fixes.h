@@ -1,0 +1,14 @@
+// Quick fixes that correct how something is written.
+#pragma once
+
+#include <vector>
+
+#include "server/quick_fixes.h"
+
+namespace robcogen::server {
+
+// Decimal commas, superfluous commas and semicolons, numbers that run into names, products with signs, angles in
+// degrees, ids of links, the dialect of 2011, moments of inertia about the centre of mass.
+void add_text_fixes(const Diagnostic& diagnostic, const Place& place, std::vector<QuickFix>& fixes);
+
+}  // namespace robcogen::server
