@@ -2,6 +2,7 @@
 import re
 import unittest
 
+import hexapod
 import numpy as np
 
 from common import RANDOM, arm, ball_leg, evaluate, leg, random_values, scopes, walker
@@ -127,6 +128,19 @@ class Values(unittest.TestCase):
         self.assertEqual(len(arm.link_names), 8)
         self.assertEqual(leg.Parameters(upperleg_length=0.4).upperleg_length, 0.4)
         self.assertAlmostEqual(leg.Parameters().lowerleg_length, 0.33)
+
+    def test_the_limbs(self):
+        self.assertEqual(leg.limbs, {})
+        self.assertEqual(len(hexapod.limbs), 6)
+        joints = []
+        for name, limb in hexapod.limbs.items():
+            self.assertEqual((limb.name, limb.part, limb.first_link), (name, "Leg", min(limb.links.values())))
+            for own, names in ((limb.links, hexapod.link_names), (limb.joints, hexapod.joint_names), (limb.frames, hexapod.frame_names)):
+                self.assertTrue(own)
+                for element, index in own.items():
+                    self.assertEqual(names[index], f"fr_{name}_{element[3:]}" if element.startswith("fr_") else f"{name}_{element}")
+            joints += limb.joints.values()
+        self.assertEqual(sorted(joints), list(range(hexapod.dof)))
 
 
 if __name__ == "__main__":

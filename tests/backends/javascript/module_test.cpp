@@ -33,6 +33,27 @@ console.log(String(hyl.inverse_dynamics(new Float64Array(q), z, z)) === String(h
   EXPECT_EQ(lines, (std::vector<std::string>{"true", "true", "false", "true"}));
 }
 
+// Elements of limbs are those of the robot that begin with the name of the limb.
+TEST_F(JavaScriptModule, KnowsTheLimbs) {
+  const std::string script = R"(
+const { joints, links, frames, limbs } = hyl.model;
+console.log(limbs.map((limb) => limb.name + ' ' + limb.part + ' ' + limb.first_link).join(', '));
+let wrong = 0, count = 0;
+for (const limb of limbs)
+  for (const [own, all] of [[limb.links, links], [limb.joints, joints], [limb.frames, frames]])
+    for (const [name, index] of Object.entries(own)) {
+      const expected = (limb.name + '_' + name).replace(/^(.*)_fr_/, 'fr_$1_');
+      if (all[index].name !== expected) ++wrong;
+      ++count;
+    }
+console.log(wrong, count);
+)";
+  EXPECT_EQ(
+      run_beside(robot("quadruped"), script),
+      (std::vector<std::string>{"LF Leg 1, RF Leg 4, LH Leg 7, RH Leg 10", "0 40"}));
+  EXPECT_EQ(run_beside(robot("hyl"), script), (std::vector<std::string>{"", "0 0"}));
+}
+
 TEST_F(JavaScriptModule, SaysWhatIsWrongWithArguments) {
   const std::string script = R"(
 const said = (call) => {

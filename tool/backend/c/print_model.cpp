@@ -98,6 +98,47 @@ std::string structures(const Names& names) {
   return text;
 }
 
+// Of the limbs: types, and the declaration of the list.
+std::string limb_types(const Names& names) {
+  if (names.library.limbs.empty()) return "";
+  const std::string element = names.prefix + "_limb_element", limb = names.prefix + "_limb";
+  return "\n" + comment("A link, joint or user frame of a limb: its name in the part, and its index in the robot.") +
+         "typedef struct {\n  const char *own;\n  int index;\n} " + element + ";\n\n" +
+         comment(
+             "An instance of a part in the document. Elements without a name end lists; joints are in the order of "
+             "joint_names.") +
+         "typedef struct {\n  const char *name, *part;\n  int first_link;\n  const " + element +
+         " *links, *joints, *frames;\n} " + limb + ";\n\n" + comment("A limb without a name ends them.") +
+         "extern const " + limb + " " + names.prefix + "_limbs[" + std::to_string(names.library.limbs.size() + 1) +
+         "];\n";
+}
+
+// The elements of all limbs stand in one list.
+std::string limb_tables(const Names& names) {
+  if (names.library.limbs.empty()) return "";
+  const std::string elements = names.prefix + "_limb_elements";
+  std::vector<std::string> values, limbs;
+  const auto add = [&](const std::vector<LimbData::Element>& list) {
+    const std::string begin = elements + " + " + std::to_string(values.size());
+    for (const LimbData::Element& e : list)
+      values.push_back("{" + quoted(e.own) + ", " + std::to_string(e.index) + "}");
+    values.emplace_back("{0, -1}");
+    return begin;
+  };
+  for (const LimbData& l : names.library.limbs) {
+    const std::string links = add(l.links), joints = add(l.joints), frames = add(l.frames);
+    limbs.push_back(
+        "{" + quoted(l.name) + ", " + quoted(l.part) + ", " + std::to_string(l.first_link) + ", " + links + ", " +
+        joints + ", " + frames + "}");
+  }
+  limbs.emplace_back("{0, 0, -1, 0, 0, 0}");
+  return "\n" + wrapped("static const " + names.prefix + "_limb_element " + elements + "[] = {", values, "};") + "\n" +
+         wrapped(
+             "const " + names.prefix + "_limb " + names.prefix + "_limbs[" + std::to_string(limbs.size()) +
+                 "] = {\n    ",
+             limbs, "};");
+}
+
 }  // namespace
 
 std::string opening(const Names& names, const std::string& file, const std::string& what) {
@@ -120,7 +161,7 @@ std::string print_model_header(const Names& names) {
           " restrict\n#endif\n" + enumeration(names);
   for (const Table& table : tables(names.library))
     text += "\n" + comment(table.what) + "extern " + head(names, table) + ";\n";
-  text += structures(names) + "\n#ifdef __cplusplus\n}\n#endif\n";
+  text += limb_types(names) + structures(names) + "\n#ifdef __cplusplus\n}\n#endif\n";
   return header(names, "model.h", "names, limits, parameters", text);
 }
 
@@ -129,6 +170,7 @@ std::string print_model(const Names& names) {
   text += "#include \"" + names.folder + "/model.h\"\n\n#include <math.h>\n";
   for (const Table& table : tables(names.library))
     text += "\n" + wrapped(head(names, table) + " = {", table.values, "};");
+  text += limb_tables(names);
   if (names.members.empty()) return text;
   for (const Precision precision : {Precision::in_double, Precision::in_float}) {
     const std::string f = precision == Precision::in_float ? "f" : "";

@@ -64,6 +64,17 @@ std::vector<std::string> joint_members(const JointData& j) {
   return members;
 }
 
+// The member `__proto__` of a literal would be something else.
+std::string key(const std::string& name) {
+  return name == "__proto__" ? "[" + quoted(name) + "]" : name;
+}
+
+std::string indices(const std::vector<LimbData::Element>& elements) {
+  std::vector<std::string> members;
+  for (const LimbData::Element& e : elements) members.push_back(key(e.own) + ": " + std::to_string(e.index));
+  return members.empty() ? "{}" : "{ " + joined(members) + " }";
+}
+
 }  // namespace
 
 std::string print_model(const Library& library) {
@@ -75,7 +86,9 @@ std::string print_model(const Library& library) {
       "coupled_joints: those that follow, counted behind the others: factors * q + offset.",
       "links: mass, com, and about the origin of the link frame moments of inertia xx, yy, zz and products of inertia "
       "xy, xz, yz, of positive sign.",
-      "frames: the link that a frame moves with, and its pose in the frame of this link."};
+      "frames: the link that a frame moves with, and its pose in the frame of this link.",
+      "limbs: of each instance of a part in the document, the index of its first link, and those of its links, its "
+      "joints, and its user frames, by their names in the part."};
   if (library.has_spherical_joints())
     documentation.push_back(
         "positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
@@ -111,6 +124,11 @@ std::string print_model(const Library& library) {
     text += item(
         {"name: " + quoted(f.name), "link: " + std::to_string(f.link), "translation: " + array(f.translation),
          "rotation: " + array(f.rotation)});
+  text += "  ],\n  limbs: [\n";
+  for (const LimbData& l : library.limbs)
+    text += item(
+        {"name: " + quoted(l.name), "part: " + quoted(l.part), "first_link: " + std::to_string(l.first_link),
+         "links: " + indices(l.links), "joints: " + indices(l.joints), "frames: " + indices(l.frames)});
   return text + "  ],\n};\n";
 }
 

@@ -189,7 +189,9 @@ std::string print_stub(const Library& library, const std::vector<Function>& all)
       text += std::string(name) + ": tuple[str, ...]\n";
     for (const char* name : {"joint_lower", "joint_upper", "joint_velocity", "joint_effort"})
       text += std::string(name) + ": tuple[float, ...]\n";
-    text += print_parameters(library);
+    text += "\nclass Limb(NamedTuple):\n    name: str\n    part: str\n    first_link: int\n";
+    for (const char* list : {"links", "joints", "frames"}) text += std::string("    ") + list + ": dict[str, int]\n";
+    text += "\nlimbs: dict[str, Limb]\n" + print_parameters(library);
   }
   for (const Function& f : all) {
     if (f.results.size() == 1) continue;

@@ -150,6 +150,16 @@ std::string print_source(const cpp::Api& api, const std::vector<Function>& funct
   const auto limit = [](double JointLimits::*member) {
     return [member](const JointData& joint) { return number(joint.limits.*member); };
   };
+  const auto limb = [](const LimbData& l) {
+    const auto elements = [](const std::vector<LimbData::Element>& list) {
+      std::vector<std::string> items;
+      for (const LimbData::Element& e : list) items.push_back(braced({quoted(e.own), std::to_string(e.index)}));
+      return braced(items);
+    };
+    return braced(
+        {quoted(l.name), quoted(l.part), std::to_string(l.first_link), elements(l.links), elements(l.joints),
+         elements(l.frames)});
+  };
   const auto parent = [&](const LinkData& link) {
     if (link.parent_joint < 0) return std::string("-1");
     return std::to_string(library.all_joints()[static_cast<std::size_t>(link.parent_joint)].parent);
@@ -169,7 +179,8 @@ std::string print_source(const cpp::Api& api, const std::vector<Function>& funct
       column(library.joints, limit(&JointLimits::lower)),
       column(library.joints, limit(&JointLimits::upper)),
       column(library.joints, limit(&JointLimits::velocity)),
-      column(library.joints, limit(&JointLimits::effort))};
+      column(library.joints, limit(&JointLimits::effort)),
+      column(library.limbs, limb)};
   return cpp::banner(library, library.name + ".cpp", "its Python module") + "// clang-format off\n#include " +
          quoted("robcogen/python/make_module.h") + "\n\n#include " + quoted(cpp::kernels_path(folder)) + "\n" +
          (library.has_robot() ? "#include " + quoted(cpp::header_path(folder, cpp::kParameters)) + "\n" : "") +

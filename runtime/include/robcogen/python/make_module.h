@@ -148,6 +148,45 @@ inline bool add_function(PyObject* module, const Module& m, const Function& f) {
   return add(scope, f.name, function);
 }
 
+// {'KFE': 2, …}
+inline PyObject* indices(const std::vector<LimbElement>& elements) {
+  PyObject* const result = PyDict_New();
+  for (const LimbElement& e : elements) {
+    PyObject* const index = PyLong_FromLong(e.index);
+    if (index) PyDict_SetItemString(result, e.own, index);
+    Py_XDECREF(index);
+  }
+  return result;
+}
+
+// {'LF': Limb(name='LF', part='Leg', first_link=1, links={…}, joints={…}, frames={…}), …}
+inline PyObject* limbs(const Module& m) {
+  static PyStructSequence_Field fields[] = {{"name", nullptr},  {"part", nullptr},   {"first_link", nullptr},
+                                            {"links", nullptr}, {"joints", nullptr}, {"frames", nullptr},
+                                            {nullptr, nullptr}};
+  static const std::string name = std::string(m.name) + ".Limb";
+  static PyStructSequence_Desc description = {
+      name.c_str(),
+      "An instance of a part: indices in the robot by names in the part; joints are those of joint_names.", fields, 6};
+  PyObject* const result = PyDict_New();
+  PyTypeObject* const type = m.limbs.empty() || !result ? nullptr : PyStructSequence_NewType(&description);
+  if (!type) return result;
+  for (const Limb& l : m.limbs) {
+    PyObject* const limb = PyStructSequence_New(type);
+    if (!limb) break;
+    PyStructSequence_SetItem(limb, 0, PyUnicode_FromString(l.name));
+    PyStructSequence_SetItem(limb, 1, PyUnicode_FromString(l.part));
+    PyStructSequence_SetItem(limb, 2, PyLong_FromLong(l.first_link));
+    PyStructSequence_SetItem(limb, 3, indices(l.links));
+    PyStructSequence_SetItem(limb, 4, indices(l.joints));
+    PyStructSequence_SetItem(limb, 5, indices(l.frames));
+    PyDict_SetItemString(result, l.name, limb);
+    Py_DecRef(limb);
+  }
+  Py_DecRef(reinterpret_cast<PyObject*>(type));
+  return result;
+}
+
 inline PyObject* make_module(const Module& m) {
   static PyModuleDef definition = {
       PyModuleDef_HEAD_INIT, m.name, m.documentation, -1, nullptr, nullptr, nullptr, nullptr, nullptr};
@@ -174,7 +213,7 @@ inline PyObject* make_module(const Module& m) {
         add(module, "link_parents", tuple(m.parents, [](int i) { return PyLong_FromLong(i); })) &&
         add(module, "joint_lower", tuple(m.lower, number)) && add(module, "joint_upper", tuple(m.upper, number)) &&
         add(module, "joint_velocity", tuple(m.velocity, number)) &&
-        add(module, "joint_effort", tuple(m.effort, number));
+        add(module, "joint_effort", tuple(m.effort, number)) && add(module, "limbs", limbs(m));
   for (const Function& f : m.functions) is_good = is_good && add_function(module, m, f);
   if (is_good) return module;
   Py_DecRef(module);

@@ -50,6 +50,19 @@ struct ParameterTable {
   const float* (*in_float)(const void* caches);
 };
 
+struct LimbElement {
+  const char* own;
+  int index;
+};
+
+// An instance of a part in the document (robcogen/limb.h).
+struct Limb {
+  const char* name;
+  const char* part;
+  int first_link;
+  std::vector<LimbElement> links, joints, frames;
+};
+
 struct Module {
   const char* name;
   const char* documentation;
@@ -58,6 +71,7 @@ struct Module {
   std::vector<const char*> joints, positions, links, frames;  // positions: the elements of q
   std::vector<int> parents;                                   // by link; -1: the base
   std::vector<double> lower, upper, velocity, effort;
+  std::vector<Limb> limbs = {};
 };
 
 inline constexpr int kMaxArrays = 32;
