@@ -141,21 +141,26 @@ export function makeJoints(robot, state, around, container, changed, select) {
     return { node, joint, j, slider, field, force };
   });
   container.replaceChildren(element("h2", {}, "Joints"), ...rows.map((row) => row.node));
+  // What is written already is not written again: the browser would lay it out anew.
+  const write = (output, text) => {
+    if (output.textContent !== text) output.textContent = text;
+  };
   return (posture, selected) => {
+    const largest = posture.gravity ? Math.max(...posture.gravity.map(Math.abs)) : 0;
     for (const { node, joint, j, slider, field, force, value } of rows) {
       node.classList.toggle("chosen", joint.child === selected);
       const position = posture.positions[j];
       if (value) {
-        value.textContent = `${digits(position)} ${unitOf(joint)}`;
+        write(value, `${digits(position)} ${unitOf(joint)}`);
         continue;
       }
-      slider.value = position;
-      if (document.activeElement !== field) field.value = Number(position.toPrecision(5));
+      if (Number(slider.value) !== position) slider.value = position;
+      const shown = String(Number(position.toPrecision(5)));
+      if (document.activeElement !== field && field.value !== shown) field.value = shown;
       const turn = joint.type === "prismatic" ? "" : `${digits((position * 180) / Math.PI)}°`;
-      const largest = posture.gravity ? Math.max(...posture.gravity.map(Math.abs)) : 0;
       const own = posture.gravity && Math.abs(posture.gravity[j]) > 1e-12 * largest ? posture.gravity[j] : 0;
       const weight = posture.gravity ? `gravity ${digits(own)} ${forceUnit(joint)}` : "";
-      force.textContent = [weight, turn].filter(Boolean).join(" · ");
+      write(force, [weight, turn].filter(Boolean).join(" · "));
     }
   };
 }

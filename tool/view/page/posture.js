@@ -52,9 +52,13 @@ function semiAxes(mass, moments) {
   return moments.map((moment) => Math.sqrt(Math.max(0, (2.5 / mass) * (sum - 2 * moment))));
 }
 
-function massOf(link, pose) {
+const principalsOfLinks = new WeakMap();
+
+// About the centre of mass, in the frame of the link. They do not move with it.
+function principalsOf(link) {
+  const known = principalsOfLinks.get(link);
+  if (known) return known;
   const { mass, com, moments, products } = link;
-  if (!(mass > 0)) return null;
   const about = dot(com, com);
   const off = (a, b, product) => mass * com[a] * com[b] - product;
   const inertia = [
@@ -63,6 +67,14 @@ function massOf(link, pose) {
     [off(0, 2, products[1]), off(1, 2, products[2]), moments[2] - mass * (about - com[2] ** 2)],
   ];
   const principals = principal(inertia);
+  principalsOfLinks.set(link, principals);
+  return principals;
+}
+
+function massOf(link, pose) {
+  const { mass, com } = link;
+  if (!(mass > 0)) return null;
+  const principals = principalsOf(link);
   const semi = semiAxes(mass, principals.map((p) => p.value));
   return {
     mass,
