@@ -92,11 +92,14 @@ class Constants {
   }
 
   backend::CoupledJointData of(const model::Coupling& coupling) const {
-    backend::CoupledJointData data = {of_joint(coupling.joint), {}, value(coupling.offset)};
+    // No numbers where the joint follows through a loop: not by sums.
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const bool is_linear = coupling.is_linear();
+    backend::CoupledJointData data = {of_joint(coupling.joint), {}, is_linear ? value(coupling.offset) : kNone};
     for (const int j : tree_.coordinates()) {
       const auto term = std::find_if(
           coupling.terms.begin(), coupling.terms.end(), [&](const auto& candidate) { return candidate.joint == j; });
-      data.factors.push_back(term == coupling.terms.end() ? 0.0 : value(term->factor));
+      data.factors.push_back(term == coupling.terms.end() ? 0.0 : is_linear ? value(term->factor) : kNone);
     }
     return data;
   }

@@ -45,6 +45,9 @@ class Describer {
         description.joints.push_back(describe(joint));
     }
     description.couplings = read_couplings(document_, reader_, diagnostics_);
+    for (const kinematics::LoopJoint& loop : document_.loop_joints) description.loops.push_back(describe(loop));
+    for (const kinematics::Name& joint : document_.independents)
+      description.independents.push_back({joint.text, place(joint.span)});
     description.parameters = reader_.parameters();
     for (const kinematics::Limb& limb : document_.limbs) description.limbs.push_back(describe(limb));
     reader_.report_accidents();
@@ -62,6 +65,21 @@ class Describer {
     };
     return {limb.name.text,       limb.part, limb.first_link, elements(limb.links), elements(limb.joints),
             elements(limb.frames)};
+  }
+
+  model::DescribedLoop describe(const kinematics::LoopJoint& loop) {
+    model::DescribedLoop result;
+    result.name = loop.name.text;
+    result.place = place(loop.name.span);
+    for (std::size_t e = 0; e < 2; ++e) {
+      result.frames[e] = loop.frames[e].text;
+      result.frame_places[e] = place(loop.frames[e].span);
+    }
+    result.type = model::LoopType::distance;
+    for (std::size_t k = 0; k < model::kLoopTypes.size(); ++k)
+      if (loop.type.text == model::kLoopTypes[k]) result.type = static_cast<model::LoopType>(k);
+    if (loop.distance) result.length = reader_.read(*loop.distance, ParameterKind::length);
+    return result;
   }
 
   std::array<Quantity, 3> read(const kinematics::Vector& v, ParameterKind kind) {

@@ -6,6 +6,7 @@
 
 #include "model/couplings.h"
 #include "model/description.h"
+#include "model/loops.h"
 #include "model/name_index.h"
 #include "model/plausibility.h"
 #include "model/spherical_joints.h"
@@ -374,6 +375,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
     for (std::size_t j = 0; j < a.tree.joints.size(); ++j) resolve_carrier(a, j);
   }
   a.tree.couplings = resolve_couplings(description, a.joints, a.joints_repeat, diagnostics);
+  if (diagnostics.error_count() == errors_before) resolve_loops(description, a.tree, diagnostics);
   check_link_ids(description, diagnostics);
   check_mass_properties(description, diagnostics);
   check_drives(description, diagnostics);

@@ -80,6 +80,21 @@ struct DescribedCoupling {
   Quantity offset;
 };
 
+struct DescribedLoop {
+  std::string name;
+  Place place;
+  LoopType type = LoopType::point;
+  std::array<std::string, 2> frames;
+  std::array<Place, 2> frame_places;
+  Quantity length = {};  // of LoopType::distance: m
+};
+
+// A joint that is to be an independent coordinate.
+struct DescribedIndependent {
+  std::string joint;
+  Place place;
+};
+
 // As Limb, by names.
 struct DescribedLimb {
   struct Element {
@@ -101,6 +116,8 @@ struct Description {
   std::vector<DescribedLink> links;    // in declaration order
   std::vector<DescribedJoint> joints;  // in declaration order
   std::vector<DescribedCoupling> couplings = {};
+  std::vector<DescribedLoop> loops = {};
+  std::vector<DescribedIndependent> independents = {};  // none: they are chosen
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};
 };

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <random>
 
+#include "model/loop_geometry.h"
 #include "model/plausibility.h"
 #include "support/index.h"
 
@@ -229,6 +230,25 @@ std::vector<std::vector<double>> inertia_of_joints(const KinematicTree& tree, do
   return H;
 }
 
+// The same rows of G for joints that follow through loops: those of any position, closed or not, have no special values.
+void add_rates_of_loops(
+    const KinematicTree& tree,
+    const std::vector<double>& parameters,
+    std::vector<std::vector<std::pair<std::size_t, double>>>& G) {
+  OrdinaryNumbers numbers;
+  const std::vector<double> q = numbers.next(tree.joints.size());
+  for (const Closure& closure : tree.closures) {
+    const LoopJoint& loop = tree.loops[at(closure.loop)];
+    const LoopPosture now = posture(tree, loop, q, parameters);
+    const auto rates = rate_factors(closure, now, error_of(closure, now, evaluate(loop.length, parameters)));
+    for (std::size_t d = 0; d < rates.size(); ++d)
+      for (std::size_t k = 0; k < now.screws.size(); ++k)
+        if (rates[d][k] != 0.0)
+          for (const auto& [coordinate, factor] : G[at(now.screws[k].joint)])
+            G[at(closure.dependents[d])].emplace_back(coordinate, rates[d][k] * factor);
+  }
+}
+
 // The same of coordinates, G' H G, then of the base.
 std::vector<std::vector<double>> inertia_of_coordinates(const KinematicTree& tree, double addition) {
   const std::vector<std::vector<double>> H = inertia_of_joints(tree, addition);
@@ -238,9 +258,11 @@ std::vector<std::vector<double>> inertia_of_coordinates(const KinematicTree& tre
   std::vector<std::vector<std::pair<std::size_t, double>>> G(H.size());
   for (std::size_t k = 0; k < independent.size(); ++k) G[at(independent[k])] = {{k, 1.0}};
   for (const Coupling& coupling : tree.couplings) {
+    if (!coupling.is_linear()) continue;
     for (const Coupling::Term& term : coupling.terms)
       G[at(coupling.joint)].emplace_back(at(tree.coordinate_of(term.joint)), evaluate(term.factor, parameters));
   }
+  add_rates_of_loops(tree, parameters, G);
   const std::size_t gone = tree.couplings.size();
   for (std::size_t row = tree.joints.size(); row < H.size(); ++row) G[row] = {{row - gone, 1.0}};
   std::vector<std::vector<double>> result(H.size() - gone, std::vector<double>(H.size() - gone));

@@ -92,6 +92,10 @@ bool KinematicTree::has_rotors() const {
   return std::any_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.drive.rotor.has_value(); });
 }
 
+bool KinematicTree::has_linear_couplings() const {
+  return std::any_of(couplings.begin(), couplings.end(), [](const Coupling& c) { return c.is_linear(); });
+}
+
 const Coupling* KinematicTree::coupling_of(int joint) const {
   const auto found = first_coupling(couplings, joint);
   return found == couplings.end() || found->joint != joint ? nullptr : &*found;

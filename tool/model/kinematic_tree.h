@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "model/drive.h"
+#include "model/loop.h"
+#include "model/placement.h"
 #include "model/quantity.h"
 
 namespace robcogen::model {
@@ -22,13 +24,6 @@ enum class JointType { revolute, prismatic, helical, spherical };
 
 // Whether the coordinate is an angle; else it is a length.
 bool turns(JointType type);
-
-// Pose of a frame in the frame of its parent: translate, then rotate about the intrinsic axes x, y', z''
-// (R = Rx Ry Rz). Metres and radians.
-struct Placement {
-  std::array<Quantity, 3> translation;
-  std::array<Quantity, 3> rotation;
-};
 
 // Mass properties as a document gives them: about the origin and in the axes of the link frame, or of `reference`
 // (the pose of a user frame in the link frame). Products of inertia have positive sign: ixy = integral of x y dm.
@@ -92,15 +87,19 @@ Quantity slide_of(const Joint& joint);
 // Of the joint's rotor: of unit length, in axes of its carrier.
 std::array<Quantity, 3> rotor_axis(const Joint& joint);
 
-// A joint that follows others: q_joint = offset + sum of factor * q_k, over independent joints k.
+// A joint that follows others: q_joint = offset + sum of factor * q_k, over independent joints k. Through a loop it
+// follows in another way: then the terms only tell which joints it follows.
 struct Coupling {
   struct Term {
     int joint = -1;   // independent
-    Quantity factor;  // not the constant zero
+    Quantity factor;  // not the constant zero; of a loop, no number
   };
   int joint = -1;
   std::vector<Term> terms;  // none: the joint stands still
   Quantity offset;          // rad or m
+  int closure = -1;         // of KinematicTree::closures, or none
+
+  bool is_linear() const { return closure < 0; }
 };
 
 struct UserFrame {
@@ -160,6 +159,8 @@ class KinematicTree {
   std::vector<Link> links;               // [0] is the base, then the links as declared
   std::vector<Joint> joints;             // as declared; q, qd, tau, … have the independent ones, in this order
   std::vector<Coupling> couplings = {};  // of the other joints, in their order
+  std::vector<LoopJoint> loops = {};
+  std::vector<Closure> closures = {};  // an order in which they can be solved
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
   std::vector<Limb> limbs = {};  // in the order of the document
@@ -188,6 +189,9 @@ class KinematicTree {
   bool has_rotors() const;
   // Whether a joint is helical.
   bool has_pitches() const;
+  // Whether a joint follows others by a sum; whether one does through a loop.
+  bool has_linear_couplings() const;
+  bool has_loops() const { return !loops.empty(); }
   // nullptr for an independent joint.
   const Coupling* coupling_of(int joint) const;
   // Joint indices, parents before children, depth first, children in the order of the document.

@@ -63,6 +63,11 @@ void expand_spherical_joints(KinematicTree& tree) {
     coupling.joint = moved[at(coupling.joint)];
     for (Coupling::Term& term : coupling.terms) term.joint = moved[at(term.joint)];
   }
+  for (LoopJoint& loop : tree.loops)
+    for (LoopEnd& end : loop.ends)
+      for (int& joint : end.joints) joint = moved[at(joint)];
+  for (Closure& closure : tree.closures)
+    for (int& joint : closure.dependents) joint = moved[at(joint)];
   for (Limb& limb : tree.limbs) {
     const std::vector<Limb::Element> joints = std::exchange(limb.joints, {});
     for (const Limb::Element& joint : joints) {

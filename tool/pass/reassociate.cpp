@@ -61,6 +61,8 @@ int latency(Op op) {
     case Op::divide:
     case Op::square_root:
       return kDivisionLatency;
+    case Op::arc_tangent:
+      return symbolic::kArcTangentLatency;
     default:
       return kLatency;
   }

@@ -224,6 +224,11 @@ class Evaluator {
         return each(a, b, [](const Real& x, const Real& y) { return x * y; });
       case Op::divide:
         return each(a, b, [](const Real& x, const Real& y) { return x / y; });
+      case Op::arc_tangent:
+        return each(a, b, [](const Real& x, const Real& y) {
+          using std::atan2;
+          return atan2(x, y);
+        });
       default:
         throw std::logic_error("not an operation on two numbers");
     }

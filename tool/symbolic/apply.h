@@ -11,7 +11,7 @@ namespace robcogen::symbolic {
 // `b` is ignored by unary operations.
 template <class Scalar>
 Scalar apply(Op op, const Scalar& a, const Scalar& b) {
-  using std::cos, std::sin, std::sqrt;
+  using std::atan2, std::cos, std::sin, std::sqrt;
   switch (op) {
     case Op::add:
       return a + b;
@@ -27,6 +27,8 @@ Scalar apply(Op op, const Scalar& a, const Scalar& b) {
       return sin(a);
     case Op::cosine:
       return cos(a);
+    case Op::arc_tangent:
+      return atan2(a, b);
     case Op::gather:
     case Op::sum_lanes:
       break;

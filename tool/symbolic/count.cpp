@@ -87,6 +87,9 @@ int critical_path(const Program& p) {
       case Op::sine:
       case Op::cosine:
         break;  // inputs
+      case Op::arc_tangent:
+        ready[i] = std::max(at(s.a), at(s.b)) + kArcTangentLatency;
+        break;
       case Op::gather:
         for (const Operand& o : s.lanes) ready[i] = std::max(ready[i], at(o));
         if (ready[i] > 0) ready[i] += kMoveLatency;  // else it can be made ahead
@@ -224,13 +227,16 @@ OperationCount count(const Program& p) {
       case Op::cosine:
         angles.emplace(static_cast<int>(s.a.kind), s.a.index, s.a.lane);
         break;
+      case Op::arc_tangent:
+        ++c.sincos;
+        break;
       case Op::gather:
       case Op::sum_lanes:
         break;
     }
   }
   // The sine of a single lane is one of the sines of all lanes, where these are computed.
-  c.sincos = static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
+  c.sincos += static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
     const auto& [kind, index, lane] = angle;
     return lane < 0 || angles.count({kind, index, -1}) == 0;
   }));

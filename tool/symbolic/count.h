@@ -8,6 +8,7 @@ namespace robcogen::symbolic {
 // Cycles of an addition, a multiplication or the two fused, and of a division or square root, on present processors.
 inline constexpr int kLatency = 4;
 inline constexpr int kDivisionLatency = 14;
+inline constexpr int kArcTangentLatency = 80;
 // Of taking a lane out of a vector or putting it in.
 inline constexpr int kMoveLatency = 3;
 

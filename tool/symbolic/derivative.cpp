@@ -44,6 +44,10 @@ Partials partials(Graph& graph, std::size_t i) {
       return {cos(a), {}};
     case Op::cosine:
       return {-sin(a), {}};
+    case Op::arc_tangent: {  // of numbers whose squares have the sum one
+      const Expression cosine = node.b_negative ? -b : b;
+      return {cosine, [a, is_negative = node.b_negative] { return is_negative ? a : -a; }};
+    }
     default:
       throw std::logic_error("derivative of an operation on lanes");
   }

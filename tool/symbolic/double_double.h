@@ -77,6 +77,9 @@ struct SineCosine {
 // Of an angle of at most some 1e5 rad, by the Taylor series after reduction to an eighth of a turn.
 SineCosine sine_cosine(const DoubleDouble& angle);
 
+// The angle of this sine and this cosine.
+DoubleDouble atan2(const DoubleDouble& sine, const DoubleDouble& cosine);
+
 // Pi.
 inline constexpr DoubleDouble kPiPair{3.141592653589793116e+00, 1.224646799147353207e-16};
 

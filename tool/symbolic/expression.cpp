@@ -88,6 +88,7 @@ Expression sin(const Expression& a) {
   if (a.is_zero()) return a;
   Graph& g = *a.graph();
   if (a.is_constant()) return g.constant(sin(a.number()));
+  if (const auto known = g.known_sine_cosine(a)) return (*known)[0];
   const Expression s = g.operation(Op::sine, g.positive(a.node()), Expression());
   return a.negative() ? -s : s;
 }
@@ -96,7 +97,17 @@ Expression cos(const Expression& a) {
   if (!a.graph()) throw std::logic_error("cos of a constant that belongs to no graph");
   Graph& g = *a.graph();
   if (a.is_constant()) return g.constant(cos(a.number()));
+  if (const auto known = g.known_sine_cosine(a)) return (*known)[1];
   return g.operation(Op::cosine, g.positive(a.node()), Expression());
+}
+
+Expression atan2(const Expression& sine, const Expression& cosine) {
+  if (cosine.is_zero()) throw std::logic_error("an arc tangent without a graph, or of a right angle");
+  if (sine.is_constant() && cosine.is_constant())
+    return cosine.graph()->constant(std::atan2(sine.number().value(), cosine.number().value()));
+  Graph& g = *common_graph(sine, cosine);
+  const Expression angle = g.operation(Op::arc_tangent, g.positive(sine.node()), cosine);
+  return sine.negative() ? -angle : angle;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -147,7 +158,8 @@ Graph::Key Graph::key(const Node& n) const {
   }
   const std::uint64_t a = static_cast<std::uint32_t>(n.a);
   const std::uint64_t b = static_cast<std::uint32_t>(n.b);
-  return {a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0)};
+  return {a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0) +
+                          (n.b_negative ? 32 : 0)};
 }
 
 int Graph::intern(const Node& n) {
@@ -246,6 +258,7 @@ Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
   n.a = a.node();
   n.b = is_binary(op) ? b.node() : -1;
   n.a_negative = op == Op::square_root && a.negative();
+  n.b_negative = op == Op::arc_tangent && b.negative();
   return positive(intern(n));
 }
 
@@ -271,6 +284,21 @@ std::optional<std::array<Expression, 2>> Graph::terms(const Expression& x) {
   if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) return std::nullopt;
   const Expression first(this, n.a, x.negative()), second(this, n.b, x.negative() != (n.op == Op::subtract));
   return std::array{first, second};
+}
+
+std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expression& angle) {
+  const Node n = nodes_[at(angle.node())];
+  if (n.kind != Node::Kind::operation) return std::nullopt;
+  if (n.op == Op::arc_tangent)
+    return std::array{Expression(this, n.a, angle.negative()), Expression(this, n.b, n.b_negative)};
+  const std::optional<std::array<Expression, 2>> both = terms(angle);
+  if (!both) return std::nullopt;
+  const auto& [x, y] = *both;
+  if (!known_sine_cosine(x) && !known_sine_cosine(y)) return std::nullopt;
+  const Expression sine_x = sin(x), cosine_x = cos(x), sine_y = sin(y), cosine_y = cos(y);
+  const Expression first = sine_x * cosine_y, second = cosine_x * sine_y;
+  const Expression third = cosine_x * cosine_y, fourth = sine_x * sine_y;
+  return std::array{first + second, third - fourth};
 }
 
 Expression Graph::add(Expression a, Expression b) {
@@ -369,6 +397,7 @@ Program Graph::program(
       s.a = operand_of[at(n.a)];
       s.a.negative = n.a_negative;
       if (n.b >= 0) s.b = operand_of[at(n.b)];
+      s.b.negative = s.b.negative != n.b_negative;
       s.section = new_section[section];
       if (i < names_.size()) {
         s.name = names_[i].text;

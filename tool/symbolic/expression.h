@@ -47,6 +47,8 @@ class Expression {
   friend Expression sqrt(const Expression& a);
   friend Expression sin(const Expression& a);
   friend Expression cos(const Expression& a);
+  // The angle with this sine and this cosine, which are those of one angle: their sines and cosines are these again.
+  friend Expression atan2(const Expression& sine, const Expression& cosine);
   Expression& operator+=(const Expression& b) { return *this = *this + b; }
   Expression& operator-=(const Expression& b) { return *this = *this - b; }
 
@@ -65,7 +67,8 @@ struct Node {
   Op op = Op::add;
   int a = -1;  // constant: index into constants; input: flat element index; operation: first operand
   int b = -1;
-  bool a_negative = false;  // square roots only: everything else moves signs outwards
+  bool a_negative = false;  // square roots only: everything else moves signs outwards, but for
+  bool b_negative = false;  // the cosine of an arc tangent
 };
 
 class Graph {
@@ -122,6 +125,7 @@ class Graph {
   friend Expression sqrt(const Expression&);
   friend Expression sin(const Expression&);
   friend Expression cos(const Expression&);
+  friend Expression atan2(const Expression&, const Expression&);
 
   struct Key {
     std::uint64_t bits;
@@ -154,6 +158,8 @@ class Graph {
   Scaled split_factor(int node) const;
   // The signed factor of an expression that was split.
   Number factor(const Expression& x, const Scaled& split) const;
+  // The sine and the cosine of an arc tangent, or of a sum or difference with one in it.
+  std::optional<std::array<Expression, 2>> known_sine_cosine(const Expression& angle);
   // The two terms of a sum or difference.
   std::optional<std::array<Expression, 2>> terms(const Expression& x);
 

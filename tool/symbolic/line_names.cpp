@@ -112,6 +112,8 @@ class LineNamer {
         result = {of(s.a).name, false};
         if (!result.name.empty()) result.name += "_root";
         break;
+      case Op::arc_tangent:
+        break;
       case Op::sum_lanes:
         result = of(s.a);
         if (!result.name.empty()) result.name += "_sum";

@@ -21,6 +21,7 @@ enum Needs : unsigned {
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
   kFewElements = 1 << 5,     // a matrix has ten columns a link
+  kNoLoops = 1 << 6,
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -52,14 +53,14 @@ constexpr std::array kGroups = {
     Group{"forward_dynamics", true, kInertiaInverse, forward_dynamics_functions, nullptr},
     Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
-    Group{"coriolis_matrix", false, kInertia, coriolis_matrix_functions, nullptr},
-    Group{"inverse_dynamics_derivatives", false, kInertia, inverse_dynamics_derivatives_functions, nullptr},
+    Group{"coriolis_matrix", false, kInertia | kNoLoops, coriolis_matrix_functions, nullptr},
+    Group{"inverse_dynamics_derivatives", false, kInertia | kNoLoops, inverse_dynamics_derivatives_functions, nullptr},
     Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
         "inverse_dynamics_second_derivatives", false, kInertia | kFewPairs,
         inverse_dynamics_second_derivatives_functions, nullptr},
     Group{
-        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations, forward_dynamics_derivatives_functions,
+        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations | kNoLoops, forward_dynamics_derivatives_functions,
         nullptr},
     Group{"centroidal", true, kMass, centroidal_functions, nullptr},
     Group{"energy", true, kInertia, energy_functions, nullptr},
@@ -69,7 +70,7 @@ constexpr std::array kGroups = {
     Group{"regressor", false, kFewElements, regressor_functions, nullptr},
     Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr},
     Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr},
-    Group{"slotine_li_regressor", false, kFewElements, slotine_li_regressor_functions, nullptr},
+    Group{"slotine_li_regressor", false, kFewElements | kNoLoops, slotine_li_regressor_functions, nullptr},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
@@ -128,7 +129,9 @@ constexpr std::array kRequirements = {
         "with so many joints its code would be too long"},
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
-        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"}};
+        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"},
+    Requirement{
+        kNoLoops, [](const KinematicTree& tree) { return !tree.has_loops(); }, "joints follow through loops"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

@@ -95,6 +95,14 @@ symbolic::Program coupling_numbers(const model::KinematicTree& tree) {
     const std::string& name = tree.joints[at(coupling.joint)].name;
     trace.section(name, "joint " + name);
     std::vector<Expression> column(at(rows));
+    // No number where the joint follows through a loop: not by sums.
+    const Expression none = coupling.is_linear() ? Expression() : sqrt(trace.graph.constant(-1.0));
+    if (!coupling.is_linear()) {
+      for (const model::Coupling::Term& term : coupling.terms) column[at(tree.coordinate_of(term.joint))] = none;
+      column.back() = none;
+      values.insert(values.end(), column.begin(), column.end());
+      continue;
+    }
     for (const model::Coupling::Term& term : coupling.terms)
       column[at(tree.coordinate_of(term.joint))] = trace.lift(term.factor);
     column.back() = trace.lift(coupling.offset);

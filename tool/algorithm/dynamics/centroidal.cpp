@@ -84,8 +84,8 @@ Program centroidal_momentum_bias(
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q, representative);
   const WholeBody body(robot);
-  const std::vector<Expression> zeros(in.qd.size());
-  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, zeros, nullptr);
+  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
+  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
   Force rate = momentum_rate(robot, forces.motions, in, 0);
   rate.moment -= cross(body.com, rate.linear);
   trace.output("bias", Role::value, rate);

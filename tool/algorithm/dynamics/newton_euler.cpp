@@ -112,8 +112,8 @@ TracedMotion::TracedMotion(Trace& trace, const StateInputs& in, Loads loads, con
 }
 
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads) {
-  const std::vector<Expression> zeros(in.qd.size());
-  return newton_euler_forces(robot, base_motion(in.base_velocity, {}, loads.gravity), in.qd, zeros, &loads);
+  const std::vector<Expression> at_rest = robot.trace.accelerations_at_rest();
+  return newton_euler_forces(robot, base_motion(in.base_velocity, {}, loads.gravity), in.qd, at_rest, &loads);
 }
 
 std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expression>& tau, const Forces& needed) {
@@ -155,9 +155,9 @@ Program coriolis_forces(const model::KinematicTree& tree, const std::string& nam
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q, formulation);
-  const std::vector<Expression> zeros(in.qd.size());
+  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
   const LinkMotion base = base_motion(in.base_velocity, {}, {});
-  return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, zeros, nullptr));
+  return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, at_rest, nullptr));
 }
 
 Program inverse_dynamics_gradient(

@@ -40,7 +40,8 @@ void add_rotation(Seen& target, const Vector3& rate) {
   target.w += rate;
 }
 
-void add_joint(Seen& target, const Joint& joint, const Expression& rate, Graph& graph) {
+// `own`: of the joint, which follows others.
+void add_joint(Seen& target, const Joint& joint, const Expression& rate, const Expression& own, Graph& graph) {
   const auto [axis, slide] = subspace(joint, graph);
   if (!is_zero(axis)) {
     const Expression twice = rate + rate, square = rate * rate;
@@ -49,8 +50,11 @@ void add_joint(Seen& target, const Joint& joint, const Expression& rate, Graph& 
     target.velocity += rate * cross(axis, target.position);
     target.wd += rate * cross(axis, target.w);
     target.w += rate * axis;
+    target.acceleration += own * cross(axis, target.position);
+    target.wd += own * axis;
   }
   target.velocity += rate * slide;
+  target.acceleration += own * slide;
 }
 
 // Of a spherical joint.
@@ -123,6 +127,7 @@ Program jacobian_derivative_times_velocity(
   const auto q = trace.joint_input("q", Role::joint_position);
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   const Path path = path_from_target(tree, frames);
+  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
   Seen target;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
@@ -130,7 +135,7 @@ Program jacobian_derivative_times_velocity(
       add_rotation(target, rotation_along(segment.joints, qd));
     else
       for (const JointOnPath& passed : segment.joints)
-        add_joint(target, joint_of(trace, passed.joint), along(passed, qd), trace.graph);
+        add_joint(target, joint_of(trace, passed.joint), along(passed, qd), along(passed, at_rest), trace.graph);
     step_back(target, pose);
   }
   trace.output("a", Role::frame_bias_acceleration, Motion{target.wd, target.acceleration});

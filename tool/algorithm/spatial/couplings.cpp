@@ -8,9 +8,15 @@ std::vector<std::vector<Share>> shares(Trace& trace) {
   const model::KinematicTree& tree = trace.tree;
   std::vector<std::vector<Share>> result;
   for (const int joint : tree.coordinates()) result.push_back({{joint, Expression()}});
-  for (const model::Coupling& coupling : tree.couplings)
+  for (const model::Coupling& coupling : tree.couplings) {
+    if (!coupling.is_linear()) {
+      for (const RateShare& share : trace.rates_of(coupling))
+        result[at(tree.coordinate_of(share.joint))].push_back({coupling.joint, share.factor});
+      continue;
+    }
     for (const model::Coupling::Term& term : coupling.terms)
       result[at(tree.coordinate_of(term.joint))].push_back({coupling.joint, trace.lift(term.factor)});
+  }
   return result;
 }
 

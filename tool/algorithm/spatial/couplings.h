@@ -1,5 +1,6 @@
 // Coupled joints. Their positions q follow independent coordinates y, q = G y + c with constant G, so that qd = G yd
-// and qdd = G ydd; by virtual work forces of joints are G' tau of the coordinates. Everything is traced over joints;
+// and qdd = G ydd; through loops (closures.h) G turns with q, and qdd = G ydd + dG/dt yd. By virtual work forces of
+// joints are G' tau of the coordinates. Everything is traced over joints;
 // what goes in and comes out is over coordinates (Jain 2012, constraint embedding).
 #pragma once
 

@@ -1,5 +1,7 @@
 #include "algorithm/spatial/trace.h"
 
+#include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -81,6 +83,7 @@ std::vector<Expression> Trace::by_joint(
   for (std::size_t k = 0; k < independent.size(); ++k) joints[at(independent[k])] = coordinates[k];
   joints.insert(joints.end(), coordinates.begin() + static_cast<std::ptrdiff_t>(independent.size()), coordinates.end());
   for (const model::Coupling& coupling : tree.couplings) {
+    if (!coupling.is_linear()) continue;
     const std::string& follower = tree.joints[at(coupling.joint)].name;
     section(follower, "joint " + follower + ": " + name);
     Expression& value = joints[at(coupling.joint)];
@@ -88,7 +91,56 @@ std::vector<Expression> Trace::by_joint(
     if (role == Role::joint_position) value += lift(coupling.offset);
     graph.describe(value, name + "_" + follower);
   }
+  if (role == Role::joint_position) closures_.clear(), rates_.clear();
+  for (std::size_t k = 0; k < tree.closures.size(); ++k) follow(k, role, joints);
+  if (role == Role::joint_velocity) velocities_ = joints;
   return joints;
+}
+
+void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints) {
+  const model::Closure& closure = tree.closures[index];
+  if (role == Role::joint_position) {
+    closures_.push_back(traced(*this, closure, joints));
+    return;
+  }
+  TracedClosure& solved = *closures_.at(index);
+  const auto& rates = solved.rates();
+  std::vector<Expression> added(closure.dependents.size());
+  if (role == Role::joint_acceleration && !velocities_.empty()) added = solved.accelerations(velocities_);
+  const std::string& loop = tree.loops[at(closure.loop)].name;
+  section(loop, "loop " + loop + ": motion of its joints");
+  for (std::size_t d = 0; d < closure.dependents.size(); ++d) {
+    Expression& value = joints[at(closure.dependents[d])];
+    value = added[d];
+    for (const RateShare& share : rates[d]) value += share.factor * joints[at(share.joint)];
+  }
+}
+
+std::vector<Expression> Trace::accelerations_at_rest() {
+  if (tree.closures.empty()) return std::vector<Expression>(tree.joints.size());
+  return by_joint("qdd", Role::joint_acceleration, std::vector<Expression>(at(tree.dof())));
+}
+
+const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {
+  if (rates_.empty()) rates_.resize(tree.joints.size());
+  std::vector<RateShare>& known = rates_[at(coupling.joint)];
+  if (!known.empty()) return known;
+  const model::Closure& closure = tree.closures[at(coupling.closure)];
+  const auto place = std::find(closure.dependents.begin(), closure.dependents.end(), coupling.joint);
+  const auto d = static_cast<std::size_t>(place - closure.dependents.begin());
+  std::map<int, Expression> sums;
+  for (const RateShare& share : closures_.at(at(coupling.closure))->rates()[d]) {
+    const model::Coupling* given = tree.coupling_of(share.joint);
+    if (given == nullptr) {
+      sums[share.joint] += share.factor;
+    } else if (given->is_linear()) {
+      for (const model::Coupling::Term& term : given->terms) sums[term.joint] += share.factor * lift(term.factor);
+    } else {
+      for (const RateShare& beyond : rates_of(*given)) sums[beyond.joint] += share.factor * beyond.factor;
+    }
+  }
+  for (const auto& [joint, factor] : sums) known.push_back({joint, factor});
+  return known;
 }
 
 Vector3 Trace::vector_input(const std::string& name, Role role) {

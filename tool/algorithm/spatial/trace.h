@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/spatial/closures.h"
 #include "algorithm/spatial/motion_force.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
@@ -73,12 +74,22 @@ class Trace : public ProgramTrace {
       const std::string& name,
       symbolic::Role role,
       const std::vector<Expression>& coordinates);
+  // Of all joints where those of the coordinates are zero: what the velocities that the trace had last make joints do
+  // that follow through loops.
+  std::vector<Expression> accelerations_at_rest();
+  // The rate of a joint that follows through a loop, over those of coordinates.
+  const std::vector<RateShare>& rates_of(const model::Coupling& coupling);
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);
   // One wrench a link, base first, in link coordinates about the link's origin; zero for repeated links.
   std::vector<Force> link_wrench_input();
 
  private:
+  std::vector<std::unique_ptr<TracedClosure>> closures_;  // at the positions of the trace
+  std::vector<Expression> velocities_;                    // by joint
+  std::vector<std::vector<RateShare>> rates_;             // by joint that follows through a loop
+
+  void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
   // By coordinate, then the scalar parts of quaternions.
   std::vector<Expression> position_input(const std::string& name);
 };

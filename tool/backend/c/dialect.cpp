@@ -45,7 +45,8 @@ Dialect make_dialect() {
   d.sine = "sin" + suffix;
   d.cosine = "cos" + suffix;
   d.square_root = "sqrt" + suffix;
-  d.used_names = {d.sine, d.cosine, d.square_root, "kept"};
+  d.arc_tangent = "atan2" + suffix;
+  d.used_names = {d.sine, d.cosine, d.square_root, d.arc_tangent, "kept"};
   d.line_limit = cpp::kColumns - 2;
   d.pairs_angles = false;
   d.binds_parameters = true;

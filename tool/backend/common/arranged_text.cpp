@@ -48,6 +48,7 @@ Spelling sum_of_lanes(Arrangement& arranged, std::size_t i) {
 void add_names_of_expression(const Arrangement& arranged, std::size_t i, std::vector<std::string>& names) {
   const Statement& s = arranged.program.statements[i];
   if (s.op == Op::square_root) names.push_back(arranged.dialect.square_root);
+  if (s.op == Op::arc_tangent) names.push_back(arranged.dialect.arc_tangent);
   if (s.op == Op::gather) names.push_back(arranged.dialect.type(s.width));
   for_each_operand(s, [&](const Operand& o) {
     const bool is_apart = s.op == Op::gather || s.op == Op::sum_lanes;
@@ -62,6 +63,9 @@ Spelling expression(Arrangement& arranged, std::size_t i) {
   Spelling result;
   if (s.op == Op::square_root) {
     result = call(arranged.dialect.square_root, spell_checked(arranged, s, s.a, s.width), arranged.texts);
+  } else if (s.op == Op::arc_tangent) {
+    const Spelling sine = spell_checked(arranged, s, s.a, s.width), cosine = spell_checked(arranged, s, s.b, s.width);
+    result = call(arranged.dialect.arc_tangent, sine, cosine, arranged.texts);
   } else if (s.op == Op::sum_lanes) {
     result = sum_of_lanes(arranged, i);
   } else if (s.op == Op::gather) {

@@ -195,6 +195,7 @@ class Emission {
     }
     if (arranged_.places[i] == Place::nowhere || arranged_.places[i] == Place::loaded) return;
     if (s.op == Op::square_root) need(dialect_.square_root);
+    if (s.op == Op::arc_tangent) need(dialect_.arc_tangent);
     if (arranged_.places[i] == Place::inside) return;
     if (arranged_.places[i] == Place::angle) {
       const AngleKey key = supplier(arranged_, s.a);

@@ -67,7 +67,7 @@ struct Dialect {
   // One line defines the sine and the cosine of an argument. Otherwise these are two definitions.
   bool pairs_angles = true;
   // The functions, by the names that they have in the language.
-  std::string sine = "sin", cosine = "cos", square_root = "sqrt";
+  std::string sine = "sin", cosine = "cos", square_root = "sqrt", arc_tangent = "atan2";
   // Where that many elements of one input have sines and cosines, these are computed together; 0: never. Elements
   // between them are computed too.
   std::size_t angles_together = 0;

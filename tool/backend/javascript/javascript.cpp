@@ -32,7 +32,7 @@ int side(const InputArray& square) {
 
 // The functions that take arguments; no function of a robot has such a name.
 constexpr const char* kChecks = R"(
-const { cos, sin, sqrt } = Math;
+const { atan2, cos, sin, sqrt } = Math;
 
 const $isArray = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
 

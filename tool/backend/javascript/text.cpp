@@ -44,7 +44,7 @@ const Dialect& dialect() {
   static const Dialect javascript = [] {
     Dialect d = returning_dialect(kColumns);
     d.is_reserved = is_reserved;
-    d.used_names = {"Rx", "Ry", "Rz", "Tx", "Ty", "Tz", "cos", "multiply", "primitives", "sin", "sqrt"};
+    d.used_names = {"Rx", "Ry", "Rz", "Tx", "Ty", "Tz", "atan2", "cos", "multiply", "primitives", "sin", "sqrt"};
     d.name_limit = 26;  // three such operands and their operators fit in one line
     d.binds_parameters = true;
     d.names_variables = true;

@@ -175,6 +175,11 @@ void name_after(Assembly& assembly, const std::string& instance) {
     coupling.joint.text = element_name(instance, coupling.joint.text);
     coupling.value = renamed(coupling.value, joints, instance);
   }
+  for (kinematics::LoopJoint& loop : assembly.body.loop_joints) {
+    loop.name.text = element_name(instance, loop.name.text);
+    for (kinematics::Name& frame : loop.frames) frame.text = frame_name(instance, frame.text);
+  }
+  for (kinematics::Name& joint : assembly.body.independents) joint.text = element_name(instance, joint.text);
   for (kinematics::Child& root : assembly.roots) {
     root.link.text = element_name(instance, root.link.text);
     root.joint.text = element_name(instance, root.joint.text);

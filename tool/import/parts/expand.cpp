@@ -99,6 +99,8 @@ class Expander {
     std::move(added.links.begin(), added.links.end(), std::back_inserter(body.links));
     std::move(added.joints.begin(), added.joints.end(), std::back_inserter(body.joints));
     std::move(added.couplings.begin(), added.couplings.end(), std::back_inserter(body.couplings));
+    std::move(added.loop_joints.begin(), added.loop_joints.end(), std::back_inserter(body.loop_joints));
+    std::move(added.independents.begin(), added.independents.end(), std::back_inserter(body.independents));
   }
 
   // The links, and where their children are listed.

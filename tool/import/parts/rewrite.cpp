@@ -39,6 +39,11 @@ class Rewriter {
       }
       visit_joint(joint, [&](ExpressionPtr& e) { e = rewritten(e); });
     }
+    for (kinematics::LoopJoint& loop : body.loop_joints) {
+      for (Name* name : {&loop.name, &loop.frames[0], &loop.frames[1], &loop.type}) shift(*name);
+      if (loop.distance) loop.distance = rewritten(loop.distance);
+    }
+    for (Name& joint : body.independents) shift(joint);
     is_coupling_ = true;
     for (kinematics::Coupling& coupling : body.couplings) {
       shift(coupling.joint);

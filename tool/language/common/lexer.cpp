@@ -7,7 +7,7 @@
 namespace robcogen::language {
 namespace {
 
-constexpr std::string_view kSymbols = "{}()[]=,:+-*/<>";
+constexpr std::string_view kSymbols = "{}()[]=,:+-*/<>~";
 constexpr std::size_t kMaxNameLength = 255;
 
 bool is_letter(char c) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -159,6 +160,17 @@ struct Loop {
   std::vector<Name> instances;
 };
 
+// Between two frames whose links are connected by joints already: it closes a loop.
+struct LoopJoint {
+  Name name;
+  std::array<Name, 2> frames;
+  Name type;               // one of kLoopTypes; without text where there is a distance
+  ExpressionPtr distance;  // m; or none
+};
+
+// The words of types.
+inline const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
+
 // The elements of a robot or of a part.
 struct Body {
   std::vector<Link> links;                     // the base first, then in declaration order
@@ -166,6 +178,9 @@ struct Body {
   std::vector<Coupling> couplings;             // of all blocks, in order
   std::vector<Loop> loops;                     // of couplings, in order
   std::vector<std::string> coupling_comments;  // before these blocks and in them
+  std::vector<LoopJoint> loop_joints;          // of all blocks, in order
+  std::vector<Name> independents;              // joints that are to be coordinates
+  std::vector<std::string> loop_comments;      // before the blocks of both and in them
   std::vector<std::string> trailing_comments;  // before the closing brace, and after that of a robot
 };
 

@@ -65,6 +65,8 @@ void visit_body(BodyType& body, Visit visit) {
   for (auto& link : body.links) visit_link(link, visit);
   for (auto& joint : body.joints) visit_joint(joint, visit);
   for (auto& coupling : body.couplings) visit(coupling.value);
+  for (auto& loop : body.loop_joints)
+    if (loop.distance) visit(loop.distance);
 }
 
 }  // namespace robcogen::language::kinematics

@@ -33,6 +33,8 @@ class Judge {
     for (const Link& link : document_.links) judge(link);
     for (const Joint& joint : document_.joints) judge(joint);
     if (!document_.couplings.empty()) refuse(document_.couplings.front().joint.span, "'couplings'");
+    if (!document_.loop_joints.empty()) refuse(document_.loop_joints.front().name.span, "'loops'");
+    if (!document_.independents.empty()) refuse(document_.independents.front().span, "'independent'");
     return is_original_;
   }
 

@@ -7,6 +7,7 @@
 #include "language/kinematics/keywords.h"
 #include "language/kinematics/parse_couplings.h"
 #include "language/kinematics/parse_drive.h"
+#include "language/kinematics/parse_loops.h"
 #include "language/kinematics/parse_part.h"
 
 namespace robcogen::language::kinematics {
@@ -142,6 +143,10 @@ class Parser : private BlockParser {
           joint();
         } else if (at_couplings()) {
           couplings(*this, *body_);
+        } else if (at_loops(cursor_)) {
+          loops(*this, *body_);
+        } else if (at_independent(cursor_)) {
+          independent(*this, *body_);
         } else {
           unknown_element();
         }
@@ -163,7 +168,7 @@ class Parser : private BlockParser {
           "unknown-element", fmt::format("expected {} or '}}', found {}", quoted(kElements), describe(token)));
       std::vector<std::string> words(kElements.begin(), kElements.end());
       words.insert(words.end(), kNewElements.begin(), kNewElements.end());
-      words.emplace_back(kCouplings);
+      words.insert(words.end(), {std::string(kCouplings), "loops", "independent"});
       if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
       if (at_instance(cursor_)) d.hint = "a part stands in 'children' of the link that carries it";
     }

@@ -161,6 +161,26 @@ std::string couplings(const Body& d) {
   return out + "    }\n";
 }
 
+std::string loop(const LoopJoint& l) {
+  return "        " + name(l.name) + " { frames = " + name(l.frames[0]) + " ~ " + name(l.frames[1]) +
+         (l.distance ? item("distance", l.distance) : " type = " + l.type.text) + " }\n";
+}
+
+std::string loops(const Body& b) {
+  std::string out = comments(b.loop_comments, "    ");
+  if (!b.loop_joints.empty()) {
+    out += "    loops {\n";
+    for (const LoopJoint& l : b.loop_joints) out += loop(l);
+    out += "    }\n";
+  }
+  if (!b.independents.empty()) {
+    out += "    independent { ";
+    for (std::size_t k = 0; k < b.independents.size(); ++k) out += (k > 0 ? ", " : "") + name(b.independents[k]);
+    out += " }\n";
+  }
+  return out.empty() ? "" : "\n" + out;
+}
+
 bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
   return a && b ? language::equal(*a, *b) : a == b;
 }
@@ -204,6 +224,11 @@ bool same(const Frame& a, const Frame& b) {
 
 bool same(const Coupling& a, const Coupling& b) {
   return a.joint.text == b.joint.text && same(a.value, b.value) && a.instance == b.instance && a.loop == b.loop;
+}
+
+bool same(const LoopJoint& a, const LoopJoint& b) {
+  return same(a.name, b.name) && same(a.frames[0], b.frames[0]) && same(a.frames[1], b.frames[1]) &&
+         same(a.type, b.type) && same(a.distance, b.distance);
 }
 
 bool same(const Loop& a, const Loop& b);
@@ -275,6 +300,8 @@ bool same(const Joint& a, const Joint& b) {
 bool same(const Body& a, const Body& b) {
   return all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
          all_same(a.loops, b.loops) && a.coupling_comments == b.coupling_comments &&
+         all_same(a.loop_joints, b.loop_joints) && all_same(a.independents, b.independents) &&
+         a.loop_comments == b.loop_comments &&
          a.trailing_comments == b.trailing_comments;
 }
 
@@ -296,7 +323,7 @@ std::string body(const Body& b) {
   std::string out;
   for (const Link& l : b.links) out += link(l);
   for (const Joint& j : b.joints) out += joint(j);
-  out += couplings(b);
+  out += couplings(b) + loops(b);
   if (!b.trailing_comments.empty()) out += "\n" + comments(b.trailing_comments, "    ");
   return out;
 }
@@ -322,6 +349,7 @@ void remove_comments(Body& body) {
   for (Link& link : body.links) link.comments.clear();
   for (Joint& joint : body.joints) joint.comments.clear();
   body.coupling_comments.clear();
+  body.loop_comments.clear();
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+#include "language/kinematics/parse_loops.h"
+
+#include <algorithm>
+
+namespace robcogen::language::kinematics {
+namespace {
+
+const WordList kLoopItems = {"frames", "type", "distance"};
+
+void take_comments(BlockParser& parser, Body& body) {
+  Cursor& cursor = parser.cursor();
+  for (std::string& comment : cursor.comments_before(cursor.previous().span.end))
+    body.loop_comments.push_back(std::move(comment));
+}
+
+void type(BlockParser& parser, LoopJoint& loop) {
+  Cursor& cursor = parser.cursor();
+  if (!cursor.at_any(kLoopTypes)) {
+    const Token found = cursor.peek();
+    if (found.kind != Token::Kind::identifier) cursor.unexpected("a type of loop", "after '='");
+    cursor.error_at(
+              found.span, "unknown-loop-type",
+              fmt::format("expected {} as type of a loop, found {}", quoted(kLoopTypes), describe(found)))
+        .hint = found.text == "distance" ? "write 'distance = …' in place of the type"
+                                         : suggest_keyword(found.text, {kLoopTypes.begin(), kLoopTypes.end()});
+    throw SyntaxError{};
+  }
+  const Token word = cursor.take();
+  loop.type = {std::string(word.text), word.span};
+}
+
+void loop(BlockParser& parser, Body& body) {
+  Cursor& cursor = parser.cursor();
+  LoopJoint loop;
+  loop.name = parser.name("the name of a loop");
+  const std::string owner = fmt::format("loop '{}'", loop.name.text);
+  Words found;
+  const bool sound = parser.block(owner, kLoopItems, [&] {
+    if (!cursor.at_any(kLoopItems)) parser.unknown_item(owner, kLoopItems);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    if (key.text == "frames") {
+      loop.frames[0] = parser.name("the name of a frame");
+      cursor.expect("~", fmt::format("after '{}'", loop.frames[0].text));
+      loop.frames[1] = parser.name("the name of a frame");
+    } else if (key.text == "type") {
+      type(parser, loop);
+    } else {
+      loop.distance = parser.scalar();
+    }
+  });
+  if (!sound || !parser.check_complete(owner, loop.name.span, found, {"frames"})) return;
+  const bool has_type = !loop.type.text.empty();
+  if (has_type == (loop.distance != nullptr)) {
+    cursor.error_at(
+              loop.name.span, "loop-type",
+              owner + (has_type ? " has a type and a distance" : " has no type"))
+        .hint = has_type ? "a loop that keeps a distance has no other type"
+                         : fmt::format("write 'type = …' with one of {}, or 'distance = …'", quoted(kLoopTypes));
+    return;
+  }
+  body.loop_joints.push_back(std::move(loop));
+}
+
+}  // namespace
+
+bool at_loops(const Cursor& cursor) {
+  return cursor.at("loops") && cursor.at("{", 1);
+}
+
+bool at_independent(const Cursor& cursor) {
+  return cursor.at("independent") && cursor.at("{", 1);
+}
+
+void loops(BlockParser& parser, Body& body) {
+  Cursor& cursor = parser.cursor();
+  const Token word = cursor.take();
+  parser.block(
+      fmt::format("'{}'", word.text),
+      [&] { return cursor.at_name() && cursor.at("{", 1) && !cursor.at_any({"couplings", "loops", "independent"}); },
+      [&] { loop(parser, body); });
+  take_comments(parser, body);
+}
+
+void independent(BlockParser& parser, Body& body) {
+  Cursor& cursor = parser.cursor();
+  cursor.take();
+  cursor.expect("{", "after 'independent'");
+  do body.independents.push_back(parser.name("the name of a joint"));
+  while (cursor.accept(","));
+  if (!cursor.accept("}")) cursor.unexpected("',' or '}'", "in the list of joints");
+  take_comments(parser, body);
+}
+
+}  // namespace robcogen::language::kinematics

@@ -1,0 +1,470 @@
+#include "model/loops.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "model/loop_geometry.h"
+#include "model/name_index.h"
+#include "support/index.h"
+
+namespace robcogen::model {
+
+int constraints_of(LoopType type) {
+  switch (type) {
+    case LoopType::point:
+      return 3;
+    case LoopType::hinge:
+    case LoopType::slider:
+      return 5;
+    case LoopType::weld:
+      return 6;
+    case LoopType::distance:
+      break;
+  }
+  return 1;
+}
+
+namespace {
+
+// Axes that differ by less are parallel but for rounding; those that differ by less than the second are meant to be.
+constexpr double kParallel = 1e-9;
+constexpr double kMeantParallel = 1e-3;
+// Of the length of a loop: how far its ends may miss one another.
+constexpr double kClosed = 1e-9;
+// A loop is stretched where the sine between the directions of its dependent joints is smaller.
+constexpr double kStretched = 1e-4;
+
+class LoopResolution {
+ public:
+  LoopResolution(const Description& description, KinematicTree& tree, Diagnostics& diagnostics)
+      : description_(description), tree_(tree), diagnostics_(diagnostics) {
+    for (const Parameter& p : tree.parameters) parameters_.push_back(p.default_value.value_or(1.0));
+    for (const Coupling& coupling : tree.couplings) {
+      given_.insert(coupling.joint);
+      for (const Coupling::Term& term : coupling.terms) given_.insert(term.joint);
+    }
+  }
+
+  void run() {
+    for (const DescribedIndependent& named : description_.independents) declare(named);
+    for (const DescribedLoop& loop : description_.loops) declare(loop);
+    if (has_errors()) return;
+    for (const LoopJoint& loop : tree_.loops)
+      for (const LoopEnd& end : loop.ends)
+        for (const int joint : end.joints) ++loops_of_[joint];
+    for (std::size_t k = 0; k < tree_.loops.size(); ++k) resolve(static_cast<int>(k));
+    if (has_errors()) return;
+    check_independents();
+    order();
+    if (!has_errors()) assemble();
+    if (!has_errors()) add_couplings();
+  }
+
+ private:
+  const Description& description_;
+  KinematicTree& tree_;
+  Diagnostics& diagnostics_;
+  std::size_t errors_before_ = diagnostics_.error_count();
+  std::vector<double> parameters_;
+  std::set<int> given_;              // joints of couplings
+  std::map<int, Place> independent_;  // joints that are to be independent
+  std::map<int, int> loops_of_;      // by joint: how many it is part of
+  std::map<int, int> followed_;      // dependent joints, and their closures
+
+  bool has_errors() const { return diagnostics_.error_count() > errors_before_; }
+  const std::string& name(int joint) const { return tree_.joints[at(joint)].name; }
+  std::vector<double> zeros() const { return std::vector<double>(tree_.joints.size()); }
+
+  std::string quoted(const std::vector<int>& joints) const {
+    std::string text;
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      text += (k == 0 ? "'" : k + 1 == joints.size() ? " and '" : ", '") + name(joints[k]) + "'";
+    return text;
+  }
+
+  // -------------------------------------------------------------------------------------------------------------------
+  // Names.
+
+  void declare(const DescribedIndependent& named) {
+    const auto joint = tree_.find_joint(named.joint);
+    if (!joint) {
+      NameIndex names;
+      for (const Joint& known : tree_.joints) names.add(known.name);
+      Diagnostic& error = diagnostics_.error(
+          "unknown-joint", named.place, fmt::format("joint '{}' is not declared", named.joint));
+      if (const auto similar = names.nearest_to(named.joint))
+        error.hint = fmt::format("did you mean '{}'?", names.name_of(*similar));
+      return;
+    }
+    const auto [earlier, is_new] = independent_.insert({*joint, named.place});
+    if (!is_new) {
+      diagnostics_.error("independent-twice", named.place, fmt::format("joint '{}' is listed twice", named.joint))
+          .notes.push_back({earlier->second, "first listed here"});
+    } else if (tree_.coupling_of(*joint) != nullptr) {
+      diagnostics_.error(
+          "independent-coupled", named.place,
+          fmt::format("joint '{}' cannot be independent: a coupling ties it to others", named.joint));
+    }
+  }
+
+  std::optional<LoopEnd> end_of(const std::string& frame, const Place& place) {
+    const auto found = tree_.find_frame(frame);
+    if (!found) {
+      NameIndex names;
+      for (const Frame& known : tree_.frames()) names.add(known.name);
+      Diagnostic& error = diagnostics_.error(
+          "unknown-loop-frame", place, fmt::format("robot '{}' has no frame '{}'", tree_.name, frame));
+      if (const auto similar = names.nearest_to(frame))
+        error.hint = fmt::format("did you mean '{}'?", names.name_of(*similar));
+      return std::nullopt;
+    }
+    Placement placement;
+    if (found->kind == Frame::Kind::user) placement = tree_.user_frames[at(found->index)].placement;
+    if (found->kind == Frame::Kind::joint) placement = tree_.joints[at(found->index)].placement;
+    return LoopEnd{frame, tree_.link_of(*found), placement, {}};
+  }
+
+  std::vector<int> joints_to_base(int link) const {
+    std::vector<int> joints;
+    for (int j = tree_.links[at(link)].parent_joint; j >= 0; j = tree_.parent_joint_of(j)) joints.push_back(j);
+    std::reverse(joints.begin(), joints.end());
+    return joints;
+  }
+
+  void declare(const DescribedLoop& described) {
+    for (const LoopJoint& other : tree_.loops)
+      if (other.name == described.name)
+        diagnostics_.error("duplicate-loop", described.place, fmt::format("loop '{}' is declared twice", other.name))
+            .notes.push_back({other.place, "first declared here"});
+    LoopJoint loop = {described.name, described.type, {}, described.length, described.place};
+    for (std::size_t e = 0; e < 2; ++e) {
+      auto end = end_of(described.frames[e], described.frame_places[e]);
+      if (!end) return;
+      end->joints = joints_to_base(end->link);
+      loop.ends[e] = std::move(*end);
+    }
+    std::vector<int>&first = loop.ends[0].joints, &second = loop.ends[1].joints;
+    std::size_t common = 0;
+    while (common < first.size() && common < second.size() && first[common] == second[common]) ++common;
+    for (std::vector<int>* joints : {&first, &second})
+      joints->erase(joints->begin(), joints->begin() + static_cast<std::ptrdiff_t>(common));
+    if (first.empty() && second.empty()) {
+      diagnostics_
+          .error(
+              "loop-on-one-link", described.place,
+              fmt::format(
+                  "loop '{}' connects two frames of link '{}'", described.name,
+                  tree_.links[at(loop.ends[0].link)].name))
+          .hint = "the frames of a loop are on links that move with respect to one another";
+      return;
+    }
+    tree_.loops.push_back(std::move(loop));
+  }
+
+  // -------------------------------------------------------------------------------------------------------------------
+  // What a loop is, and which joints follow.
+
+  void resolve(int index) {
+    const LoopJoint& loop = tree_.loops[at(index)];
+    Closure closure;
+    closure.loop = index;
+    closure.method = loop.type == LoopType::distance ? Closure::Method::distance : Closure::Method::planar;
+    const LoopPosture start = posture(tree_, loop, zeros(), parameters_);
+    if (closure.method == Closure::Method::planar && !find_plane(loop, start, closure)) return;
+    const std::vector<int> free = candidates(loop);
+    const std::size_t wanted = closure.method == Closure::Method::planar ? 2 : 1;
+    if (free.size() < wanted) {
+      std::vector<int> kept;
+      for (const LoopScrew& screw : start.screws)
+        if (independent_.contains(screw.joint)) kept.push_back(screw.joint);
+      Diagnostic& error = diagnostics_.error(
+          "loop-over-constrained", loop.place,
+          fmt::format(
+              "loop '{}' takes away {}, but only {} of its joints can follow the others", loop.name,
+              wanted == 1 ? "one motion" : "two motions", free.empty() ? "none" : "one"));
+      if (!kept.empty()) error.hint = fmt::format("leave {} out of 'independent'", quoted(kept));
+      return;
+    }
+    choose(loop, start, free, wanted, closure);
+    if (closure.dependents.empty()) {
+      diagnostics_.error(
+          "loop-without-form", loop.place,
+          fmt::format(
+              "no {} of the joints of loop '{}' can follow the others at q = 0: it is stretched, or they slide side by "
+              "side",
+              wanted == 1 ? "one" : "two", loop.name))
+          .hint = "place the links so that the loop is open at q = 0";
+      return;
+    }
+    const int number = static_cast<int>(tree_.closures.size());
+    for (const int joint : closure.dependents) followed_.insert({joint, number});
+    tree_.closures.push_back(std::move(closure));
+  }
+
+  // Joints that may follow.
+  std::vector<int> candidates(const LoopJoint& loop) const {
+    std::vector<int> result;
+    for (const LoopEnd& end : loop.ends)
+      for (const int joint : end.joints)
+        if (!given_.contains(joint) && !independent_.contains(joint) && !followed_.contains(joint))
+          result.push_back(joint);
+    return result;
+  }
+
+  bool is_driven(int joint) const {
+    const Joint& j = tree_.joints[at(joint)];
+    return j.drive.has_inertia() || std::isfinite(j.limits.effort);
+  }
+
+  // The number of driven joints, that of joints that other loops share, and how badly they are determined.
+  using Score = std::tuple<int, int, double>;
+
+  void choose(
+      const LoopJoint& loop,
+      const LoopPosture& start,
+      const std::vector<int>& free,
+      std::size_t wanted,
+      Closure& closure) const {
+    std::optional<Score> best;
+    const auto consider = [&](std::vector<int> joints) {
+      Closure trial = closure;
+      trial.dependents = std::move(joints);
+      const double condition =
+          conditioning(trial, start, error_of(trial, start, evaluate(loop.length, parameters_)));
+      if (!(condition > kStretched) || slides(trial.dependents) > 1) return;
+      Score score = {0, 0, -condition};
+      for (const int joint : trial.dependents) {
+        std::get<0>(score) += is_driven(joint) ? 1 : 0;
+        std::get<1>(score) += loops_of_.at(joint) - 1;
+      }
+      if (best && !(score < *best)) return;
+      best = score;
+      closure.dependents = trial.dependents;
+    };
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      if (wanted == 1) consider({free[i]});
+      for (std::size_t k = i + 1; wanted == 2 && k < free.size(); ++k) consider({free[i], free[k]});
+    }
+  }
+
+  int slides(const std::vector<int>& joints) const {
+    return static_cast<int>(std::count_if(joints.begin(), joints.end(), [&](int j) {
+      return tree_.joints[at(j)].type == JointType::prismatic;
+    }));
+  }
+
+  // Whether all of a loop moves in a plane; reports why not.
+  bool find_plane(const LoopJoint& loop, const LoopPosture& start, Closure& closure) {
+    if (loop.type != LoopType::point && loop.type != LoopType::hinge) {
+      diagnostics_.error(
+          "loop-unsupported", loop.place,
+          fmt::format("loop '{}': '{}' is not served yet", loop.name, kLoopTypes[static_cast<std::size_t>(loop.type)]))
+          .hint = "write it as a 'hinge', a 'point' or a 'distance'";
+      return false;
+    }
+    const auto turning =
+        std::find_if(start.screws.begin(), start.screws.end(), [](const LoopScrew& screw) { return screw.turns; });
+    std::string reason;
+    Numbers3 normal{};
+    if (turning == start.screws.end())
+      reason = "none of its joints turns";
+    else
+      normal = turning->axis;
+    for (const LoopScrew& screw : start.screws) {
+      const Joint& joint = tree_.joints[at(screw.joint)];
+      if (!reason.empty()) break;
+      if (joint.type != JointType::revolute && joint.type != JointType::prismatic) {
+        reason = fmt::format("joint '{}' neither turns nor slides alone", joint.name);
+        break;
+      }
+      const double off = screw.turns ? norm(cross(screw.axis, normal)) : std::abs(dot(screw.axis, normal));
+      if (off > kParallel) reason = off_plane(joint.name, off);
+    }
+    for (std::size_t e = 0; reason.empty() && loop.type == LoopType::hinge && e < 2; ++e) {
+      const double off = norm(cross(start.directions[e], normal));
+      if (off > kParallel)
+        reason = off > kMeantParallel ? fmt::format("the z axis of '{}', about which the hinge turns, is not parallel to its joints", loop.ends[e].frame)
+                                      : off_plane(loop.ends[e].frame, off);
+    }
+    if (!reason.empty()) {
+      diagnostics_
+          .error(
+              "loop-not-planar", loop.place,
+              fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason))
+          .hint = "served are loops in a plane, and distances between two frames";
+      return false;
+    }
+    span_plane(start, normal, closure);
+    const double gap = dot(normal, start.points[0] - start.points[1]);
+    if (std::abs(gap) > kClosed * size_of(start)) {
+      report_gap(loop, std::abs(gap), "along the axes of its joints");
+      return false;
+    }
+    return true;
+  }
+
+  static std::string off_plane(const std::string& what, double off) {
+    if (off > kMeantParallel) return fmt::format("the axis of '{}' is in another direction", what);
+    return fmt::format("the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off);
+  }
+
+  // Coordinate axes where the normal is one.
+  void span_plane(const LoopPosture& start, Numbers3 normal, Closure& closure) const {
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::abs(normal[i]) > std::abs(normal[largest])) largest = i;
+    if (normal[largest] < 0.0)
+      for (double& x : normal) x = -x;
+    if (normal[largest] > 1.0 - kParallel * kParallel) {
+      normal = {};
+      normal[largest] = 1.0;
+    }
+    Numbers3 first{};
+    first[(largest + 1) % 3] = 1.0;
+    const double along = dot(first, normal);
+    for (std::size_t i = 0; i < 3; ++i) first[i] -= along * normal[i];
+    const double length = norm(first);
+    for (double& x : first) x /= length;
+    closure.plane = {first, cross(normal, first)};
+    for (const LoopScrew& screw : start.screws)
+      closure.senses[static_cast<std::size_t>(screw.end)].push_back(
+          !screw.turns ? 0 : dot(screw.axis, normal) > 0.0 ? 1 : -1);
+  }
+
+  static double size_of(const LoopPosture& start) {
+    double size = 0.0;
+    for (const LoopScrew& screw : start.screws)
+      size = std::max(size, norm(start.points[static_cast<std::size_t>(screw.end)] - screw.origin));
+    return std::max(size, norm(start.points[0] - start.points[1]));
+  }
+
+  void report_gap(const LoopJoint& loop, double gap, const std::string& where) {
+    diagnostics_
+        .error(
+            "loop-cannot-close", loop.place,
+            fmt::format("loop '{}' does not close at q = 0: '{}' misses '{}' by {:.3g} m{}", loop.name,
+                        loop.ends[0].frame, loop.ends[1].frame, gap, where.empty() ? "" : " " + where))
+        .hint = "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and frames";
+  }
+
+  // -------------------------------------------------------------------------------------------------------------------
+  // All of them.
+
+  void check_independents() {
+    for (const auto& [joint, place] : independent_)
+      if (followed_.contains(joint))
+        diagnostics_.error(
+            "independent-follows", place, fmt::format("joint '{}' cannot be independent", name(joint)));
+  }
+
+  // Every closure behind those whose joints it takes as given.
+  void order() {
+    std::vector<Closure> sorted;
+    std::vector<bool> done(tree_.closures.size());
+    while (sorted.size() < tree_.closures.size()) {
+      bool progress = false;
+      for (std::size_t k = 0; k < tree_.closures.size(); ++k) {
+        if (done[k] || !is_ready(static_cast<int>(k), done)) continue;
+        sorted.push_back(tree_.closures[k]);
+        done[k] = progress = true;
+      }
+      if (progress) continue;
+      std::string text;
+      const LoopJoint* first = nullptr;
+      for (std::size_t k = 0; k < done.size(); ++k) {
+        if (done[k]) continue;
+        const LoopJoint& loop = tree_.loops[at(tree_.closures[k].loop)];
+        if (first == nullptr) first = &loop;
+        text += (text.empty() ? "'" : ", '") + loop.name + "'";
+      }
+      diagnostics_
+          .error("loops-entangled", first->place, fmt::format("loops {} can only be closed together", text))
+          .hint = "list joints in 'independent' so that each loop follows from them, or from other loops";
+      return;
+    }
+    tree_.closures = std::move(sorted);
+    followed_.clear();
+    for (std::size_t k = 0; k < tree_.closures.size(); ++k)
+      for (const int joint : tree_.closures[k].dependents) followed_.insert({joint, static_cast<int>(k)});
+  }
+
+  bool is_ready(int closure, const std::vector<bool>& done) const {
+    for (const LoopEnd& end : tree_.loops[at(tree_.closures[at(closure)].loop)].ends)
+      for (const int joint : end.joints) {
+        const auto other = followed_.find(joint);
+        if (other != followed_.end() && other->second != closure && !done[at(other->second)]) return false;
+      }
+    return true;
+  }
+
+  // At q = 0 of the independent joints: whether the loops close, and how.
+  void assemble() {
+    std::vector<double> q = zeros();
+    for (const Coupling& coupling : tree_.couplings) q[at(coupling.joint)] = evaluate(coupling.offset, parameters_);
+    for (Closure& closure : tree_.closures) {
+      const LoopJoint& loop = tree_.loops[at(closure.loop)];
+      const double gap = model::close(tree_, closure, q, parameters_);
+      const LoopPosture now = posture(tree_, loop, q, parameters_);
+      if (!(gap <= kClosed * size_of(now))) {
+        report_gap(loop, gap, "");
+        return;
+      }
+      const double length = evaluate(loop.length, parameters_);
+      if (conditioning(closure, now, error_of(closure, now, length)) < kStretched) {
+        diagnostics_
+            .error(
+                "loop-stretched", loop.place,
+                fmt::format(
+                    "loop '{}' is stretched at q = 0: the way it is assembled, and the motions of {}, are undefined",
+                    loop.name, quoted(closure.dependents)))
+            .hint = "turn the placement of a joint so that the loop is open at q = 0";
+        return;
+      }
+      closure.branch = branch_of(tree_, closure, now);
+    }
+  }
+
+  // -------------------------------------------------------------------------------------------------------------------
+  // The joints of the tree that follow.
+
+  void add_couplings() {
+    for (std::size_t k = 0; k < tree_.closures.size(); ++k) {
+      const Closure& closure = tree_.closures[k];
+      std::set<int> followed;
+      for (const LoopEnd& end : tree_.loops[at(closure.loop)].ends)
+        for (const int joint : end.joints) {
+          if (std::find(closure.dependents.begin(), closure.dependents.end(), joint) != closure.dependents.end())
+            continue;
+          if (const Coupling* coupling = tree_.coupling_of(joint))
+            for (const Coupling::Term& term : coupling->terms) followed.insert(term.joint);
+          else
+            followed.insert(joint);
+        }
+      for (const int joint : closure.dependents) {
+        Coupling coupling;
+        coupling.joint = joint;
+        for (const int other : followed) coupling.terms.push_back({other, Quantity()});
+        coupling.closure = static_cast<int>(k);
+        const auto place = std::lower_bound(
+            tree_.couplings.begin(), tree_.couplings.end(), joint,
+            [](const Coupling& c, int j) { return c.joint < j; });
+        tree_.couplings.insert(place, std::move(coupling));
+      }
+    }
+  }
+};
+
+}  // namespace
+
+void resolve_loops(const Description& description, KinematicTree& tree, Diagnostics& diagnostics) {
+  if (description.loops.empty() && description.independents.empty()) return;
+  LoopResolution(description, tree, diagnostics).run();
+}
+
+}  // namespace robcogen::model
