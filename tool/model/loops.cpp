@@ -39,6 +39,7 @@ constexpr double kMeantParallel = 1e-3;
 constexpr double kClosed = 1e-9;
 // A loop is stretched where the sine between the directions of its dependent joints is smaller.
 constexpr double kStretched = 1e-4;
+constexpr double kWellDetermined = 0.1;
 
 class LoopResolution {
  public:
@@ -222,8 +223,9 @@ class LoopResolution {
     return j.drive.has_inertia() || std::isfinite(j.limits.effort);
   }
 
-  // The number of driven joints, that of joints that other loops share, and how badly they are determined.
-  using Score = std::tuple<int, int, double>;
+  // The number of driven joints, that of joints that other loops share, whether they are determined badly, and how
+  // early they stand in the document.
+  using Score = std::tuple<int, int, bool, int>;
 
   void choose(
       const LoopJoint& loop,
@@ -238,10 +240,11 @@ class LoopResolution {
       const double condition =
           conditioning(trial, start, error_of(trial, start, evaluate(loop.length, parameters_)));
       if (!(condition > kStretched) || slides(trial.dependents) > 1) return;
-      Score score = {0, 0, -condition};
+      Score score = {0, 0, condition < kWellDetermined, 0};
       for (const int joint : trial.dependents) {
         std::get<0>(score) += is_driven(joint) ? 1 : 0;
         std::get<1>(score) += loops_of_.at(joint) - 1;
+        std::get<3>(score) -= joint;
       }
       if (best && !(score < *best)) return;
       best = score;
