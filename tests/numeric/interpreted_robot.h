@@ -15,6 +15,7 @@
 #include "robcogen/reference/check_identification.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
+#include "robcogen/reference/loops.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::numeric {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robcogen/reference/algebra.h"
 
@@ -133,12 +134,13 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     tables.set_drive(last, drive_of(joint, parameters));
     tables.set_pitch(last, model::evaluate(joint.pitch, parameters));
   }
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (const model::Coupling& coupling : robot.couplings) {
     std::vector<double> factors(order.size() - robot.couplings.size());
     for (const model::Coupling::Term& term : coupling.terms)
       factors[static_cast<std::size_t>(std::find(order.begin(), order.end(), term.joint) - order.begin())] =
-          model::evaluate(term.factor, parameters);
-    tables.add_coupling(factors, model::evaluate(coupling.offset, parameters));
+          coupling.is_linear() ? model::evaluate(term.factor, parameters) : kNone;
+    tables.add_coupling(factors, coupling.is_linear() ? model::evaluate(coupling.offset, parameters) : kNone);
   }
   for (const model::Frame& frame : robot.frames()) {
     const auto index = static_cast<std::size_t>(frame.index);
@@ -148,6 +150,13 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     tables.add_frame(
         frame.name, robot.link_of(frame), values(placement.translation, parameters),
         values(placement.rotation, parameters));
+  }
+  for (const model::LoopJoint& loop : robot.loops) {
+    const auto type = loop.type == model::LoopType::distance ? reflection::LoopType::distance
+                      : loop.type == model::LoopType::hinge  ? reflection::LoopType::hinge
+                                                             : reflection::LoopType::point;
+    const auto index = [&](std::size_t end) { return frame_index(robot, *robot.find_frame(loop.ends[end].frame)); };
+    tables.add_loop(loop.name, type, index(0), index(1), model::evaluate(loop.length, parameters));
   }
   return tables;
 }

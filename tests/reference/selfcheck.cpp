@@ -28,6 +28,7 @@
 #include "robcogen/reference/check_trigonometry.h"
 #include "robcogen/reference/command_line.h"
 #include "robcogen/reference/compiled_robot.h"
+#include "robcogen/reference/loops.h"
 
 namespace robcogen::reference {
 namespace {
@@ -35,8 +36,9 @@ namespace {
 template <class R>
 void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64& engine, int samples, Checks& checks) {
   for (int i = 0; i < samples; ++i) {
-    const Sample sample = random_sample(engine, robot);
-    const Case c(robot, sample, i);
+    Sample sample;
+    const AtLoops closed = draw(engine, robot, sample);
+    const Case c(closed.robot(), sample, i);
     if constexpr (kHasInverseDynamics) check_inverse_dynamics(subject, c, checks);
     if constexpr (kHasBiasForces) check_bias_forces(subject, c, checks);
     if constexpr (kHasBiasForces) check_gravity_gradient(subject, c, checks);
@@ -88,8 +90,9 @@ void check_single(
     Checks& checks) {
   checks.in_single(true);
   for (int i = 0; i < samples; ++i) {
-    const Sample sample = in_single(random_sample(engine, robot));
-    const Case c(robot, sample, i);
+    Sample sample;
+    const AtLoops closed = draw(engine, robot, sample, true);
+    const Case c(closed.robot(), sample, i);
     if constexpr (kHasInverseDynamics) check_inverse_dynamics(subject, c, checks);
     if constexpr (kHasBiasForces) check_bias_forces(subject, c, checks);
     if constexpr (kHasForwardDynamics) check_forward_dynamics(subject, c, checks);

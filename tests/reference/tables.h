@@ -65,6 +65,11 @@ class Tables {
     couplings_.push_back({kept.data(), offset});
   }
 
+  // By frame indices. Couplings that follow through loops have factors that are not numbers.
+  void add_loop(const std::string& name, reflection::LoopType type, int first, int second, double length) {
+    loops_.push_back({stored(name), type, {first, second}, length});
+  }
+
   // Returns the frame's index.
   int add_frame(const std::string& name, int link, const Triple& translation = {}, const Triple& rotation = {}) {
     frames_.push_back({stored(name), link, {}, {}});
@@ -102,6 +107,7 @@ class Tables {
                                {nullptr, 0}};
     robot.couplings = view(couplings_);
     robot.contacts = view(contacts_);
+    robot.loops = view(loops_);
     return robot;
   }
 
@@ -124,6 +130,7 @@ class Tables {
   std::deque<std::vector<double>> factors_;
   std::vector<reflection::Coupling> couplings_;
   std::vector<reflection::Contact> contacts_;
+  std::vector<reflection::Loop> loops_;
   std::vector<reflection::Jacobian> jacobians_;
   std::vector<reflection::FrameFunction> frame_functions_;
 };

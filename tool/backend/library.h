@@ -114,6 +114,13 @@ struct ContactData {
   bool is_surface = false;
 };
 
+// As reflection::Loop.
+struct LoopData {
+  std::string name, type;  // of the enumeration
+  int first_frame = 0, second_frame = 0;  // into Library::frames
+  double length = 0.0;
+};
+
 // In the order of the elements of inputs of role `parameters`.
 struct ParameterData {
   std::string name;
@@ -194,6 +201,7 @@ struct Library {
   std::vector<CoupledJointData> coupled = {};
   std::vector<FrameData> frames;
   std::vector<LimbData> limbs = {};
+  std::vector<LoopData> loops = {};
   std::vector<ContactData> contacts = {};  // where the library has functions of them
   std::vector<ParameterData> parameters;   // constants above that depend on one without default are not a number
   std::vector<std::string> variables;      // with no robot: in the document's order of their first use

@@ -104,6 +104,16 @@ class Constants {
     return data;
   }
 
+  backend::LoopData of(const model::LoopJoint& loop, const std::vector<backend::FrameData>& frames) const {
+    const auto index_of = [&](const std::string& name) {
+      const auto found = std::find_if(frames.begin(), frames.end(), [&](const auto& f) { return f.name == name; });
+      return static_cast<int>(found - frames.begin());
+    };
+    return {
+        loop.name, std::string(model::kLoopTypes[at(static_cast<int>(loop.type))]), index_of(loop.ends[0].frame),
+        index_of(loop.ends[1].frame), value(loop.length)};
+  }
+
   backend::FrameData of(const model::Frame& frame) const {
     backend::FrameData data;
     data.name = frame.name;
@@ -159,6 +169,7 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   for (std::size_t k = joints.size(); k-- > 0;) library.links[at(joints[k].child)].parent_joint = static_cast<int>(k);
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
   library.limbs = limbs_of(tree, library);
+  for (const model::LoopJoint& loop : tree.loops) library.loops.push_back(constants.of(loop, library.frames));
   for (const model::Parameter& p : tree.parameters) {
     backend::ParameterData data = {p.name};
     if (p.default_value) data.default_value = *p.default_value;

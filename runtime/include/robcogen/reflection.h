@@ -241,8 +241,8 @@ struct Parameter {
 
 // A joint whose position follows others: offset + the sum of factor * q.
 struct Coupling {
-  const double* factors;  // one an element of qd
-  double offset;          // rad or m
+  const double* factors;  // one an element of qd; not numbers where the joint follows through a loop
+  double offset;          // rad or m; the same
 };
 
 template <class T>
@@ -260,6 +260,17 @@ using BatchFunctions = Table<BatchFunction>;
 struct Contact {
   int frame;
   bool is_surface;
+};
+
+enum class LoopType { point, hinge, distance };
+
+// What stays the same between two frames: that their origins coincide; these and their z axes; or the distance of their
+// origins.
+struct Loop {
+  const char* name;
+  LoopType type;
+  int frames[2];
+  double length;  // of a distance (m); not a number where it depends on parameters without defaults
 };
 
 struct Robot {
@@ -290,6 +301,8 @@ struct Robot {
   // Whether the numbers of a joint end with its pitch.
   bool numbers_of_pitches = false;
   Limbs limbs = {};
+  // Where there are some, couplings whose factors are not numbers follow through these.
+  Table<Loop> loops = {nullptr, 0};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
   // Elements of q: those of qd, and the scalar part of the quaternion of each spherical joint.

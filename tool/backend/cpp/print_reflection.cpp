@@ -70,6 +70,15 @@ Table contacts(const Library& library) {
   return table("Contact", "kContacts", rows);
 }
 
+Table loops(const Library& library) {
+  std::vector<std::vector<Field>> rows;
+  for (const LoopData& l : library.loops)
+    rows.push_back(
+        {quoted(l.name), "robcogen::reflection::LoopType::" + l.type,
+         braced({std::to_string(l.first_frame), std::to_string(l.second_frame)}), model_number(l.length)});
+  return table("Loop", "kLoops", rows);
+}
+
 bool is_form(const Callable& c, Role role) {
   return c.function->left_frame >= 0 && c.function->derivatives.empty() && !c.function->program.outputs.empty() &&
          c.function->program.outputs.front().role == role;
@@ -265,7 +274,8 @@ std::vector<LastField> last_fields(
     const Table& parameters,
     const Table& couplings,
     const Table& derivatives,
-    const Table& contacts) {
+    const Table& contacts,
+    const Table& loops) {
   const Library& library = *api.library;
   const auto numbers = [&](std::size_t i) {
     return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
@@ -281,7 +291,8 @@ std::vector<LastField> last_fields(
       {derivatives.reference, "derivatives", kNoTable},
       {contacts.reference, "contacts", kNoTable},
       {boolean(api.is_parametric() && library.has_pitches()), "numbers of pitches", "false"},
-      {library.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(library.limbs.size())}), "limbs", "{}"}};
+      {library.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(library.limbs.size())}), "limbs", "{}"},
+      {loops.reference, "loops", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }
@@ -309,9 +320,10 @@ std::string print_reflection(const Api& api, const std::string& path) {
   const Table of_couplings = library.coupled.empty() ? none : couplings(library);
   const Table of_derivatives = derivatives(all_callables(api), api.is_parametric());
   const Table of_contacts = library.contacts.empty() ? none : contacts(library);
-  for (const Table& t : {of_parameters, of_couplings, of_derivatives, of_contacts})
+  const Table of_loops = library.loops.empty() ? none : loops(library);
+  for (const Table& t : {of_parameters, of_couplings, of_derivatives, of_contacts, of_loops})
     if (!t.definition.empty()) parts.push_back(t.definition);
-  for (const LastField& field : last_fields(api, of_parameters, of_couplings, of_derivatives, of_contacts)) {
+  for (const LastField& field : last_fields(api, of_parameters, of_couplings, of_derivatives, of_contacts, of_loops)) {
     fields.push_back(field.value);
     remarks.push_back(field.remark);
   }
@@ -335,7 +347,7 @@ std::string print_reflection(const Api& api, const std::string& path) {
   if (!library.limbs.empty()) own.push_back(cpp::quoted(folder(library) + "/model.h"));
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
-       api.is_parametric() ? includes({"<limits>"}) : "", includes(headers), includes(own), runtime_check(api), levels,
+       api.is_parametric() || !library.loops.empty() ? includes({"<limits>"}) : "", includes(headers), includes(own), runtime_check(api), levels,
        batch_kernels, in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 

@@ -76,9 +76,7 @@ template <class Subject>
 void check_free_fall(const Subject& subject, const Case& c, Checks& checks) {
   if (!c.floating) return;
   const Motion<double>& m = c.sample.motion;
-  double speed = 1;
-  for (int j = 0; j < m.qd.rows(); ++j) speed += std::abs(m.qd(j));
-  const double step = 1e-2 / speed;  // s: the longest chain turns by 0.01 rad at most
+  const double speed = speed_of(c.robot, m), step = step_of_time(c.robot, m);
   const auto matrix = [&](double steps) {
     return subject.centroidal_momentum_matrix(moved(c.robot, m.q, steps * step * m.qd));
   };

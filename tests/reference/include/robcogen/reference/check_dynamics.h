@@ -133,6 +133,7 @@ void check_bias_forces(const Subject& subject, const Case& c, Checks& checks) {
   Motion<double> steady = rest;
   steady.qd = s.motion.qd;
   steady.base_velocity = s.motion.base_velocity;
+  steady.of_loops = s.motion.of_loops;
   const auto compare = [&](const std::string& name, const Vector<double>& actual, const Motion<double>& motion,
                            const Loads<Real>& loads) {
     checks.record(name, kForce, error_of(c, actual, expected_forces(c, motion, loads)), c.index);

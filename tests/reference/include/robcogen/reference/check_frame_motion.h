@@ -7,6 +7,7 @@
 #include <complex>
 #include <set>
 
+#include "robcogen/reference/loops.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 
@@ -56,6 +57,11 @@ inline Matrix<Real> frame_quantity(
         robot, [&](const auto& q, const auto&) { return frame_jacobian(robot, q, left, right); }, m);
   };
   const auto twist = [&](const auto& q, const auto& qd) { return spatial_jacobian(robot, q, left, right) * qd; };
+  // What joints add that follow through loops in a proportion that changes.
+  const auto of_loops = [&](const auto& jacobian) {
+    if (m.of_loops.empty()) return Matrix<Real>(6, 1);
+    return jacobian(with_free_joints(robot), joint_positions(robot, m.q)) * m.of_loops;
+  };
   switch (quantity) {
     case FrameQuantity::jacobian_in_target:
       return jacobian_in_target(robot, m.q, left, right);
@@ -64,11 +70,12 @@ inline Matrix<Real> frame_quantity(
     case FrameQuantity::jacobian_derivative:
       return derivative();
     case FrameQuantity::frame_bias_acceleration:
-      return derivative() * m.qd;
+      return derivative() * m.qd + of_loops([&](const Robot& r, const auto& q) { return frame_jacobian(r, q, left, right); });
     case FrameQuantity::frame_velocity:
       return twist(m.q, m.qd);
     case FrameQuantity::frame_acceleration:
-      return rate_of(robot, twist, m);
+      return rate_of(robot, twist, m) +
+             of_loops([&](const Robot& r, const auto& q) { return spatial_jacobian(r, q, left, right); });
   }
   return Matrix<Real>(6, 0);
 }

@@ -128,13 +128,25 @@ void check_energy(const Subject& subject, const Case& c, Checks& checks) {
       relative_error((H * velocity).head(6), momentum(c.robot, c.motion), terms.head(6)), c.index);
 }
 
+// One and the speeds of all joints.
+inline double speed_of(const Robot& robot, const Motion<double>& m) {
+  double speed = 1;
+  const Vector<double> rates = joint_rates(robot, m.qd);
+  for (int j = 0; j < rates.rows(); ++j) speed += std::abs(rates(j));
+  return speed;
+}
+
+// For differences by time (s): the longest chain turns by 0.01 rad at most, by less where proportions change.
+inline double step_of_time(const Robot& robot, const Motion<double>& m) {
+  return (robot.loops.size > 0 ? 1e-3 : 1e-2) / speed_of(robot, m);
+}
+
 // P3: dT/dt = v'(H v' + C) for T = v'Hv/2, so that 2 v'C = v'H'v: links Coriolis forces to the change of H in time.
 template <class Subject>
 void check_power(const Subject& subject, const Case& c, Checks& checks) {
   const Motion<double>& m = c.sample.motion;
-  double speed = 1;
-  for (int j = 0; j < m.qd.rows(); ++j) speed += std::abs(m.qd(j));
-  const double step = 1e-2 / speed;  // s: the longest chain turns by 0.01 rad at most
+  const double step = step_of_time(c.robot, m);
+  const double speed = speed_of(c.robot, m);
   const auto inertia = [&](double steps) {
     return subject.joint_space_inertia(moved(c.robot, m.q, steps * step * m.qd));
   };

@@ -64,7 +64,7 @@ Vector<Scalar> forces_on_drives(
     const Motion<Scalar>& motion,
     const std::vector<LinkMotion<Scalar>>& links,
     const std::vector<Matrix<Scalar>>& poses) {
-  const Vector<Scalar> qd = joint_rates(robot, motion.qd), qdd = joint_rates(robot, motion.qdd);
+  const Vector<Scalar> qd = joint_rates(robot, motion.qd), qdd = joint_accelerations(robot, motion);
   Vector<Scalar> forces(6 + robot.dof());
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;

@@ -65,7 +65,16 @@ struct Motion {
   Vector<Scalar> q, qd, qdd;
   Vector<Scalar> base_velocity = Vector<Scalar>(6);
   Vector<Scalar> base_acceleration = Vector<Scalar>(6);
+  // By joint: accelerations that loops add at these velocities (loops.h); or none.
+  Vector<Scalar> of_loops = {};
 };
+
+// Accelerations of all joints.
+template <class Scalar>
+Vector<Scalar> joint_accelerations(const Robot& robot, const Motion<Scalar>& motion) {
+  const Vector<Scalar> accelerations = joint_rates(robot, motion.qdd);
+  return motion.of_loops.empty() ? accelerations : accelerations + motion.of_loops;
+}
 
 // A motion at rest in the configuration q.
 template <class Scalar>
@@ -277,7 +286,7 @@ std::vector<LinkMotion<Scalar>> link_motions(const Robot& robot, const Motion<Sc
   base.second_rate.set_block(0, 3, motion.base_acceleration.tail(3) + spin * v);
 
   const Vector<Scalar> positions = joint_positions(robot, motion.q);
-  const Vector<Scalar> velocities = joint_rates(robot, motion.qd), accelerations = joint_rates(robot, motion.qdd);
+  const Vector<Scalar> velocities = joint_rates(robot, motion.qd), accelerations = joint_accelerations(robot, motion);
   for (const int j : outward_order(robot)) {
     const reflection::Joint& joint = robot.joints[j];
     const LinkMotion<Scalar>& parent = links[static_cast<std::size_t>(joint.parent)];

@@ -40,7 +40,7 @@ inline void add_drive_terms(
     Vector<double>& sums,
     Vector<double>& by_joint) {
   const Vector<double> q = joint_positions(robot, motion.q), qd = joint_rates(robot, motion.qd);
-  const Vector<double> qdd = joint_rates(robot, motion.qdd);
+  const Vector<double> qdd = joint_accelerations(robot, motion);
   for (int j = 0; j < robot.joints.size; ++j) {
     const JointDrive& drive = robot.joints[j].drive;
     by_joint(j) += std::abs(inertia_of<double>(drive) * qdd(j)) + std::abs(drive.damping * qd(j)) +

@@ -48,6 +48,7 @@ inline Vector<double> unit_vector(std::mt19937_64& engine, int size) {
 
 inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
   constexpr double kAngle = 3.14159265358979323846, kStroke = 1, kRate = 3, kAcceleration = 10, kLoad = 20;
+  constexpr double kNearAngle = 0.3, kNearStroke = 0.03;
   const int n = robot.dof();
   Sample s;
   s.motion.q = Vector<double>(robot.position_count());
@@ -56,6 +57,8 @@ inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
     if (robot.is_follower(j)) continue;
     if (robot.joints[j].type == JointType::spherical)
       s.motion.q.set_block(k - 1, 0, unit_vector(engine, 4));
+    else if (robot.loops.size > 0)  // near the position in which loops are assembled: others may not close
+      s.motion.q(k) = uniform(engine, turns(robot.joints[j].type) ? kNearAngle : kNearStroke);
     else
       s.motion.q(k) = uniform(engine, turns(robot.joints[j].type) ? kAngle : kStroke);
   }
@@ -74,7 +77,7 @@ template <class Scalar>
 Motion<Scalar> cast(const Motion<double>& m) {
   return {
       m.q.cast<Scalar>(), m.qd.cast<Scalar>(), m.qdd.cast<Scalar>(), m.base_velocity.cast<Scalar>(),
-      m.base_acceleration.cast<Scalar>()};
+      m.base_acceleration.cast<Scalar>(), m.of_loops.cast<Scalar>()};
 }
 
 template <class Scalar>

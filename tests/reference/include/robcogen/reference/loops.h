@@ -1,0 +1,209 @@
+// Robots with loops, at one state: the loops are closed by Newton's method from the position in which they are
+// assembled, and joints that follow through them become coupled ones, by the tangent to what they do. Positions,
+// velocities and accelerations, and first derivatives by positions, are those of the robot.
+//
+// Nothing of the generator's formulas is used: loops are rows of functions of all joints, whose derivatives are frame
+// Jacobians of the robot with all joints free, solved by least squares.
+#pragma once
+
+#include <deque>
+
+#include "robcogen/reference/checks.h"
+#include "robcogen/reference/dynamics.h"
+#include "robcogen/reference/samples.h"
+
+namespace robcogen::reference {
+
+// All joints are coordinates.
+inline Robot with_free_joints(Robot robot) {
+  robot.couplings = {nullptr, 0};
+  return robot;
+}
+
+// How the second frame of each loop is missed by the first, and the derivatives by all joints.
+struct LoopRows {
+  Vector<Real> error;
+  Matrix<Real> columns;
+};
+
+inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
+  const Robot free = with_free_joints(robot);
+  constexpr int kMost = 5;
+  LoopRows all{Vector<Real>(kMost * robot.loops.size), Matrix<Real>(kMost * robot.loops.size, robot.joints.size)};
+  int row = 0;
+  for (const reflection::Loop& loop : robot.loops) {
+    const Matrix<Real> X = transform(free, joints, loop.frames[0], loop.frames[1]);
+    const Matrix<Real> J = frame_jacobian(free, joints, loop.frames[0], loop.frames[1]);
+    const Vector<Real> apart = origin_of(X);
+    if (loop.type == reflection::LoopType::distance) {
+      const Real length = static_cast<Real>(loop.length);
+      all.error(row) = (dot(apart, apart) - length * length) / 2;
+      for (int c = 0; c < J.cols(); ++c)
+        for (int i = 0; i < 3; ++i) all.columns(row, c) += apart(i) * J(3 + i, c);
+    } else {
+      for (int i = 0; i < 3; ++i) {
+        all.error(row + i) = apart(i);
+        for (int c = 0; c < J.cols(); ++c) all.columns(row + i, c) = J(3 + i, c);
+      }
+    }
+    if (loop.type == reflection::LoopType::hinge) {
+      // The direction of one axis across the other; it changes by w x z.
+      const Vector<Real> z = X.block(0, 2, 3, 1);
+      for (int i = 0; i < 2; ++i) all.error(row + 3 + i) = z(i);
+      for (int c = 0; c < J.cols(); ++c) {
+        const Vector<Real> change = cross(Vector<Real>{J(0, c), J(1, c), J(2, c)}, z);
+        for (int i = 0; i < 2; ++i) all.columns(row + 3 + i, c) = change(i);
+      }
+    }
+    row += kMost;
+  }
+  return all;
+}
+
+// dK/dt qd, by a difference of eighth order along the velocity.
+inline Vector<Real> change_of_rates(const Robot& robot, const Vector<Real>& joints, const Vector<Real>& velocity) {
+  const Real step = 1e-2L / (1 + std::sqrt(dot(velocity, velocity)));
+  const auto rates = [&](Real steps) { return loop_rows(robot, joints + steps * step * velocity).columns * velocity; };
+  const Real weights[] = {4.0L / 5, -1.0L / 5, 4.0L / 105, -1.0L / 280};
+  Vector<Real> change(loop_rows(robot, joints).error.rows());
+  for (int k = 1; k <= 4; ++k)
+    change = change + weights[k - 1] / step * (rates(static_cast<Real>(k)) - rates(static_cast<Real>(-k)));
+  return change;
+}
+
+class AtLoops {
+ public:
+  // Gives the motion the accelerations that loops add.
+  AtLoops(const Robot& robot, Motion<double>& motion) : robot_(robot) {
+    if (robot.loops.size == 0) return;
+    for (int k = 0; k < robot.couplings.size; ++k)
+      if (std::isnan(robot.couplings[k].offset)) dependent_.push_back(robot.dof() + k);
+    const Vector<Real> y = motion.q.cast<Real>();
+    Vector<Real> joints = closed(y);
+    const Matrix<Real> G = tangent(joints);
+    constexpr Real kClosed = 1e-15L, kRacing = 4;
+    is_usual_ = largest(loop_rows(robot_, joints).error) < kClosed && largest(G) < kRacing;
+    couple(y, joints, G);
+    motion.of_loops = Vector<double>(robot.joints.size);
+    const Vector<Real> added = accelerations(joints, G * motion.qd.cast<Real>());
+    for (std::size_t d = 0; d < dependent_.size(); ++d)
+      motion.of_loops(dependent_[d]) = static_cast<double>(added(static_cast<int>(d)));
+  }
+
+  const Robot& robot() const { return robot_; }
+  // Whether the loops close, and not so near to where they are stretched that joints race.
+  bool is_usual() const { return is_usual_; }
+
+ private:
+  Robot robot_;
+  bool is_usual_ = true;
+  std::vector<int> dependent_;  // joints
+  std::deque<std::vector<double>> factors_;
+  std::vector<reflection::Coupling> couplings_;
+
+  bool is_dependent(int joint) const {
+    return std::find(dependent_.begin(), dependent_.end(), joint) != dependent_.end();
+  }
+
+  // Joints that do not follow through loops, at these coordinates; the others keep their positions.
+  void set_given(const Vector<Real>& y, Vector<Real>& joints) const {
+    for (int j = 0; j < robot_.joints.size; ++j) {
+      if (is_dependent(j)) continue;
+      joints(j) = 0;
+      for (const Mover& mover : movers_of(robot_, j)) joints(j) += static_cast<Real>(mover.factor) * y(mover.coordinate);
+      if (j >= robot_.dof()) joints(j) += static_cast<Real>(robot_.couplings[j - robot_.dof()].offset);
+    }
+  }
+
+  Matrix<Real> dependent_columns(const Matrix<Real>& columns) const {
+    Matrix<Real> K(columns.rows(), static_cast<int>(dependent_.size()));
+    for (std::size_t d = 0; d < dependent_.size(); ++d) K.set_block(0, static_cast<int>(d), columns.col(dependent_[d]));
+    return K;
+  }
+
+  // x with K x = b, by least squares: some rows say the same as others.
+  static Matrix<Real> least_squares(const Matrix<Real>& K, const Matrix<Real>& b) {
+    return solve(transpose(K) * K, transpose(K) * b);
+  }
+
+  // Along a straight way from where they are assembled.
+  Vector<Real> closed(const Vector<Real>& y) const {
+    constexpr int kSteps = 30, kIterations = 12;
+    Vector<Real> joints(robot_.joints.size);
+    for (int step = 0; step <= kSteps; ++step) {
+      set_given(static_cast<Real>(step) / kSteps * y, joints);
+      const int iterations = step == 0 ? 5 * kIterations : kIterations;
+      for (int i = 0; i < iterations; ++i) {
+        const LoopRows rows = loop_rows(robot_, joints);
+        Matrix<Real> error(rows.error.rows(), 1);
+        error.set_block(0, 0, rows.error);
+        const Matrix<Real> move = least_squares(dependent_columns(rows.columns), error);
+        Real largest_move = 0;
+        for (std::size_t d = 0; d < dependent_.size(); ++d)
+          largest_move = std::max(largest_move, std::abs(move(static_cast<int>(d), 0)));
+        const Real share = largest_move > Real(0.5) ? Real(0.5) / largest_move : Real(1);
+        for (std::size_t d = 0; d < dependent_.size(); ++d)
+          joints(dependent_[d]) -= share * move(static_cast<int>(d), 0);
+        constexpr Real kStill = 1e-17L;
+        if (largest_move < kStill) break;
+      }
+    }
+    return joints;
+  }
+
+  // Of all joints by the coordinates.
+  Matrix<Real> tangent(const Vector<Real>& joints) const {
+    Matrix<Real> G(robot_.joints.size, robot_.dof());
+    for (int j = 0; j < robot_.joints.size; ++j)
+      if (!is_dependent(j))
+        for (const Mover& mover : movers_of(robot_, j)) G(j, mover.coordinate) = static_cast<Real>(mover.factor);
+    const Matrix<Real> K = loop_rows(robot_, joints).columns;
+    const Matrix<Real> followed = least_squares(dependent_columns(K), K * G);
+    for (std::size_t d = 0; d < dependent_.size(); ++d)
+      for (int c = 0; c < robot_.dof(); ++c) {
+        // What is left of zero where a joint does not follow a coordinate.
+        constexpr Real kNothing = 1e-14L;
+        const Real rate = followed(static_cast<int>(d), c);
+        G(dependent_[d], c) = std::abs(rate) > kNothing ? -rate : 0;
+      }
+    return G;
+  }
+
+  void couple(const Vector<Real>& y, const Vector<Real>& joints, const Matrix<Real>& G) {
+    for (int k = 0; k < robot_.couplings.size; ++k) {
+      const int joint = robot_.dof() + k;
+      if (!is_dependent(joint)) {
+        couplings_.push_back(robot_.couplings[k]);
+        continue;
+      }
+      std::vector<double>& factors = factors_.emplace_back();
+      Real offset = joints(joint);
+      for (int c = 0; c < robot_.dof(); ++c) {
+        factors.push_back(static_cast<double>(G(joint, c)));
+        offset -= static_cast<Real>(factors.back()) * y(c);
+      }
+      couplings_.push_back({factors.data(), static_cast<double>(offset)});
+    }
+    robot_.couplings.data = couplings_.data();
+  }
+
+  // -K_d^-1 dK/dt qd.
+  Matrix<Real> accelerations(const Vector<Real>& joints, const Vector<Real>& velocity) const {
+    const Vector<Real> change = change_of_rates(robot_, joints, velocity);
+    const Matrix<Real> K = dependent_columns(loop_rows(robot_, joints).columns);
+    return Real(-1) * least_squares(K, change);
+  }
+};
+
+// Of a robot with loops, a state in which they are usual; of others, the robot itself.
+inline AtLoops draw(std::mt19937_64& engine, const Robot& robot, Sample& sample, bool single = false) {
+  constexpr int kTries = 100;
+  for (int i = 0;; ++i) {
+    sample = random_sample(engine, robot);
+    if (single) sample = in_single(sample);
+    AtLoops closed(robot, sample.motion);
+    if (closed.is_usual() || i == kTries) return closed;
+  }
+}
+
+}  // namespace robcogen::reference
