@@ -167,12 +167,13 @@ std::string coupling_tables(const Api& api) {
   std::vector<std::string> factors, offsets;
   for (const CoupledJointData& coupled : library.coupled) {
     std::vector<std::string> row;
-    for (const double factor : coupled.factors) row.push_back(print_double(factor));
+    for (const double factor : coupled.factors) row.push_back(model_number(factor));
     factors.push_back("std::array<double, kDof>" + braced(row));
-    offsets.push_back(print_double(coupled.offset));
+    offsets.push_back(model_number(coupled.offset));
   }
   return paragraphs(
       {"// The position of a coupled joint is its offset plus the sum of factor times position of the joints.\n" +
+           std::string(library.loops.empty() ? "" : "// Not numbers: it follows through a loop, by joint_positions.\n") +
            array("std::array<double, kDof>", kCoupledCount, "kCouplingFactors", factors, api.coupled),
        array("double", kCoupledCount, "kCouplingOffsets", offsets, api.coupled)});
 }
@@ -301,7 +302,7 @@ std::string print_model(const Api& api, const std::string& path) {
   return paragraphs(
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n",
        includes(
-           is_incomplete(library) ? std::vector<std::string>{"<array>", "<limits>"}
+           is_incomplete(library) || !library.loops.empty() ? std::vector<std::string>{"<array>", "<limits>"}
                                   : std::vector<std::string>{"<array>"}),
        includes(runtime), runtime_check(api), in_namespace(api.space, body)});
 }
