@@ -360,7 +360,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     // Robots with loops do not have these.
     const bool has_loops = tables.loops.size > 0;
     if (!has_loops) check_coriolis_matrix(robot, c, checks);
-    if (!has_loops) check_inverse_dynamics_gradient(robot, c, checks);
+    check_inverse_dynamics_gradient(robot, c, checks);
     if (robot.programs().contains("regressor")) {
       check_parameters_of_regressors(robot, c, checks);
       check_regressor(robot, c, checks);

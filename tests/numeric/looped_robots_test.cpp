@@ -94,6 +94,49 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
   }
 }
 
+// Weights times inverse dynamics, which the reference agrees with, by differences.
+TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
+  constexpr Real kStep = 1e-3L, kSame = 1e-9L;
+  for (int i = GetParam(); i < looped_count(); i += kShards) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    auto tree = looped(seed);
+    ASSERT_TRUE(tree);
+    tree->floating_base = false;
+    const InterpretedRobot robot(*tree, {}, {}, {}, {}, {"inverse_dynamics", "inverse_dynamics_gradient"});
+    const reflection::Robot tables = robot.tables();
+    std::mt19937_64 engine(seed);
+    reference::Sample sample;
+    const reference::AtLoops closed = draw(engine, tables, sample);
+    const auto values = [](const Vector<double>& v) { return std::vector<Real>(v.values().begin(), v.values().end()); };
+    const symbolic::Arrays<Real> inputs = {
+        {"q", values(sample.motion.q)},
+        {"qd", values(sample.motion.qd)},
+        {"qdd", values(sample.motion.qdd)},
+        {"weights", values(reference::uniform_vector(engine, tables.dof(), 1))}};
+    const auto gradient = symbolic::interpret(robot.programs().at("inverse_dynamics_gradient"), inputs);
+    for (const char* input : {"q", "qd", "qdd"}) {
+      for (std::size_t k = 0; k < inputs.at(input).size(); ++k) {
+        const auto weighted = [&](int steps) {
+          symbolic::Arrays<Real> moved = inputs;
+          moved.at(input)[k] += static_cast<Real>(steps) * kStep;
+          moved.erase("weights");
+          const auto tau = symbolic::interpret(robot.programs().at("inverse_dynamics"), moved).at("tau");
+          Real sum = 0;
+          for (std::size_t j = 0; j < tau.size(); ++j) sum += inputs.at("weights")[j] * tau[j];
+          return sum;
+        };
+        const Real slope =
+            (45 * (weighted(1) - weighted(-1)) - 9 * (weighted(2) - weighted(-2)) + weighted(3) - weighted(-3)) /
+            (60 * kStep);
+        EXPECT_NEAR(
+            static_cast<double>(gradient.at(std::string("d_") + input)[k]), static_cast<double>(slope),
+            static_cast<double>(kSame * (1 + std::abs(slope) + std::abs(weighted(0)))))
+            << seed << " " << input << k;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Shard, LoopedRobots, testing::Range(0, kShards));
 
 }  // namespace

@@ -63,6 +63,15 @@ void require_values(const driver::Model& model, const Robot& robot) {
           model.file.string(), robot.tree.name, fmt::join(names, ", "))};
 }
 
+// Fails where joints follow through loops.
+void require_no_loops(const driver::Model& model, const Robot& robot, std::string_view reason) {
+  if (!robot.tree.has_loops()) return;
+  throw Failure{
+      wrong_input, fmt::format(
+                       "{}: error: {}, but robot '{}' has loop '{}' [loop-lost]", model.file.string(), reason,
+                       robot.tree.name, robot.tree.loops.front().name)};
+}
+
 // Fails where a joint follows several others.
 void require_mimics(const driver::Model& model, const Robot& robot) {
   for (const model::Coupling& coupling : robot.tree.couplings) {
@@ -212,6 +221,7 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
       return robot_document(options, robot);
     case Language::urdf: {
       require_values(*model, robot);
+      require_no_loops(*model, robot, "documents of URDF have no loops");
       require_mimics(*model, robot);
       require_urdf_types(*model, robot);
       mention_lost_drives(robot, diagnostics);
@@ -220,11 +230,13 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
       return text;
     }
     case Language::motions:
+      require_no_loops(*model, robot, "documents of motions have no loops");
       refuse_spherical_joints(robot.tree, "documents of motions have no spherical joints");
       return motion_document(options, model::motions_over_coordinates(robot.tree));
     default:
       break;
   }
+  require_no_loops(*model, robot, "documents of transforms have no loops");
   refuse_spherical_joints(robot.tree, "documents of transforms have no spherical joints");
   std::vector<model::FrameNames> pairs;
   for (const model::FramePair& pair : robot.desired.transforms) pairs.emplace_back(pair.left.name, pair.right.name);

@@ -55,7 +55,10 @@ class Writer {
       if (!tree_.links[i].is_repeated) document.links.push_back(link(i));
     for (const model::Joint& joint : tree_.joints)
       if (joint.is_first()) document.joints.push_back(write(joint));
-    for (const model::Coupling& coupling : tree_.couplings) document.couplings.push_back(write(coupling));
+    for (const model::Coupling& coupling : tree_.couplings)
+      if (coupling.is_linear()) document.couplings.push_back(write(coupling));
+    for (const model::LoopJoint& loop : tree_.loops) document.loop_joints.push_back(write(loop));
+    document.independents = independents();
     return document;
   }
 
@@ -183,6 +186,32 @@ class Writer {
       value = value + factor * Quantity::variable(2 + term.joint);
     }
     return {{tree_.joints[at(from.joint)].name, {}}, expression(value + from.offset, tree_.parameters, names)};
+  }
+
+  kinematics::LoopJoint write(const model::LoopJoint& loop) const {
+    kinematics::LoopJoint written;
+    written.name.text = loop.name;
+    for (std::size_t e = 0; e < 2; ++e) written.frames[e].text = loop.ends[e].frame;
+    if (loop.type == model::LoopType::distance)
+      written.distance = write(loop.length);
+    else
+      written.type.text = model::kLoopTypes[static_cast<std::size_t>(loop.type)];
+    return written;
+  }
+
+  // Those that loops could take otherwise.
+  std::vector<kinematics::Name> independents() const {
+    std::vector<kinematics::Name> names;
+    for (const int joint : tree_.coordinates()) {
+      const auto is_part_of = [&](const model::LoopJoint& loop) {
+        return std::any_of(loop.ends.begin(), loop.ends.end(), [&](const model::LoopEnd& end) {
+          return std::find(end.joints.begin(), end.joints.end(), joint) != end.joints.end();
+        });
+      };
+      if (std::any_of(tree_.loops.begin(), tree_.loops.end(), is_part_of))
+        names.push_back({tree_.joints[at(joint)].name, {}});
+    }
+    return names;
   }
 
   const model::KinematicTree& tree_;

@@ -88,7 +88,8 @@ Quantity slide_of(const Joint& joint);
 std::array<Quantity, 3> rotor_axis(const Joint& joint);
 
 // A joint that follows others: q_joint = offset + sum of factor * q_k, over independent joints k. Through a loop it
-// follows in another way: then the terms only tell which joints it follows.
+// follows in another way: then the terms only tell which joints it follows, and the offset is its position where those
+// are zero.
 struct Coupling {
   struct Term {
     int joint = -1;   // independent

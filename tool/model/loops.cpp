@@ -77,6 +77,7 @@ class LoopResolution {
   std::map<int, Place> independent_;  // joints that are to be independent
   std::map<int, int> loops_of_;      // by joint: how many it is part of
   std::map<int, int> followed_;      // dependent joints, and their closures
+  std::vector<double> at_zero_;      // positions of all joints at q = 0
 
   bool has_errors() const { return diagnostics_.error_count() > errors_before_; }
   const std::string& name(int joint) const { return tree_.joints[at(joint)].name; }
@@ -408,7 +409,8 @@ class LoopResolution {
 
   // At q = 0 of the independent joints: whether the loops close, and how.
   void assemble() {
-    std::vector<double> q = zeros();
+    std::vector<double>& q = at_zero_;
+    q = zeros();
     for (const Coupling& coupling : tree_.couplings) q[at(coupling.joint)] = evaluate(coupling.offset, parameters_);
     for (Closure& closure : tree_.closures) {
       const LoopJoint& loop = tree_.loops[at(closure.loop)];
@@ -454,6 +456,7 @@ class LoopResolution {
         coupling.joint = joint;
         for (const int other : followed) coupling.terms.push_back({other, Quantity()});
         coupling.closure = static_cast<int>(k);
+        coupling.offset = Quantity(at_zero_[at(joint)]);
         const auto place = std::lower_bound(
             tree_.couplings.begin(), tree_.couplings.end(), joint,
             [](const Coupling& c, int j) { return c.joint < j; });

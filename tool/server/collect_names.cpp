@@ -169,6 +169,11 @@ class RobotCollector : public Collector {
     }
     instances_of(body.loops, scope_);
     for (const kinematics::Coupling& coupling : body.couplings) this->coupling(coupling, body.loops);
+    for (const kinematics::LoopJoint& loop : body.loop_joints) {
+      for (const kinematics::Name& frame : loop.frames) add_pieces(frame.span, names_.frame(scope_, frame.text));
+      if (loop.distance) expression(loop.distance);
+    }
+    for (const kinematics::Name& joint : body.independents) add_pieces(joint.span, names_.element(scope_, joint.text));
   }
 
   void coupling(const kinematics::Coupling& coupling, const std::vector<kinematics::Loop>& loops) {

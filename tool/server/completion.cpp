@@ -1,6 +1,7 @@
 // What may stand at a place: words of the block, and names of what the place refers to.
 #include <algorithm>
 
+#include "language/kinematics/document.h"
 #include "server/context.h"
 #include "server/features.h"
 #include "server/lookup.h"
@@ -129,6 +130,11 @@ class Completion {
       if (context_.before.empty()) words(block);
       joints_of_all();
       if (is_in_expression()) expression();
+      return;
+    }
+    if (block == "independent") return joints_of_all();
+    if (block == "loop" && context_.word_before("=") == "type") {
+      for (const std::string_view type : language::kinematics::kLoopTypes) word(type);
       return;
     }
     if (is_in_expression()) return expression();

@@ -21,6 +21,8 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
       "frames",
       "ref_frame",
       "couplings",
+      "loops",
+      "independent",
       "friction",
       "spring",
       "rotor",
@@ -41,6 +43,7 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
                                                    "r_joint", "p_joint",      "h_joint",   "c_joint",
                                                    "u_joint", "planar_joint", "s_joint",   "Params"};
   const bool is_of_frames = context.block() == "frames";
+  if (context.block() == "loops" && !before.empty()) return {"loop", std::string(before.back().text)};
   if (!before.empty() && !is_of_frames && alone.contains(before.back().text))
     return {std::string(before.back().text), ""};
   // A name, `floating`, or the parameters of a part stand between.

@@ -27,8 +27,8 @@ std::vector<BlockWords> blocks_of_robots() {
   const Words joint = {"id", "ref_frame"};
   return {
       {"", {"Robot", "Part", "import"}},
-      {"Robot", Words{"RobotBase", "link", "couplings"} + joints},
-      {"Part", Words{"root", "link", "couplings"} + joints},
+      {"Robot", Words{"RobotBase", "link", "couplings", "loops", "independent"} + joints},
+      {"Part", Words{"root", "link", "couplings", "loops", "independent"} + joints},
       {"RobotBase", {"inertia_params", "children", "frames"}},
       {"link", {"id", "inertia_params", "children", "frames"}},
       {"inertia_params", inertia},
@@ -56,12 +56,16 @@ std::vector<BlockWords> blocks_of_robots() {
       {"children", {}},
       {"frames", {}},
       {"couplings", {"for"}},
+      {"loops", {}},
+      {"loop", {"frames", "type", "distance"}},
+      {"independent", {}},
       {"sense", {}}};
 }
 
 // Besides those that begin an item.
 const Words kOtherWordsOfRobots = {"as",   "at",    "mirrored", "x",    "y",        "z",
-                                   "same", "sense", "keep",     "base", "floating", "via"};
+                                   "same", "sense", "keep",     "base", "floating", "via",
+                                   "point", "hinge", "slider", "weld"};
 
 }  // namespace
 
