@@ -274,6 +274,27 @@ rc::Gen<kinematics::Coupling> coupling() {
       rc::gen::set(&Coupling::joint, robot_name()), rc::gen::set(&Coupling::value, expression(3)));
 }
 
+rc::Gen<kinematics::LoopJoint> loop_joint() {
+  using kinematics::LoopJoint;
+  const auto any = rc::gen::build<LoopJoint>(
+      rc::gen::set(&LoopJoint::name, robot_name()),
+      rc::gen::set(
+          &LoopJoint::frames, rc::gen::map(
+                                  rc::gen::pair(robot_name(), robot_name()),
+                                  [](const auto& both) {
+                                    return std::array{both.first, both.second};
+                                  })),
+      rc::gen::set(&LoopJoint::distance, expression(3)));
+  // With a type, or a distance.
+  return rc::gen::map(rc::gen::pair(any, rc::gen::inRange<std::size_t>(0, 5)), [](auto made) {
+    auto [loop, type] = made;
+    if (type == kinematics::kLoopTypes.size()) return loop;
+    loop.distance = nullptr;
+    loop.type.text = kinematics::kLoopTypes.begin()[type];
+    return loop;
+  });
+}
+
 rc::Gen<kinematics::Document> robot() {
   using kinematics::Document, kinematics::Joint, kinematics::Link;
   const auto links = rc::gen::map(
@@ -287,7 +308,13 @@ rc::Gen<kinematics::Document> robot() {
       rc::gen::set(&Document::trailing_comments, comments()), rc::gen::set(&Document::links, links),
       rc::gen::set(&Document::joints, rc::gen::resize(5, rc::gen::container<std::vector<Joint>>(joint()))),
       rc::gen::set(
-          &Document::couplings, rc::gen::resize(4, rc::gen::container<std::vector<kinematics::Coupling>>(coupling()))));
+          &Document::couplings, rc::gen::resize(4, rc::gen::container<std::vector<kinematics::Coupling>>(coupling()))),
+      rc::gen::set(
+          &Document::loop_joints,
+          rc::gen::resize(3, rc::gen::container<std::vector<kinematics::LoopJoint>>(loop_joint()))),
+      rc::gen::set(
+          &Document::independents,
+          rc::gen::resize(3, rc::gen::container<std::vector<kinematics::Name>>(robot_name()))));
 }
 
 rc::Gen<desired::Document> list() {

@@ -248,9 +248,9 @@ class Writer {
     add(carrier, name + "2", "r_joint", at(p, other, 0.02), p.tilt + fmt::format(", {}", tube + noise()));
     add("l_" + name + "2", name + "3", "p_joint", fmt::format("0.1, {}, 0.0", 0.2 * noise()), "0.0, PI/2.0, 0.0");
     frames_.push_back(
-        {"l_" + name + "3", fmt::format(
-                                "{}_right {{ translation = (0.0, 0.0, {}) rotation = (0.0, -PI/2.0, 0.0) }} ", name,
-                                whole - 0.1)});
+        {"l_" + name + "3",
+         fmt::format(
+             "{}_right {{ translation = (0.0, 0.0, {}) rotation = (0.0, -PI/2.0, 0.0) }} ", name, whole - 0.1)});
     close(name, planar_type());
     lead(name + (dice_.chance(0.5) ? "1" : "3"));
   }

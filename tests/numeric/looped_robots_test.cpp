@@ -90,7 +90,8 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
     EXPECT_LT(
         static_cast<double>(reference::largest(found.cast<Real>() - expected)),
         kSame * (1 + static_cast<double>(reference::largest(expected))))
-        << seed << "\n" << looped_document(seed);
+        << seed << "\n"
+        << looped_document(seed);
   }
 }
 

@@ -116,7 +116,7 @@ struct ContactData {
 
 // As reflection::Loop.
 struct LoopData {
-  std::string name, type;  // of the enumeration
+  std::string name, type;                 // of the enumeration
   int first_frame = 0, second_frame = 0;  // into Library::frames
   double length = 0.0;
 };

@@ -230,7 +230,8 @@ std::vector<std::vector<double>> inertia_of_joints(const KinematicTree& tree, do
   return H;
 }
 
-// The same rows of G for joints that follow through loops: those of any position, closed or not, have no special values.
+// The same rows of G for joints that follow through loops: those of any position, closed or not, have no special
+// values.
 void add_rates_of_loops(
     const KinematicTree& tree,
     const std::vector<double>& parameters,

@@ -37,7 +37,11 @@ NumericPose behind(const NumericPose& pose, const Placement& placement, const st
   return result;
 }
 
-NumericPose behind_joint(const NumericPose& placed, const Joint& joint, double q, const std::vector<double>& parameters) {
+NumericPose behind_joint(
+    const NumericPose& placed,
+    const Joint& joint,
+    double q,
+    const std::vector<double>& parameters) {
   NumericPose result = placed;
   const double slide = q * evaluate(slide_of(joint), parameters);
   for (std::size_t i = 0; i < 3; ++i) result.origin[i] += slide * placed.axes[2][i];
@@ -68,7 +72,11 @@ double cross2(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 // Of the dependent joints: what they must move so that the rows change by `by`.
-std::vector<double> solved(const Closure& closure, const LoopPosture& at, const LoopError& e, const std::vector<double>& by) {
+std::vector<double> solved(
+    const Closure& closure,
+    const LoopPosture& at,
+    const LoopError& e,
+    const std::vector<double>& by) {
   const std::vector<std::size_t> d = dependent_columns(closure, at);
   if (d.size() == 1) return {by[0] / e.columns[d[0]][0]};
   const std::vector<double>&first = e.columns[d[0]], &second = e.columns[d[1]];

@@ -26,8 +26,8 @@ struct LoopScrew {
 };
 
 struct LoopPosture {
-  std::vector<LoopScrew> screws;        // of the joints of the first end, then of the second
-  std::array<Numbers3, 2> points{};     // origins of the ends' frames
+  std::vector<LoopScrew> screws;         // of the joints of the first end, then of the second
+  std::array<Numbers3, 2> points{};      // origins of the ends' frames
   std::array<Numbers3, 2> directions{};  // their z axes
 };
 

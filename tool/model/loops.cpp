@@ -61,7 +61,6 @@ class LoopResolution {
         for (const int joint : end.joints) ++loops_of_[joint];
     for (std::size_t k = 0; k < tree_.loops.size(); ++k) resolve(static_cast<int>(k));
     if (has_errors()) return;
-    check_independents();
     order();
     if (!has_errors()) assemble();
     if (!has_errors()) add_couplings();
@@ -73,11 +72,11 @@ class LoopResolution {
   Diagnostics& diagnostics_;
   std::size_t errors_before_ = diagnostics_.error_count();
   std::vector<double> parameters_;
-  std::set<int> given_;              // joints of couplings
+  std::set<int> given_;               // joints of couplings
   std::map<int, Place> independent_;  // joints that are to be independent
-  std::map<int, int> loops_of_;      // by joint: how many it is part of
-  std::map<int, int> followed_;      // dependent joints, and their closures
-  std::vector<double> at_zero_;      // positions of all joints at q = 0
+  std::map<int, int> loops_of_;       // by joint: how many it is part of
+  std::map<int, int> followed_;       // dependent joints, and their closures
+  std::vector<double> at_zero_;       // positions of all joints at q = 0
 
   bool has_errors() const { return diagnostics_.error_count() > errors_before_; }
   const std::string& name(int joint) const { return tree_.joints[at(joint)].name; }
@@ -98,8 +97,8 @@ class LoopResolution {
     if (!joint) {
       NameIndex names;
       for (const Joint& known : tree_.joints) names.add(known.name);
-      Diagnostic& error = diagnostics_.error(
-          "unknown-joint", named.place, fmt::format("joint '{}' is not declared", named.joint));
+      Diagnostic& error =
+          diagnostics_.error("unknown-joint", named.place, fmt::format("joint '{}' is not declared", named.joint));
       if (const auto similar = names.nearest_to(named.joint))
         error.hint = fmt::format("did you mean '{}'?", names.name_of(*similar));
       return;
@@ -195,12 +194,14 @@ class LoopResolution {
     }
     choose(loop, start, free, wanted, closure);
     if (closure.dependents.empty()) {
-      diagnostics_.error(
-          "loop-without-form", loop.place,
-          fmt::format(
-              "no {} of the joints of loop '{}' can follow the others at q = 0: it is stretched, or they slide side by "
-              "side",
-              wanted == 1 ? "one" : "two", loop.name))
+      diagnostics_
+          .error(
+              "loop-without-form", loop.place,
+              fmt::format(
+                  "no {} of the joints of loop '{}' can follow the others at q = 0: it is stretched, or they slide "
+                  "side by "
+                  "side",
+                  wanted == 1 ? "one" : "two", loop.name))
           .hint = "place the links so that the loop is open at q = 0";
       return;
     }
@@ -238,8 +239,7 @@ class LoopResolution {
     const auto consider = [&](std::vector<int> joints) {
       Closure trial = closure;
       trial.dependents = std::move(joints);
-      const double condition =
-          conditioning(trial, start, error_of(trial, start, evaluate(loop.length, parameters_)));
+      const double condition = conditioning(trial, start, error_of(trial, start, evaluate(loop.length, parameters_)));
       if (!(condition > kStretched) || slides(trial.dependents) > 1) return;
       Score score = {0, 0, condition < kWellDetermined, 0};
       for (const int joint : trial.dependents) {
@@ -258,17 +258,18 @@ class LoopResolution {
   }
 
   int slides(const std::vector<int>& joints) const {
-    return static_cast<int>(std::count_if(joints.begin(), joints.end(), [&](int j) {
-      return tree_.joints[at(j)].type == JointType::prismatic;
-    }));
+    return static_cast<int>(std::count_if(
+        joints.begin(), joints.end(), [&](int j) { return tree_.joints[at(j)].type == JointType::prismatic; }));
   }
 
   // Whether all of a loop moves in a plane; reports why not.
   bool find_plane(const LoopJoint& loop, const LoopPosture& start, Closure& closure) {
     if (loop.type != LoopType::point && loop.type != LoopType::hinge) {
-      diagnostics_.error(
-          "loop-unsupported", loop.place,
-          fmt::format("loop '{}': '{}' is not served yet", loop.name, kLoopTypes[static_cast<std::size_t>(loop.type)]))
+      diagnostics_
+          .error(
+              "loop-unsupported", loop.place,
+              fmt::format(
+                  "loop '{}': '{}' is not served yet", loop.name, kLoopTypes[static_cast<std::size_t>(loop.type)]))
           .hint = "write it as a 'hinge', a 'point' or a 'distance'";
       return false;
     }
@@ -293,14 +294,16 @@ class LoopResolution {
     for (std::size_t e = 0; reason.empty() && loop.type == LoopType::hinge && e < 2; ++e) {
       const double off = norm(cross(start.directions[e], normal));
       if (off > kParallel)
-        reason = off > kMeantParallel ? fmt::format("the z axis of '{}', about which the hinge turns, is not parallel to its joints", loop.ends[e].frame)
-                                      : off_plane(loop.ends[e].frame, off);
+        reason = off > kMeantParallel
+                     ? fmt::format(
+                           "the z axis of '{}', about which the hinge turns, is not parallel to its joints",
+                           loop.ends[e].frame)
+                     : off_plane(loop.ends[e].frame, off);
     }
     if (!reason.empty()) {
       diagnostics_
           .error(
-              "loop-not-planar", loop.place,
-              fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason))
+              "loop-not-planar", loop.place, fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason))
           .hint = "served are loops in a plane, and distances between two frames";
       return false;
     }
@@ -315,7 +318,8 @@ class LoopResolution {
 
   static std::string off_plane(const std::string& what, double off) {
     if (off > kMeantParallel) return fmt::format("the axis of '{}' is in another direction", what);
-    return fmt::format("the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off);
+    return fmt::format(
+        "the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off);
   }
 
   // Coordinate axes where the normal is one.
@@ -338,7 +342,9 @@ class LoopResolution {
     closure.plane = {first, cross(normal, first)};
     for (const LoopScrew& screw : start.screws)
       closure.senses[static_cast<std::size_t>(screw.end)].push_back(
-          !screw.turns ? 0 : dot(screw.axis, normal) > 0.0 ? 1 : -1);
+          !screw.turns                    ? 0
+          : dot(screw.axis, normal) > 0.0 ? 1
+                                          : -1);
   }
 
   static double size_of(const LoopPosture& start) {
@@ -352,20 +358,15 @@ class LoopResolution {
     diagnostics_
         .error(
             "loop-cannot-close", loop.place,
-            fmt::format("loop '{}' does not close at q = 0: '{}' misses '{}' by {:.3g} m{}", loop.name,
-                        loop.ends[0].frame, loop.ends[1].frame, gap, where.empty() ? "" : " " + where))
-        .hint = "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and frames";
+            fmt::format(
+                "loop '{}' does not close at q = 0: '{}' misses '{}' by {:.3g} m{}", loop.name, loop.ends[0].frame,
+                loop.ends[1].frame, gap, where.empty() ? "" : " " + where))
+        .hint =
+        "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and frames";
   }
 
   // -------------------------------------------------------------------------------------------------------------------
   // All of them.
-
-  void check_independents() {
-    for (const auto& [joint, place] : independent_)
-      if (followed_.contains(joint))
-        diagnostics_.error(
-            "independent-follows", place, fmt::format("joint '{}' cannot be independent", name(joint)));
-  }
 
   // Every closure behind those whose joints it takes as given.
   void order() {
@@ -387,8 +388,7 @@ class LoopResolution {
         if (first == nullptr) first = &loop;
         text += (text.empty() ? "'" : ", '") + loop.name + "'";
       }
-      diagnostics_
-          .error("loops-entangled", first->place, fmt::format("loops {} can only be closed together", text))
+      diagnostics_.error("loops-entangled", first->place, fmt::format("loops {} can only be closed together", text))
           .hint = "list joints in 'independent' so that each loop follows from them, or from other loops";
       return;
     }

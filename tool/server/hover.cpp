@@ -87,8 +87,9 @@ class RobotText {
       text += fmt::format("\n- velocity up to {} {}", text_of_number(limits.velocity), turns ? "rad/s" : "m/s");
     if (std::isfinite(limits.effort))
       text += fmt::format("\n- effort up to {} {}", text_of_number(limits.effort), turns ? "N m" : "N");
-    if (tree_.coupling_of(j) != nullptr) text += tree_.coupling_of(j)->is_linear() ? "\n- coupled to other joints: no coordinate of its own"
-                                              : "\n- follows through a loop: no coordinate of its own";
+    if (tree_.coupling_of(j) != nullptr)
+      text += tree_.coupling_of(j)->is_linear() ? "\n- coupled to other joints: no coordinate of its own"
+                                                : "\n- follows through a loop: no coordinate of its own";
     return text + unknown_parameters();
   }
 

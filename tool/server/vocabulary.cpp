@@ -63,9 +63,8 @@ std::vector<BlockWords> blocks_of_robots() {
 }
 
 // Besides those that begin an item.
-const Words kOtherWordsOfRobots = {"as",   "at",    "mirrored", "x",    "y",        "z",
-                                   "same", "sense", "keep",     "base", "floating", "via",
-                                   "point", "hinge", "slider", "weld"};
+const Words kOtherWordsOfRobots = {"as",   "at",   "mirrored", "x",   "y",     "z",     "same",   "sense",
+                                   "keep", "base", "floating", "via", "point", "hinge", "slider", "weld"};
 
 }  // namespace
 

@@ -158,8 +158,8 @@ Graph::Key Graph::key(const Node& n) const {
   }
   const std::uint64_t a = static_cast<std::uint32_t>(n.a);
   const std::uint64_t b = static_cast<std::uint32_t>(n.b);
-  return {a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0) +
-                          (n.b_negative ? 32 : 0)};
+  return {
+      a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0) + (n.b_negative ? 32 : 0)};
 }
 
 int Graph::intern(const Node& n) {

@@ -17,8 +17,7 @@ namespace robcogen::symbolic {
 enum class Op { add, subtract, multiply, divide, square_root, sine, cosine, arc_tangent, gather, sum_lanes };
 
 constexpr bool is_binary(Op op) {
-  return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide ||
-         op == Op::arc_tangent;
+  return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide || op == Op::arc_tangent;
 }
 
 // What a statement reads: a constant, an element of an input array, or an earlier statement; possibly negated.

@@ -51,8 +51,15 @@ struct OpName {
   const char* name;
 };
 inline constexpr std::array kOps = {
-    OpName{Op::add, "+"},      OpName{Op::subtract, "-"},       OpName{Op::multiply, "*"},
-    OpName{Op::divide, "/"},   OpName{Op::square_root, "sqrt"}, OpName{Op::sine, "sin"},
-    OpName{Op::cosine, "cos"}, OpName{Op::arc_tangent, "atan2"}, OpName{Op::gather, "gather"}, OpName{Op::sum_lanes, "sum_lanes"}};
+    OpName{Op::add, "+"},
+    OpName{Op::subtract, "-"},
+    OpName{Op::multiply, "*"},
+    OpName{Op::divide, "/"},
+    OpName{Op::square_root, "sqrt"},
+    OpName{Op::sine, "sin"},
+    OpName{Op::cosine, "cos"},
+    OpName{Op::arc_tangent, "atan2"},
+    OpName{Op::gather, "gather"},
+    OpName{Op::sum_lanes, "sum_lanes"}};
 
 }  // namespace robcogen::symbolic

@@ -60,8 +60,8 @@ constexpr std::array kGroups = {
         "inverse_dynamics_second_derivatives", false, kInertia | kFewPairs,
         inverse_dynamics_second_derivatives_functions, nullptr},
     Group{
-        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations | kNoLoops, forward_dynamics_derivatives_functions,
-        nullptr},
+        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations | kNoLoops,
+        forward_dynamics_derivatives_functions, nullptr},
     Group{"centroidal", true, kMass, centroidal_functions, nullptr},
     Group{"energy", true, kInertia, energy_functions, nullptr},
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
@@ -130,8 +130,7 @@ constexpr std::array kRequirements = {
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
         "with ten columns for each of so many links its matrix would outgrow the stacks of threads"},
-    Requirement{
-        kNoLoops, [](const KinematicTree& tree) { return !tree.has_loops(); }, "joints follow through loops"}};
+    Requirement{kNoLoops, [](const KinematicTree& tree) { return !tree.has_loops(); }, "joints follow through loops"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

@@ -11,7 +11,8 @@ std::unique_ptr<TracedClosure> traced(Trace& trace, const model::Closure& closur
   trace.section(name, "loop " + name + ": positions");
   auto result = closure.method == model::Closure::Method::planar ? traced_in_plane(trace, closure, q)
                                                                  : traced_distance(trace, closure, q);
-  for (const int joint : closure.dependents) trace.graph.describe(q[at(joint)], "q_" + trace.tree.joints[at(joint)].name);
+  for (const int joint : closure.dependents)
+    trace.graph.describe(q[at(joint)], "q_" + trace.tree.joints[at(joint)].name);
   return result;
 }
 
@@ -40,8 +41,7 @@ const std::vector<std::vector<RateShare>>& TracedClosure::rates() {
     for (std::size_t d = 0; d < rates_.size(); ++d) {
       rates_[d].push_back({column.joint, -moved[d]});
       const std::string& follower = trace_.tree.joints[at(closure_.dependents[d])].name;
-      trace_.graph.describe(
-          rates_[d].back().factor, "d_" + follower + "_" + trace_.tree.joints[at(column.joint)].name);
+      trace_.graph.describe(rates_[d].back().factor, "d_" + follower + "_" + trace_.tree.joints[at(column.joint)].name);
     }
   }
   return rates_;

@@ -119,7 +119,10 @@ class DistanceClosure : public TracedClosure {
 
 }  // namespace
 
-std::unique_ptr<TracedClosure> traced_distance(Trace& trace, const model::Closure& closure, std::vector<Expression>& q) {
+std::unique_ptr<TracedClosure> traced_distance(
+    Trace& trace,
+    const model::Closure& closure,
+    std::vector<Expression>& q) {
   return std::make_unique<DistanceClosure>(trace, closure, q);
 }
 

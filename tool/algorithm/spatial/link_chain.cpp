@@ -39,7 +39,8 @@ std::vector<Pose> placements_at_zero(Trace& trace, const model::LoopEnd& end) {
 
 std::vector<Pose> poses_along(Trace& trace, const model::LoopEnd& end, const std::vector<Expression>& q) {
   std::vector<Pose> poses;
-  for (const int joint : end.joints) poses.push_back(pose_of(trace, with_travel(trace.tree.joints[at(joint)], joint), q));
+  for (const int joint : end.joints)
+    poses.push_back(pose_of(trace, with_travel(trace.tree.joints[at(joint)], joint), q));
   poses.push_back(pose_of(trace, primitives(end.placement), {}));
   return poses;
 }

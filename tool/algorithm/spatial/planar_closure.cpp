@@ -60,8 +60,7 @@ class PlanarClosure : public TracedClosure {
       if (k < end.joints.size()) {
         pivot.joint = end.joints[k];
         pivot.sense = closure_.senses[e][k];
-        if (pivot.sense == 0)
-          pivot.direction = in_plane(direction_through(poses, k, unit_vector(trace_.graph, 2)));
+        if (pivot.sense == 0) pivot.direction = in_plane(direction_through(poses, k, unit_vector(trace_.graph, 2)));
       }
       result.push_back(pivot);
       before = origin;
@@ -145,7 +144,8 @@ class PlanarClosure : public TracedClosure {
     const Vector2 to = is_one_end ? reach(1 - e, -1, last(1 - e)) : reach(o, -1, second.place);
     const auto [a, b] = triangle(side, is_one_end ? other : -other, to - from, closure_.branch);
     set_turn(first, turned_back(turn_of(e, 0, first.place), a));
-    const Vector2 behind = is_one_end ? turned(a, turn_of(e, first.place + 1, second.place)) : turn_of(o, 0, second.place);
+    const Vector2 behind =
+        is_one_end ? turned(a, turn_of(e, first.place + 1, second.place)) : turn_of(o, 0, second.place);
     set_turn(second, turned_back(behind, b));
   }
 
@@ -210,8 +210,8 @@ class PlanarClosure : public TracedClosure {
       const Vector2& point = postures_[e].origins.back();
       for (std::size_t k = 0; k < last(e); ++k) {
         const Pivot& pivot = ends_[e][k];
-        const Vector2 moved = pivot.sense == 0 ? postures_[e].directions[k]
-                                               : perpendicular(point - postures_[e].origins[k]);
+        const Vector2 moved =
+            pivot.sense == 0 ? postures_[e].directions[k] : perpendicular(point - postures_[e].origins[k]);
         const bool is_negative = (e == 1) != (pivot.sense < 0);
         result.push_back({pivot.joint, {is_negative ? -moved.x : moved.x, is_negative ? -moved.y : moved.y}});
       }
@@ -241,7 +241,10 @@ class PlanarClosure : public TracedClosure {
 
 }  // namespace
 
-std::unique_ptr<TracedClosure> traced_in_plane(Trace& trace, const model::Closure& closure, std::vector<Expression>& q) {
+std::unique_ptr<TracedClosure> traced_in_plane(
+    Trace& trace,
+    const model::Closure& closure,
+    std::vector<Expression>& q) {
   return std::make_unique<PlanarClosure>(trace, closure, q);
 }
 

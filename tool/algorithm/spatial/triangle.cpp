@@ -93,11 +93,7 @@ std::pair<Vector2, Vector2> triangle(const Vector2& a, const Vector2& b, const V
   return {turn_between(a, p, one(aa) / aa), turn_between(b, rest, one(bb) / bb)};
 }
 
-Vector2 turn_to_distance(
-    const Vector2& side,
-    const Vector2& base,
-    const Expression& squared_distance,
-    double branch) {
+Vector2 turn_to_distance(const Vector2& side, const Vector2& base, const Expression& squared_distance, double branch) {
   const Expression aa = dot(side, side);
   return turn_between(side, vertex(aa, squared_distance, base, branch), one(aa) / aa);
 }

@@ -28,13 +28,10 @@ Vector2 turn_between(const Vector2& from, const Vector2& to);
 
 // The sides a and b, turned so that they add up to the side `base`. `branch` is the side of the base on which their
 // common vertex is: 1 to the left, -1 to the right.
-std::pair<Vector2, Vector2> triangle(
-    const Vector2& a,
-    const Vector2& b,
-    const Vector2& base,
-    double branch);
+std::pair<Vector2, Vector2> triangle(const Vector2& a, const Vector2& b, const Vector2& base, double branch);
 
-// The turn of the vector `side` after which it ends at this distance, a square, of the end of `base`; `branch` as above.
+// The turn of the vector `side` after which it ends at this distance, a square, of the end of `base`; `branch` as
+// above.
 Vector2 turn_to_distance(
     const Vector2& side,
     const Vector2& base,

@@ -173,7 +173,8 @@ std::string coupling_tables(const Api& api) {
   }
   return paragraphs(
       {"// The position of a coupled joint is its offset plus the sum of factor times position of the joints.\n" +
-           std::string(library.loops.empty() ? "" : "// Not numbers: it follows through a loop, by joint_positions.\n") +
+           std::string(
+               library.loops.empty() ? "" : "// Not numbers: it follows through a loop, by joint_positions.\n") +
            array("std::array<double, kDof>", kCoupledCount, "kCouplingFactors", factors, api.coupled),
        array("double", kCoupledCount, "kCouplingOffsets", offsets, api.coupled)});
 }
@@ -303,7 +304,7 @@ std::string print_model(const Api& api, const std::string& path) {
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n",
        includes(
            is_incomplete(library) || !library.loops.empty() ? std::vector<std::string>{"<array>", "<limits>"}
-                                  : std::vector<std::string>{"<array>"}),
+                                                            : std::vector<std::string>{"<array>"}),
        includes(runtime), runtime_check(api), in_namespace(api.space, body)});
 }
 

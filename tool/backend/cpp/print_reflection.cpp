@@ -347,8 +347,8 @@ std::string print_reflection(const Api& api, const std::string& path) {
   if (!library.limbs.empty()) own.push_back(cpp::quoted(folder(library) + "/model.h"));
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
-       api.is_parametric() || !library.loops.empty() ? includes({"<limits>"}) : "", includes(headers), includes(own), runtime_check(api), levels,
-       batch_kernels, in_namespace(api.space + "::reflection", paragraphs(parts))});
+       api.is_parametric() || !library.loops.empty() ? includes({"<limits>"}) : "", includes(headers), includes(own),
+       runtime_check(api), levels, batch_kernels, in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 
 }  // namespace robcogen::backend::cpp

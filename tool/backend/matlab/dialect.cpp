@@ -146,8 +146,8 @@ const Dialect& dialect() {
   static const Dialect matlab = [] {
     Dialect d = returning_dialect(kColumns);
     d.is_reserved = is_reserved;
-    d.used_names = {"atan2", "cos", "error", "isempty", "isstruct", "nargin", "names", "numel",
-                    "sin", "size",  "sqrt",    "strjoin",  "tril",   "zeros"};
+    d.used_names = {"atan2", "cos", "error", "isempty", "isstruct", "nargin", "names",
+                    "numel", "sin", "size",  "sqrt",    "strjoin",  "tril",   "zeros"};
     d.name_limit = 26;  // three such operands and their operators fit in one line
     d.binds_parameters = true;
     d.names_variables = true;

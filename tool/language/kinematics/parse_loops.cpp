@@ -18,9 +18,10 @@ void type(BlockParser& parser, LoopJoint& loop) {
   if (!cursor.at_any(kLoopTypes)) {
     const Token found = cursor.peek();
     if (found.kind != Token::Kind::identifier) cursor.unexpected("a type of loop", "after '='");
-    cursor.error_at(
-              found.span, "unknown-loop-type",
-              fmt::format("expected {} as type of a loop, found {}", quoted(kLoopTypes), describe(found)))
+    cursor
+        .error_at(
+            found.span, "unknown-loop-type",
+            fmt::format("expected {} as type of a loop, found {}", quoted(kLoopTypes), describe(found)))
         .hint = found.text == "distance" ? "write 'distance = …' in place of the type"
                                          : suggest_keyword(found.text, {kLoopTypes.begin(), kLoopTypes.end()});
     throw SyntaxError{};
@@ -52,9 +53,7 @@ void loop(BlockParser& parser, Body& body) {
   if (!sound || !parser.check_complete(owner, loop.name.span, found, {"frames"})) return;
   const bool has_type = !loop.type.text.empty();
   if (has_type == (loop.distance != nullptr)) {
-    cursor.error_at(
-              loop.name.span, "loop-type",
-              owner + (has_type ? " has a type and a distance" : " has no type"))
+    cursor.error_at(loop.name.span, "loop-type", owner + (has_type ? " has a type and a distance" : " has no type"))
         .hint = has_type ? "a loop that keeps a distance has no other type"
                          : fmt::format("write 'type = …' with one of {}, or 'distance = …'", quoted(kLoopTypes));
     return;
@@ -77,7 +76,9 @@ void loops(BlockParser& parser, Body& body) {
   const Token word = cursor.take();
   parser.block(
       fmt::format("'{}'", word.text),
-      [&] { return cursor.at_name() && cursor.at("{", 1) && !cursor.at_any({"couplings", "loops", "independent"}); },
+      [&] {
+        return cursor.at_name() && cursor.at("{", 1) && !cursor.at_any({"couplings", "loops", "independent"});
+      },
       [&] { loop(parser, body); });
   take_comments(parser, body);
 }

@@ -301,8 +301,7 @@ bool same(const Body& a, const Body& b) {
   return all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
          all_same(a.loops, b.loops) && a.coupling_comments == b.coupling_comments &&
          all_same(a.loop_joints, b.loop_joints) && all_same(a.independents, b.independents) &&
-         a.loop_comments == b.loop_comments &&
-         a.trailing_comments == b.trailing_comments;
+         a.loop_comments == b.loop_comments && a.trailing_comments == b.trailing_comments;
 }
 
 bool same(const PartParameter& a, const PartParameter& b) {

@@ -7,9 +7,9 @@
 #include <complex>
 #include <set>
 
-#include "robcogen/reference/loops.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
+#include "robcogen/reference/loops.h"
 
 namespace robcogen::reference {
 
@@ -70,7 +70,8 @@ inline Matrix<Real> frame_quantity(
     case FrameQuantity::jacobian_derivative:
       return derivative();
     case FrameQuantity::frame_bias_acceleration:
-      return derivative() * m.qd + of_loops([&](const Robot& r, const auto& q) { return frame_jacobian(r, q, left, right); });
+      return derivative() * m.qd +
+             of_loops([&](const Robot& r, const auto& q) { return frame_jacobian(r, q, left, right); });
     case FrameQuantity::frame_velocity:
       return twist(m.q, m.qd);
     case FrameQuantity::frame_acceleration:

@@ -110,7 +110,8 @@ class AtLoops {
     for (int j = 0; j < robot_.joints.size; ++j) {
       if (is_dependent(j)) continue;
       joints(j) = 0;
-      for (const Mover& mover : movers_of(robot_, j)) joints(j) += static_cast<Real>(mover.factor) * y(mover.coordinate);
+      for (const Mover& mover : movers_of(robot_, j))
+        joints(j) += static_cast<Real>(mover.factor) * y(mover.coordinate);
       if (j >= robot_.dof()) joints(j) += static_cast<Real>(robot_.couplings[j - robot_.dof()].offset);
     }
   }

@@ -76,8 +76,12 @@ inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
 template <class Scalar>
 Motion<Scalar> cast(const Motion<double>& m) {
   return {
-      m.q.cast<Scalar>(), m.qd.cast<Scalar>(), m.qdd.cast<Scalar>(), m.base_velocity.cast<Scalar>(),
-      m.base_acceleration.cast<Scalar>(), m.of_loops.cast<Scalar>()};
+      m.q.cast<Scalar>(),
+      m.qd.cast<Scalar>(),
+      m.qdd.cast<Scalar>(),
+      m.base_velocity.cast<Scalar>(),
+      m.base_acceleration.cast<Scalar>(),
+      m.of_loops.cast<Scalar>()};
 }
 
 template <class Scalar>
