@@ -189,7 +189,8 @@ class LoopResolution {
           fmt::format(
               "loop '{}' takes away {}, but only {} of its joints can follow the others", loop.name,
               wanted == 1 ? "one motion" : "two motions", free.empty() ? "none" : "one"));
-      if (!kept.empty()) error.hint = fmt::format("leave {} out of 'independent'", quoted(kept));
+      if (!kept.empty())
+        error.hint = fmt::format("leave {}{} out of 'independent'", kept.size() > 1 ? "one of " : "", quoted(kept));
       return;
     }
     choose(loop, start, free, wanted, closure);

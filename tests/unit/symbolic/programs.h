@@ -104,6 +104,8 @@ class BoundedEvaluator {
         return rounded(std::sin(a.value), a.error);
       case Op::cosine:
         return rounded(std::cos(a.value), a.error);
+      case Op::arc_tangent:
+        return rounded(std::atan2(a.value, b.value), (a.error + b.error) / std::hypot(a.value, b.value));
       case Op::gather:
       case Op::sum_lanes:
         break;  // of programs with lanes
