@@ -40,11 +40,11 @@ std::vector<State<R>> random_states(const Robot& robot, const R& instance) {
   std::mt19937_64 engine(kSeed);
   std::vector<State<R>> states;
   for (std::size_t i = 0; i < kStates; ++i) {
-    const auto [q, qd, qdd, velocity, acceleration] = reference::random_sample(engine, robot).motion;
+    const reference::Motion<double> m = reference::random_sample(engine, robot).motion;
     const auto tau = reference::uniform_vector(engine, R::kDof, 50);
     states.push_back(
-        {&instance, converted<Joints>(q), converted<Joints>(qd), converted<Joints>(qdd), converted<Joints>(tau),
-         converted<Twist>(velocity), converted<SpatialAcceleration>(acceleration)});
+        {&instance, converted<Joints>(m.q), converted<Joints>(m.qd), converted<Joints>(m.qdd), converted<Joints>(tau),
+         converted<Twist>(m.base_velocity), converted<SpatialAcceleration>(m.base_acceleration)});
   }
   return states;
 }
