@@ -27,13 +27,14 @@ backend::Library library_of(
   return driver::library(*model, {.names = {name}, .groups = groups, .primitives = primitives});
 }
 
-Arrays<double> random_inputs(const Program& program, std::mt19937_64& engine) {
-  constexpr double kLimit = 2;
+Arrays<double> random_inputs(const backend::Library& library, const Program& program, std::mt19937_64& engine) {
+  constexpr double kLimit = 2, kNear = 0.1;
   Arrays<double> inputs;
   for (const symbolic::InputArray& array : program.inputs) {
     std::vector<double>& values = inputs[array.name];
     for (std::size_t k = 0; k < array.elements.size(); ++k) {
-      const double value = reference::uniform(engine, kLimit);
+      const bool is_near = !library.loops.empty() && array.role == symbolic::Role::joint_position;
+      const double value = reference::uniform(engine, is_near ? kNear : kLimit);
       values.push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
     }
     for (const int first : array.quaternions) {

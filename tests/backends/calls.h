@@ -22,7 +22,11 @@ backend::Library library_of(
     const std::vector<std::string>& groups = algorithm::groups());
 
 // Of both signs, up to 2; parameters above 0.5.
-symbolic::Arrays<double> random_inputs(const symbolic::Program& program, std::mt19937_64& engine);
+// Loops close near the position in which they are assembled.
+symbolic::Arrays<double> random_inputs(
+    const backend::Library& library,
+    const symbolic::Program& program,
+    std::mt19937_64& engine);
 
 // All results one after another, matrices by rows.
 std::vector<double> flattened(const symbolic::Program& program, const symbolic::Arrays<double>& results);

@@ -149,7 +149,7 @@ std::string differences(const backend::Library& library, const OutputFile& modul
     // Each overload with its own arguments: the module's function has the defaults that the others leave out.
     for (const backend::Function* overload : callable.overloads) {
       for (int state = 0; state < kStates; ++state) {
-        const Arrays<double> inputs = random_inputs(overload->program, engine);
+        const Arrays<double> inputs = random_inputs(library, overload->program, engine);
         const bool leads = std::equal(
             overload->program.inputs.begin(), overload->program.inputs.end(), callable.longest().program.inputs.begin(),
             [](const auto& a, const auto& b) { return a.name == b.name; });

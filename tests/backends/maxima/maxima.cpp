@@ -116,7 +116,7 @@ std::string differences(const backend::Library& library, const OutputFile& text)
   OutputFile script = {"calls.mac", kShow};
   for (const backend::Function& f : library.functions) {
     for (int state = 0; state < states; ++state) {
-      const Arrays<double> inputs = random_inputs(f.program, engine);
+      const Arrays<double> inputs = random_inputs(library, f.program, engine);
       const std::string name = text.path.stem().string() + "_" + f.kernel;
       script.text += fmt::format("show(\"{}\", {})$\n", name, call(name, f.program, inputs));
       calls.push_back({name, flattened(f.program, symbolic::interpret(f.program, inputs))});

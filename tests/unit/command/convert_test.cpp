@@ -88,6 +88,17 @@ TEST(Convert, RefusesWhatALanguageCannotSay) {
   EXPECT_NE(read_text(motions).find("trx(lengths.reach)"), std::string::npos) << read_text(motions);
 }
 
+TEST(Convert, RefusesLoopsWhereALanguageHasNone) {
+  const Scratch scratch("loops");
+  for (const char* to : {"five_bar.urdf", "five_bar.motdsl", "five_bar.ctdsl"}) {
+    const Outcome refused = run_tool("convert " + quoted(robot("five_bar")) + " " + quoted(scratch.path / to));
+    EXPECT_EQ(refused.status, 1) << to;
+    EXPECT_NE(refused.errors.find("but robot 'FiveBar' has loop 'tip' [loop-lost]"), std::string::npos)
+        << refused.errors;
+    EXPECT_FALSE(fs::exists(scratch.path / to));
+  }
+}
+
 TEST(Convert, KeepsLimits) {
   const Scratch scratch("limits");
   const fs::path urdf = scratch.path / "arm.urdf";
