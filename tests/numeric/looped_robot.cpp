@@ -184,7 +184,9 @@ class Writer {
     const Point top = {other.x + dice_.between(-0.05, 0.1), dice_.between(0.4, 0.5)};
     const double low = z(), step = z(), rise = low + step;
     add(carrier, name + "1", "r_joint", at(p, ground, low), p.tilt + fmt::format(", {}", turn));
-    add("l_" + name + "1", name + "2", "r_joint", fmt::format("{}, 0.0, {}", crank, step),
+    const std::string length_of_crank =
+        dice_.chance(0.3) ? fmt::format("{}_crank[{}]", name, crank) : fmt::format("{}", crank);
+    add("l_" + name + "1", name + "2", "r_joint", fmt::format("{}, 0.0, {}", length_of_crank, step),
         fmt::format("0.0, 0.0, {}", direction(tip, top) - turn + noise()));
     frame("l_" + name + "2", name + "_left", length(tip, top), 0.0, "0.0, 0.0, 0.3");
     const bool five = dice_.chance(0.3);

@@ -24,12 +24,22 @@ int looped_count() {
   return robot_count() / 40;
 }
 
+// nullopt for the few random loops that do not close.
 std::optional<model::KinematicTree> looped(std::uint64_t seed) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>("looped.kindsl", looped_document(seed));
   auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
-  EXPECT_FALSE(diagnostics.has_errors()) << seed << "\n" << diagnostics.render() << looped_document(seed);
+  for (const Diagnostic& d : diagnostics.all())
+    if (d.severity == Severity::error)
+      EXPECT_EQ(d.code, "loop-cannot-close") << seed << "\n" << diagnostics.render() << looped_document(seed);
   return tree;
+}
+
+// A little off their defaults.
+std::vector<double> values_of(const model::KinematicTree& tree) {
+  std::vector<double> values;
+  for (const model::Parameter& p : tree.parameters) values.push_back(1.02 * p.default_value.value_or(0.0));
+  return values;
 }
 
 class LoopedRobots : public testing::TestWithParam<int> {};
@@ -38,9 +48,9 @@ TEST_P(LoopedRobots, AgreeWithTheReferenceAndWithThemselves) {
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     const auto tree = looped(seed);
-    ASSERT_TRUE(tree);
+    if (!tree) continue;
     const InterpretedRobot robot(
-        *tree, random_desired(seed, *tree), i % 3 == 0 ? all_steps() : std::vector<std::string>{});
+        *tree, random_desired(seed, *tree), i % 3 == 0 ? all_steps() : std::vector<std::string>{}, values_of(*tree));
     EXPECT_EQ(check_all(robot, seed, 2).failure_report(), "") << "seed " << seed << "\n" << looped_document(seed);
     if (HasFailure()) return;
   }
@@ -52,10 +62,10 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     auto tree = looped(seed);
-    ASSERT_TRUE(tree);
+    if (!tree) continue;
     tree->floating_base = false;
     tree->uses_passive_forces = false;
-    const InterpretedRobot robot(*tree, {}, {});
+    const InterpretedRobot robot(*tree, {}, {}, values_of(*tree));
     const reflection::Robot tables = robot.tables();
     std::mt19937_64 engine(seed);
     reference::Sample sample;
@@ -101,19 +111,22 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     auto tree = looped(seed);
-    ASSERT_TRUE(tree);
+    if (!tree) continue;
     tree->floating_base = false;
-    const InterpretedRobot robot(*tree, {}, {}, {}, {}, {"inverse_dynamics", "inverse_dynamics_gradient"});
+    const InterpretedRobot robot(
+        *tree, {}, {}, values_of(*tree), {}, {"inverse_dynamics", "inverse_dynamics_gradient"});
     const reflection::Robot tables = robot.tables();
     std::mt19937_64 engine(seed);
     reference::Sample sample;
     const reference::AtLoops closed = draw(engine, tables, sample);
     const auto values = [](const Vector<double>& v) { return std::vector<Real>(v.values().begin(), v.values().end()); };
-    const symbolic::Arrays<Real> inputs = {
+    symbolic::Arrays<Real> inputs = {
         {"q", values(sample.motion.q)},
         {"qd", values(sample.motion.qd)},
         {"qdd", values(sample.motion.qdd)},
         {"weights", values(reference::uniform_vector(engine, tables.dof(), 1))}};
+    const std::vector<double> parameters = values_of(*tree);
+    if (!parameters.empty()) inputs["parameters"] = {parameters.begin(), parameters.end()};
     const auto gradient = symbolic::interpret(robot.programs().at("inverse_dynamics_gradient"), inputs);
     for (const char* input : {"q", "qd", "qdd"}) {
       for (std::size_t k = 0; k < inputs.at(input).size(); ++k) {
@@ -136,6 +149,12 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
       }
     }
   }
+}
+
+TEST(LoopedDocuments, NearlyAllClose) {
+  int closed = 0;
+  for (int i = 0; i < looped_count(); ++i) closed += looped(static_cast<std::uint64_t>(i)) ? 1 : 0;
+  EXPECT_GE(closed, looped_count() * 9 / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shard, LoopedRobots, testing::Range(0, kShards));

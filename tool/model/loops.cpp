@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "model/loop_geometry.h"
+#include "model/loop_plane.h"
 #include "model/name_index.h"
 #include "support/index.h"
 
@@ -32,9 +32,6 @@ int constraints_of(LoopType type) {
 
 namespace {
 
-// Axes that differ by less are parallel but for rounding; those that differ by less than the second are meant to be.
-constexpr double kParallel = 1e-9;
-constexpr double kMeantParallel = 1e-3;
 // Of the length of a loop: how far its ends may miss one another.
 constexpr double kClosed = 1e-9;
 // A loop is stretched where the sine between the directions of its dependent joints is smaller.
@@ -165,7 +162,59 @@ class LoopResolution {
           .hint = "the frames of a loop are on links that move with respect to one another";
       return;
     }
+    if (const Parameter* unknown = parameter_without_value(loop)) {
+      diagnostics_
+          .error(
+              "loop-without-value", described.place,
+              fmt::format(
+                  "loop '{}' depends on parameter '{}', which has no default value: how it is assembled is unknown",
+                  loop.name, unknown->name))
+          .hint = fmt::format("write '{}[0.35]', for example, where it stands", unknown->name);
+      return;
+    }
     tree_.loops.push_back(std::move(loop));
+  }
+
+  // One that the geometry depends on; nullptr where there is none.
+  const Parameter* parameter_without_value(const LoopJoint& loop) const {
+    const Parameter* found = nullptr;
+    const auto look = [&](const Quantity& q) {
+      for (const int index : parameters_of(q))
+        if (!tree_.parameters[at(index)].default_value) found = &tree_.parameters[at(index)];
+    };
+    const auto look_at = [&](const Placement& placement) {
+      for (const auto* amounts : {&placement.translation, &placement.rotation})
+        for (const Quantity& q : *amounts) look(q);
+    };
+    look(loop.length);
+    for (const LoopEnd& end : loop.ends) {
+      look_at(end.placement);
+      for (const int joint : end.joints) look_at(tree_.joints[at(joint)].placement);
+    }
+    return found;
+  }
+
+  static std::vector<int> parameters_of(const Quantity& q) {
+    switch (q.op()) {
+      case Quantity::Op::constant:
+      case Quantity::Op::variable:
+        return {};
+      case Quantity::Op::parameter:
+        return {q.index()};
+      default:
+        break;
+    }
+    std::vector<int> result = parameters_of(q.left());
+    if (has_right(q.op())) {
+      const std::vector<int> more = parameters_of(q.right());
+      result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
+  }
+
+  static bool has_right(Quantity::Op op) {
+    return op == Quantity::Op::add || op == Quantity::Op::subtract || op == Quantity::Op::multiply ||
+           op == Quantity::Op::divide;
   }
 
   // -------------------------------------------------------------------------------------------------------------------
@@ -177,7 +226,10 @@ class LoopResolution {
     closure.loop = index;
     closure.method = loop.type == LoopType::distance ? Closure::Method::distance : Closure::Method::planar;
     const LoopPosture start = posture(tree_, loop, zeros(), parameters_);
-    if (closure.method == Closure::Method::planar && !find_plane(loop, start, closure)) return;
+    if (closure.method == Closure::Method::planar) {
+      const PlaneFault fault = find_plane(tree_, loop, parameters_, closure);
+      if (!fault.code.empty()) return report(loop, fault);
+    }
     const std::vector<int> free = candidates(loop);
     const std::size_t wanted = closure.method == Closure::Method::planar ? 2 : 1;
     if (free.size() < wanted) {
@@ -263,107 +315,8 @@ class LoopResolution {
         joints.begin(), joints.end(), [&](int j) { return tree_.joints[at(j)].type == JointType::prismatic; }));
   }
 
-  // Whether all of a loop moves in a plane; reports why not.
-  bool find_plane(const LoopJoint& loop, const LoopPosture& start, Closure& closure) {
-    if (loop.type != LoopType::point && loop.type != LoopType::hinge) {
-      diagnostics_
-          .error(
-              "loop-unsupported", loop.place,
-              fmt::format(
-                  "loop '{}': '{}' is not served yet", loop.name, kLoopTypes[static_cast<std::size_t>(loop.type)]))
-          .hint = "write it as a 'hinge', a 'point' or a 'distance'";
-      return false;
-    }
-    const auto turning =
-        std::find_if(start.screws.begin(), start.screws.end(), [](const LoopScrew& screw) { return screw.turns; });
-    std::string reason;
-    Numbers3 normal{};
-    if (turning == start.screws.end())
-      reason = "none of its joints turns";
-    else
-      normal = turning->axis;
-    for (const LoopScrew& screw : start.screws) {
-      const Joint& joint = tree_.joints[at(screw.joint)];
-      if (!reason.empty()) break;
-      if (joint.type != JointType::revolute && joint.type != JointType::prismatic) {
-        reason = fmt::format("joint '{}' neither turns nor slides alone", joint.name);
-        break;
-      }
-      const double off = screw.turns ? norm(cross(screw.axis, normal)) : std::abs(dot(screw.axis, normal));
-      if (off > kParallel) reason = off_plane(joint.name, off);
-    }
-    for (std::size_t e = 0; reason.empty() && loop.type == LoopType::hinge && e < 2; ++e) {
-      const double off = norm(cross(start.directions[e], normal));
-      if (off > kParallel)
-        reason = off > kMeantParallel
-                     ? fmt::format(
-                           "the z axis of '{}', about which the hinge turns, is not parallel to its joints",
-                           loop.ends[e].frame)
-                     : off_plane(loop.ends[e].frame, off);
-    }
-    if (!reason.empty()) {
-      diagnostics_
-          .error(
-              "loop-not-planar", loop.place, fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason))
-          .hint = "served are loops in a plane, and distances between two frames";
-      return false;
-    }
-    span_plane(start, normal, closure);
-    const double gap = dot(normal, start.points[0] - start.points[1]);
-    if (std::abs(gap) > kClosed * size_of(start)) {
-      report_gap(loop, std::abs(gap), "along the axes of its joints");
-      return false;
-    }
-    return true;
-  }
-
-  static std::string off_plane(const std::string& what, double off) {
-    if (off > kMeantParallel) return fmt::format("the axis of '{}' is in another direction", what);
-    return fmt::format(
-        "the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off);
-  }
-
-  // Coordinate axes where the normal is one.
-  void span_plane(const LoopPosture& start, Numbers3 normal, Closure& closure) const {
-    std::size_t largest = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (std::abs(normal[i]) > std::abs(normal[largest])) largest = i;
-    if (normal[largest] < 0.0)
-      for (double& x : normal) x = -x;
-    if (normal[largest] > 1.0 - kParallel * kParallel) {
-      normal = {};
-      normal[largest] = 1.0;
-    }
-    Numbers3 first{};
-    first[(largest + 1) % 3] = 1.0;
-    const double along = dot(first, normal);
-    for (std::size_t i = 0; i < 3; ++i) first[i] -= along * normal[i];
-    const double length = norm(first);
-    for (double& x : first) x /= length;
-    closure.plane = {first, cross(normal, first)};
-    for (const LoopScrew& screw : start.screws)
-      closure.senses[static_cast<std::size_t>(screw.end)].push_back(
-          !screw.turns                    ? 0
-          : dot(screw.axis, normal) > 0.0 ? 1
-                                          : -1);
-  }
-
-  static double size_of(const LoopPosture& start) {
-    double size = 0.0;
-    for (const LoopScrew& screw : start.screws)
-      size = std::max(size, norm(start.points[static_cast<std::size_t>(screw.end)] - screw.origin));
-    return std::max(size, norm(start.points[0] - start.points[1]));
-  }
-
-  void report_gap(const LoopJoint& loop, double gap, const std::string& where) {
-    diagnostics_
-        .error(
-            "loop-cannot-close", loop.place,
-            fmt::format(
-                "loop '{}' does not close at q = 0: '{}' misses '{}' by {:.3g} m{}", loop.name, loop.ends[0].frame,
-                loop.ends[1].frame, gap, where.empty() ? "" : " " + where))
-        .hint =
-        "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and frames";
+  void report(const LoopJoint& loop, const PlaneFault& fault) {
+    diagnostics_.error(fault.code, loop.place, fault.message).hint = fault.hint;
   }
 
   // -------------------------------------------------------------------------------------------------------------------
@@ -418,7 +371,7 @@ class LoopResolution {
       const double gap = model::close(tree_, closure, q, parameters_);
       const LoopPosture now = posture(tree_, loop, q, parameters_);
       if (!(gap <= kClosed * size_of(now))) {
-        report_gap(loop, gap, "");
+        report(loop, open_loop(loop, gap));
         return;
       }
       const double length = evaluate(loop.length, parameters_);

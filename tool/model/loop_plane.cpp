@@ -1,0 +1,134 @@
+#include "model/loop_plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/index.h"
+
+namespace robcogen::model {
+namespace {
+
+// Axes that differ by less are parallel but for rounding; those that differ by less than the second are meant to be.
+constexpr double kParallel = 1e-9;
+constexpr double kMeantParallel = 1e-3;
+// Of the size of a loop.
+constexpr double kSamePlane = 1e-9;
+
+std::string off_plane(const std::string& what, double off) {
+  if (off > kMeantParallel) return fmt::format("the axis of '{}' is in another direction", what);
+  return fmt::format(
+      "the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off);
+}
+
+double off_normal(const LoopScrew& screw, const Numbers3& normal) {
+  return screw.turns ? norm(cross(screw.axis, normal)) : std::abs(dot(screw.axis, normal));
+}
+
+// Why the joints of a loop do not move its links in the plane of this normal; empty where they do.
+std::string reason_against(
+    const KinematicTree& tree,
+    const LoopJoint& loop,
+    const LoopPosture& posture,
+    const Numbers3& normal) {
+  for (const LoopScrew& screw : posture.screws) {
+    const Joint& joint = tree.joints[at(screw.joint)];
+    if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
+      return fmt::format("joint '{}' neither turns nor slides alone", joint.name);
+    const double off = off_normal(screw, normal);
+    if (off > kParallel) return off_plane(joint.name, off);
+  }
+  for (std::size_t e = 0; loop.type == LoopType::hinge && e < 2; ++e) {
+    const double off = norm(cross(posture.directions[e], normal));
+    if (off > kMeantParallel)
+      return fmt::format(
+          "the z axis of '{}', about which the hinge turns, is not parallel to its joints", loop.ends[e].frame);
+    if (off > kParallel) return off_plane(loop.ends[e].frame, off);
+  }
+  return "";
+}
+
+double gap_along(const LoopPosture& posture, const Numbers3& normal) {
+  const double gap = std::abs(dot(normal, posture.points[0] - posture.points[1]));
+  return gap > kSamePlane * size_of(posture) ? gap : 0.0;
+}
+
+// Coordinate axes where the normal is one.
+void span(const LoopPosture& posture, Numbers3 normal, Closure& closure) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::abs(normal[i]) > std::abs(normal[largest])) largest = i;
+  if (normal[largest] < 0.0)
+    for (double& x : normal) x = -x;
+  if (normal[largest] > 1.0 - kParallel * kParallel) {
+    normal = {};
+    normal[largest] = 1.0;
+  }
+  Numbers3 first{};
+  first[(largest + 1) % 3] = 1.0;
+  const double along = dot(first, normal);
+  for (std::size_t i = 0; i < 3; ++i) first[i] -= along * normal[i];
+  const double length = norm(first);
+  for (double& x : first) x /= length;
+  closure.plane = {first, cross(normal, first)};
+  for (const LoopScrew& screw : posture.screws) {
+    const int sense = dot(screw.axis, normal) > 0.0 ? 1 : -1;
+    closure.senses[static_cast<std::size_t>(screw.end)].push_back(screw.turns ? sense : 0);
+  }
+}
+
+}  // namespace
+
+PlaneFault find_plane(
+    const KinematicTree& tree,
+    const LoopJoint& loop,
+    const std::vector<double>& parameters,
+    Closure& closure) {
+  if (loop.type != LoopType::point && loop.type != LoopType::hinge)
+    return {
+        "loop-unsupported",
+        fmt::format("loop '{}': '{}' is not served yet", loop.name, kLoopTypes[static_cast<std::size_t>(loop.type)]),
+        "write it as a 'hinge', a 'point' or a 'distance'"};
+  const std::vector<double> zeros(tree.joints.size());
+  const LoopPosture start = posture(tree, loop, zeros, parameters);
+  const auto turning =
+      std::find_if(start.screws.begin(), start.screws.end(), [](const LoopScrew& screw) { return screw.turns; });
+  const bool turns = turning != start.screws.end();
+  const std::string reason =
+      turns ? reason_against(tree, loop, start, turning->axis) : std::string("none of its joints turns");
+  if (!reason.empty())
+    return {
+        "loop-not-planar", fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason),
+        "served are loops in a plane, and distances between two frames"};
+  const Numbers3 normal = turning->axis;
+  if (const double gap = gap_along(start, normal); gap > 0.0)
+    return open_loop(loop, gap, " along the axes of its joints");
+  std::vector<double> others = parameters;
+  for (std::size_t k = 0; k < others.size(); ++k) others[k] += 0.05 + 0.01 * static_cast<double>(k);
+  const LoopPosture moved = posture(tree, loop, zeros, others);
+  if (!reason_against(tree, loop, moved, normal).empty() || gap_along(moved, normal) > 0.0)
+    return {
+        "loop-plane-of-parameters", fmt::format("the plane in which loop '{}' moves depends on parameters", loop.name),
+        "parameters may be lengths in the plane, and angles about the axes of the joints"};
+  span(start, normal, closure);
+  return {};
+}
+
+PlaneFault open_loop(const LoopJoint& loop, double gap, const std::string& where) {
+  return {
+      "loop-cannot-close",
+      fmt::format(
+          "loop '{}' does not close at q = 0: '{}' misses '{}' by {:.3g} m{}", loop.name, loop.ends[0].frame,
+          loop.ends[1].frame, gap, where),
+      "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and frames"};
+}
+
+double size_of(const LoopPosture& posture) {
+  double size = norm(posture.points[0] - posture.points[1]);
+  for (const LoopScrew& screw : posture.screws)
+    size = std::max(size, norm(posture.points[static_cast<std::size_t>(screw.end)] - screw.origin));
+  return size;
+}
+
+}  // namespace robcogen::model

@@ -1,0 +1,28 @@
+// The plane in which a loop moves.
+#pragma once
+
+#include <string>
+
+#include "model/loop_geometry.h"
+
+namespace robcogen::model {
+
+// What is wrong with a loop that should move in a plane: a message without its place; all empty where nothing is.
+struct PlaneFault {
+  std::string code, message, hint;
+};
+
+// Sets the plane and the senses of a closure of a point or a hinge. `parameters` are values of the tree's.
+PlaneFault find_plane(
+    const KinematicTree& tree,
+    const LoopJoint& loop,
+    const std::vector<double>& parameters,
+    Closure& closure);
+
+// The message that a loop does not close at q = 0.
+PlaneFault open_loop(const LoopJoint& loop, double gap, const std::string& where = "");
+
+// A length: of the longest lever of a joint.
+double size_of(const LoopPosture& posture);
+
+}  // namespace robcogen::model
