@@ -17,8 +17,8 @@ cmake_minimum_required(VERSION 3.22...3.25)
 # Mathematics, copying and clearing of memory, detection of the processor (before main), stack protection,
 # position-independent code.
 set(allowed
-    "sin|cos|tan|sincos|sqrt"
-    "sinf|cosf|tanf|sincosf|sqrtf"
+    "sin|cos|tan|sincos|atan2|sqrt"
+    "sinf|cosf|tanf|sincosf|atan2f|sqrtf"
     "memcpy|memset|memmove"
     "__cpu_model|__cpu_indicator_init"
     "__stack_chk_fail|__stack_chk_guard|__stack_chk_fail_local"
