@@ -238,6 +238,7 @@ std::string heading(const KinematicTree& tree) {
 }  // namespace
 
 bool may_be_mimic(const KinematicTree& tree, const model::Coupling& coupling) {
+  if (!coupling.is_linear()) return false;
   return coupling.terms.size() == 1 || (coupling.terms.empty() && tree.dof() > 0);
 }
 

@@ -48,7 +48,7 @@ RigidMotions motions_of(const KinematicTree& tree);
 // The step of a spherical joint, by its first component, over these variables.
 ElementaryMotion spherical_motion(const KinematicTree& tree, int joint);
 
-// The same over independent joints: coupled ones follow them. Of a robot without spherical joints.
+// The same over independent joints: coupled ones follow them. Of a robot without spherical joints and loops.
 RigidMotions motions_over_coordinates(const KinematicTree& tree);
 
 }  // namespace robcogen::model
