@@ -226,6 +226,14 @@ class LoopResolution {
     closure.loop = index;
     closure.method = loop.type == LoopType::distance ? Closure::Method::distance : Closure::Method::planar;
     const LoopPosture start = posture(tree_, loop, zeros(), parameters_);
+    for (const LoopScrew& screw : start.screws) {
+      const Joint& joint = tree_.joints[at(screw.joint)];
+      if (joint.type != JointType::spherical) continue;
+      diagnostics_.error(
+          "loop-spherical", loop.place,
+          fmt::format("spherical joint '{}' cannot be part of loop '{}'", joint.name, loop.name));
+      return;
+    }
     if (closure.method == Closure::Method::planar) {
       const PlaneFault fault = find_plane(tree_, loop, parameters_, closure);
       if (!fault.code.empty()) return report(loop, fault);
@@ -268,9 +276,14 @@ class LoopResolution {
     std::vector<int> result;
     for (const LoopEnd& end : loop.ends)
       for (const int joint : end.joints)
-        if (!given_.contains(joint) && !independent_.contains(joint) && !followed_.contains(joint))
+        if (may_follow(joint) && !given_.contains(joint) && !independent_.contains(joint) && !followed_.contains(joint))
           result.push_back(joint);
     return result;
+  }
+
+  bool may_follow(int joint) const {
+    const JointType type = tree_.joints[at(joint)].type;
+    return type == JointType::revolute || type == JointType::prismatic;
   }
 
   bool is_driven(int joint) const {
