@@ -3,6 +3,7 @@
 
 #include "export/kinematics.h"
 #include "import/kinematics.h"
+#include "import/parts.h"
 #include "language/kinematics/document.h"
 
 namespace robcogen::test {
@@ -69,6 +70,31 @@ TEST(Loops, PrintAsTheyWereRead) {
   EXPECT_NE(text.find("independent { b }"), std::string::npos) << text;
   EXPECT_EQ(text.find("couplings"), std::string::npos) << text;
   EXPECT_EQ(coordinates(tree_of(text)), Names{"b"});
+}
+
+// A leg with a loop, attached twice: its frames, its loop and what leads it have the prefix of the instance.
+TEST(Loops, OfPartsAreThoseOfEachInstance) {
+  const std::string text =
+      "Part Leg(crank[0.2]) { root first via a root other via c "
+      "link first { children { rod via b } } "
+      "link rod { children {} frames { end { translation = (0.55, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } "
+      "link other { children {} frames { pin { translation = (0.4, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } "
+      "r_joint a { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (PI/2.0, 0.0, 1.2) } } "
+      "r_joint b { ref_frame { translation = (crank, 0.0, 0.0) rotation = (0.0, 0.0, -0.8) } } "
+      "r_joint c { ref_frame { translation = (0.5, 0.0, 0.0) rotation = (PI/2.0, 0.0, 1.4) } } "
+      "loops { bar { frames = end ~ pin type = hinge } } independent { b } } "
+      "Robot Two { RobotBase trunk { children { Leg L at { translation = (0.0, 0.2, 0.0) rotation = (0.0, 0.0, 0.0) } "
+      "Leg R(crank = 0.25) at { translation = (0.0, -0.2, 0.0) rotation = (0.0, 0.0, 0.0) } mirrored y } } }";
+  Diagnostics diagnostics;
+  const auto read = import::robot_document(std::make_shared<const Source>("two.kindsl", text), {}, diagnostics);
+  ASSERT_TRUE(read) << diagnostics.render();
+  const auto tree = import::kinematic_tree(read->document, diagnostics);
+  ASSERT_TRUE(tree) << diagnostics.render();
+  EXPECT_EQ(coordinates(*tree), (Names{"L_b", "R_b"}));
+  ASSERT_EQ(tree->loops.size(), 2U);
+  EXPECT_EQ(tree->loops[0].name, "L_bar");
+  EXPECT_EQ(tree->loops[1].ends[0].frame, "R_end");
+  EXPECT_EQ(tree->closures.size(), 2U);
 }
 
 }  // namespace
