@@ -22,9 +22,9 @@ TEST_P(JavaScriptRobots, GiveWhatTheInterpreterGives) {
   EXPECT_GE(calls, 12);
 }
 
-const std::string kRobots[] = {"hyl",       "hyl_parametric",  "tree5",   "scara",   "gripper",
-                               "ball_leg",  "five_bar",        "delta",   "puma560", "iiwa14",
-                               "quadruped", "quadruped_fixed", "centaur", "humanoid"};
+const std::string kRobots[] = {"hyl",      "hyl_parametric", "tree5",           "scara",        "gripper",
+                               "ball_leg", "five_bar",       "delta",           "achilles_leg", "puma560",
+                               "iiwa14",   "quadruped",      "quadruped_fixed", "centaur",      "humanoid"};
 INSTANTIATE_TEST_SUITE_P(Of, JavaScriptRobots, testing::ValuesIn(kRobots), [](const auto& robot) {
   return robot.param;
 });

@@ -71,8 +71,9 @@ TEST_P(MaximaText, IsTidy) {
   EXPECT_EQ(names.size(), definitions) << "a name is defined twice";
 }
 
-const std::string kRobots[] = {"hyl",     "hyl_parametric", "tree5",     "scara",           "ball_leg", "five_bar",
-                               "puma560", "iiwa14",         "quadruped", "quadruped_fixed", "centaur",  "humanoid"};
+const std::string kRobots[] = {"hyl",          "hyl_parametric", "tree5",  "scara",     "ball_leg",        "five_bar",
+                               "achilles_leg", "puma560",        "iiwa14", "quadruped", "quadruped_fixed", "centaur",
+                               "humanoid"};
 std::string itself(const testing::TestParamInfo<std::string>& robot) {
   return robot.param;
 }
