@@ -1,6 +1,7 @@
 #include "language/kinematics/block_parser.h"
 
 #include <algorithm>
+#include <climits>
 
 #include "language/common/parse_expression.h"
 
@@ -104,6 +105,25 @@ void BlockParser::equals(const Token& key) {
   const bool is_of_placement = key.text == "translation" || key.text == "rotation";
   if (cursor_.at(":") && is_of_placement) old_dialect(fmt::format("'{} :'", key.text));
   cursor_.expect("=", fmt::format("after '{}'", key.text));
+}
+
+int BlockParser::integer(const Token& key) {
+  equals(key);
+  const bool is_negative = cursor_.at("-") && cursor_.peek(1).kind == Token::Kind::number;
+  const Token token = cursor_.peek(is_negative ? 1 : 0);
+  const bool is_integer = !is_negative && token.kind == Token::Kind::number &&
+                          token.text.find_first_not_of("0123456789") == std::string::npos &&
+                          number_of(token).value() <= INT_MAX;
+  if (!is_integer) {
+    const std::string expected = fmt::format("an integer from 0 to {}", INT_MAX);
+    if (cursor_.after_line_end() || cursor_.is_faulty_here()) cursor_.unexpected(expected, "after '='");
+    const Span span = {cursor_.peek().span.begin, token.span.end};
+    const std::string found = is_negative ? fmt::format("number '-{}'", token.text) : describe(token);
+    cursor_.error_at(span, "bad-id", fmt::format("expected {} as id, found {}", expected, found));
+    throw SyntaxError{};
+  }
+  cursor_.take();
+  return static_cast<int>(number_of(token).value());
 }
 
 ExpressionPtr BlockParser::scalar() {

@@ -109,6 +109,8 @@ class BlockParser {
 
   Name name(std::string_view what);
   void equals(const Token& key);
+  // An id: not negative.
+  int integer(const Token& key);
   ExpressionPtr scalar();
   // The `(a, b)` of an item, of so many components.
   std::vector<ExpressionPtr> components(const Token& key, std::size_t count);

@@ -1,6 +1,9 @@
 #include "language/kinematics/keywords.h"
 
 #include <algorithm>
+#include <array>
+
+#include "language/kinematics/document.h"
 
 namespace robcogen::language::kinematics {
 
@@ -34,6 +37,45 @@ const std::vector<std::string>& keywords() {
 
 bool is_keyword(const std::string& word) {
   return std::find(keywords().begin(), keywords().end(), word) != keywords().end();
+}
+
+std::string_view word_of(Joint::Type type) {
+  switch (type) {
+    case Joint::Type::revolute:
+      break;
+    case Joint::Type::prismatic:
+      return "p_joint";
+    case Joint::Type::helical:
+      return "h_joint";
+    case Joint::Type::cylindrical:
+      return "c_joint";
+    case Joint::Type::universal:
+      return "u_joint";
+    case Joint::Type::planar:
+      return "planar_joint";
+    case Joint::Type::spherical:
+      return "s_joint";
+  }
+  return "r_joint";
+}
+
+std::span<const std::string_view> coordinate_words(Joint::Type type) {
+  static constexpr std::array<std::string_view, 2> kCylindrical = {"slide", "turn"}, kUniversal = {"turn_x", "turn_z"};
+  static constexpr std::array<std::string_view, 3> kPlanar = {"slide_x", "slide_y", "turn"};
+  switch (type) {
+    case Joint::Type::revolute:
+    case Joint::Type::prismatic:
+    case Joint::Type::helical:
+    case Joint::Type::spherical:
+      break;
+    case Joint::Type::cylindrical:
+      return kCylindrical;
+    case Joint::Type::universal:
+      return kUniversal;
+    case Joint::Type::planar:
+      return kPlanar;
+  }
+  return {};
 }
 
 }  // namespace robcogen::language::kinematics

@@ -1,32 +1,18 @@
 #include <algorithm>
-#include <climits>
 #include <utility>
 
 #include "language/common/content.h"
 #include "language/kinematics/block_parser.h"
 #include "language/kinematics/keywords.h"
 #include "language/kinematics/parse_couplings.h"
-#include "language/kinematics/parse_drive.h"
+#include "language/kinematics/parse_joint.h"
+#include "language/kinematics/parse_link.h"
 #include "language/kinematics/parse_loops.h"
 #include "language/kinematics/parse_part.h"
 
 namespace robcogen::language::kinematics {
 namespace {
 
-const WordList kLinkItems = {"id", "inertia_params", "inertia_properties", "children", "frames"};
-const WordList kLinkNeeds = {"id", "children"};
-const WordList kLinkNeedsInPart = {"children"};
-const WordList kBaseItems = {"inertia_params", "inertia_properties", "children", "frames"};
-const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
-const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
-const WordList kJointItems = {"id", "ref_frame", "damping", "friction", "armature", "spring", "rotor", "limits"};
-const WordList kHelicalItems = {"id",       "ref_frame", "pitch", "damping", "friction",
-                                "armature", "spring",    "rotor", "limits"};
-const WordList kJointNeeds = {"ref_frame"}, kHelicalNeeds = {"ref_frame", "pitch"};
-const WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
-const WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
-const WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
-const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits"};
 constexpr std::string_view kCouplings = "couplings";
 
 // Elements stand in the block of the robot, items in the block of an element, both in any order.
@@ -138,9 +124,11 @@ class Parser : private BlockParser {
         if (roots && at_root(cursor_)) {
           roots->push_back(root(*this));
         } else if (cursor_.at_any({"RobotBase", "link"})) {
-          link();
+          if (cursor_.at("RobotBase") && part_ == nullptr)
+            bases_.push_back({std::string(cursor_.peek(1).text), cursor_.peek(1).span});
+          link(*this, *body_, part_);
         } else if (cursor_.at_any({"r_joint", "p_joint"}) || at_new_element()) {
-          joint();
+          joint(*this, *body_);
         } else if (at_couplings()) {
           couplings(*this, *body_);
         } else if (at_loops(cursor_)) {
@@ -209,231 +197,6 @@ class Parser : private BlockParser {
     for (std::size_t i = 1; i < bases_.size(); ++i)
       cursor_.error_at(bases_[i].span, "two-bases", fmt::format("'{}' is a second base", bases_[i].text))
           .notes.push_back({cursor_.place(bases_[0].span), "the first base is here"});
-  }
-
-  // -------------------------------------------------------------------------------------------------------------------
-  // Links.
-
-  void link() {
-    Link link;
-    const Token keyword = cursor_.take();
-    link.is_base = keyword.text == "RobotBase";
-    if (link.is_base && part_ == nullptr) bases_.push_back({std::string(cursor_.peek().text), cursor_.peek().span});
-    if (link.is_base && part_ != nullptr)
-      cursor_.error_at(keyword.span, "base-in-part", fmt::format("part '{}' cannot have a base", part_->name.text))
-          .hint =
-          "a part is attached to a link: write 'root LINK via JOINT' for its first link and the joint that carries it";
-    link.name = name(link.is_base ? "the name of the base" : "the name of a link");
-    const std::string owner = fmt::format("{} '{}'", link.is_base ? "base" : "link", link.name.text);
-    link.floating = link.is_base && cursor_.accept("floating");
-    if (link.is_base && !link.floating && !cursor_.at("{")) cursor_.unexpected("'floating' or '{'", "after " + owner);
-    Words found;
-    const bool sound = block(owner, kLinkItems, [&] {
-      if (cursor_.at("id")) {
-        const Token id = word(found);
-        if (link.is_base) cursor_.error_at(id.span, "base-with-id", "a base cannot have an 'id'");
-        link.id_span = id.span;
-        link.id = integer(id);
-      } else if (cursor_.at_any({"inertia_params", "inertia_properties"})) {
-        link.inertia = inertia(word(found), owner);
-      } else if (cursor_.at("children")) {
-        word(found);
-        children(link);
-      } else if (cursor_.at("frames")) {
-        word(found);
-        frames(link);
-      } else {
-        if (cursor_.at("ref_frame")) old_dialect("a 'ref_frame' of a link");
-        unknown_item(owner, link.is_base ? kBaseItems : kLinkItems);
-      }
-    });
-    if (sound && link.is_base) check_complete(owner, link.name.span, found, {"children"});
-    if (sound && !link.is_base)
-      check_complete(owner, link.name.span, found, part_ != nullptr ? kLinkNeedsInPart : kLinkNeeds);
-    link.span = {keyword.span.begin, cursor_.previous().span.end};
-    link.comments = cursor_.comments_before(link.span.end);
-    body_->links.push_back(std::move(link));
-  }
-
-  int integer(const Token& key) {
-    equals(key);
-    const bool is_negative = cursor_.at("-") && cursor_.peek(1).kind == Token::Kind::number;
-    const Token token = cursor_.peek(is_negative ? 1 : 0);
-    const bool is_integer = !is_negative && token.kind == Token::Kind::number &&
-                            token.text.find_first_not_of("0123456789") == std::string::npos &&
-                            number_of(token).value() <= INT_MAX;
-    if (!is_integer) {
-      const std::string expected = fmt::format("an integer from 0 to {}", INT_MAX);
-      if (cursor_.after_line_end() || cursor_.is_faulty_here()) cursor_.unexpected(expected, "after '='");
-      const Span span = {cursor_.peek().span.begin, token.span.end};
-      const std::string found = is_negative ? fmt::format("number '-{}'", token.text) : describe(token);
-      cursor_.error_at(span, "bad-id", fmt::format("expected {} as id, found {}", expected, found));
-      throw SyntaxError{};
-    }
-    cursor_.take();
-    return static_cast<int>(number_of(token).value());
-  }
-
-  void children(Link& link) {
-    block(
-        "'children'", [&] { return (cursor_.at_name() && cursor_.at("via", 1)) || at_instance(cursor_); },
-        [&] {
-          if (at_instance(cursor_)) {
-            link.instances.push_back(instance(*this));
-            return;
-          }
-          Child child;
-          child.link = name("the name of a child link");
-          cursor_.expect("via", fmt::format("after '{}'", child.link.text));
-          child.joint = name("the name of a joint");
-          link.children.push_back(std::move(child));
-        },
-        kLinkItems);
-  }
-
-  // One block, or several in a row; blocks may be empty.
-  void frames(Link& link) {
-    do {
-      block(
-          "'frames'", [&] { return cursor_.at_name() && cursor_.at("{", 1); },
-          [&] {
-            const Name name = this->name("the name of a frame");
-            const auto placement = this->placement(fmt::format("frame '{}'", name.text), name.span);
-            if (placement) link.frames.push_back({name, *placement});
-          },
-          kLinkItems);
-    } while (cursor_.at("{"));
-  }
-
-  // nullopt when something in it was reported.
-  std::optional<Inertia> inertia(const Token& keyword, const std::string& link) {
-    Inertia inertia;
-    const std::string owner = fmt::format("the inertia of {}", link);
-    const std::array moments = {std::pair("Ix", &inertia.ix),   std::pair("Iy", &inertia.iy),
-                                std::pair("Iz", &inertia.iz),   std::pair("Ixy", &inertia.ixy),
-                                std::pair("Ixz", &inertia.ixz), std::pair("Iyz", &inertia.iyz)};
-    Words found;
-    const bool sound = block(
-        owner, kInertiaItems,
-        [&] {
-          const Token key = cursor_.peek();
-          if (cursor_.at_any({"moments", "products"})) old_dialect(fmt::format("'{}'", key.text));
-          if (!cursor_.at_any(kInertiaItems)) unknown_item(owner, kInertiaItems);
-          word(found);
-          equals(key);
-          if (key.text == "ref_frame") {
-            inertia.reference = name("the name of a frame");
-          } else if (key.text == "CoM") {
-            inertia.com = vector(key);
-          } else if (key.text == "mass") {
-            inertia.mass = scalar();
-          } else {
-            for (const auto& [moment, value] : moments)
-              if (key.text == moment) *value = scalar();
-          }
-        },
-        kLinkItems);
-    inertia.span = {keyword.span.begin, cursor_.previous().span.end};
-    if (!sound || !check_complete(owner, keyword.span, found, kInertiaNeeds)) return std::nullopt;
-    return inertia;
-  }
-
-  // -------------------------------------------------------------------------------------------------------------------
-  // Joints, placements, numbers.
-
-  void joint() {
-    Joint joint;
-    const Token keyword = cursor_.take();
-    joint.type = type_of(keyword.text);
-    const WordList& items = items_of(joint.type);
-    joint.name = name("the name of a joint");
-    const std::string owner = fmt::format("joint '{}'", joint.name.text);
-    std::optional<Placement> placement;
-    Words found;
-    bool sound_items = true;
-    bool sound = block(owner, items, [&] {
-      if (!cursor_.at_any(items)) {
-        if (cursor_.at("translation")) old_dialect("a 'translation' outside 'ref_frame'");
-        if (at_instance(cursor_)) attached_to_joint(owner);
-        unknown_item(owner, items);
-      }
-      const Token key = word(found);
-      if (key.text == "id") {
-        joint.id = integer(key);
-      } else if (key.text == "ref_frame") {
-        placement = this->placement(fmt::format("the 'ref_frame' of {}", owner), key.span);
-      } else if (key.text == "pitch") {
-        equals(key);
-        joint.pitch = scalar();
-      } else if (is_coordinate(joint.type, key.text)) {
-        sound_items = coordinate(owner, key, joint) && sound_items;
-      } else {
-        sound_items = drive_item(*this, owner, key, {joint.drive, joint.rotor, joint.limits}) && sound_items;
-      }
-    });
-    const WordList& needed = joint.type == Joint::Type::helical ? kHelicalNeeds : kJointNeeds;
-    sound = sound && sound_items && check_complete(owner, joint.name.span, found, needed);
-    joint.span = {keyword.span.begin, cursor_.previous().span.end};
-    joint.comments = cursor_.comments_before(joint.span.end);
-    if (!sound || !placement) return;
-    joint.placement = *placement;
-    body_->joints.push_back(std::move(joint));
-  }
-
-  static Joint::Type type_of(std::string_view word) {
-    using enum Joint::Type;
-    for (const Joint::Type type : {prismatic, helical, cylindrical, universal, planar, spherical})
-      if (word == word_of(type)) return type;
-    return revolute;
-  }
-
-  static const WordList& items_of(Joint::Type type) {
-    switch (type) {
-      case Joint::Type::revolute:
-      case Joint::Type::prismatic:
-      case Joint::Type::spherical:
-        break;
-      case Joint::Type::helical:
-        return kHelicalItems;
-      case Joint::Type::cylindrical:
-        return kCylindricalItems;
-      case Joint::Type::universal:
-        return kUniversalItems;
-      case Joint::Type::planar:
-        return kPlanarItems;
-    }
-    return kJointItems;
-  }
-
-  static bool is_coordinate(Joint::Type type, std::string_view word) {
-    const auto words = coordinate_words(type);
-    return std::find(words.begin(), words.end(), word) != words.end();
-  }
-
-  // Drive and limits of one of several coordinates.
-  bool coordinate(const std::string& joint_owner, const Token& key, Joint& joint) {
-    Coordinate read;
-    read.word = {std::string(key.text), key.span};
-    const std::string owner = fmt::format("coordinate '{}' of {}", key.text, joint_owner);
-    Words found;
-    bool sound_drive = true;
-    const bool sound = block(owner, kCoordinateItems, [&] {
-      if (!at_drive_item(cursor_)) unknown_item(owner, kCoordinateItems);
-      sound_drive = drive_item(*this, owner, word(found), {read.drive, read.rotor, read.limits}) && sound_drive;
-    });
-    const auto words = coordinate_words(joint.type);
-    const auto place = [&](const Coordinate& c) { return std::find(words.begin(), words.end(), c.word.text); };
-    const auto before = std::find_if(joint.coordinates.begin(), joint.coordinates.end(), [&](const Coordinate& other) {
-      return place(read) < place(other);
-    });
-    joint.coordinates.insert(before, std::move(read));
-    return sound && sound_drive;
-  }
-
-  [[noreturn]] void attached_to_joint(const std::string& owner) {
-    cursor_.error("attached-to-joint", fmt::format("part '{}' cannot be attached to {}", cursor_.peek().text, owner))
-        .hint = "a part stands in 'children' of a link";
-    throw SyntaxError{};
   }
 };
 
