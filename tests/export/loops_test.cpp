@@ -72,6 +72,82 @@ TEST(Loops, PrintAsTheyWereRead) {
   EXPECT_EQ(coordinates(tree_of(text)), Names{"b"});
 }
 
+// Of the sides `left`, `bottom` and `right`, the first of them the crank; the crank stands at `angle`, the others as a
+// parallelogram has them, or as the text `more` asks for.
+std::string parallelogram(
+    const std::string& angle,
+    const std::string& back,
+    const std::string& more = "",
+    const std::string& crank = "0.2",
+    const std::string& rocker = "0.2") {
+  return "Robot Parallelogram { RobotBase base { children { crank via a rocker via c } } "
+         "link crank { id = 1 children { rod via b } } "
+         "link rod { id = 2 children {} frames { end { translation = (0.5, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } "
+         "link rocker { id = 3 children {} frames { pin { translation = (" +
+         rocker +
+         ", 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } "
+         "r_joint a { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, " +
+         angle + ") } } r_joint b { ref_frame { translation = (" + crank + ", 0.0, 0.0) rotation = (0.0, 0.0, " + back +
+         ") } } r_joint c { ref_frame { translation = (0.5, 0.0, 0.0) rotation = (0.0, 0.0, " + angle +
+         ") } } loops { bar { frames = end ~ pin type = hinge } } " + more + "}";
+}
+
+// By joint that follows.
+std::string sums(const model::KinematicTree& tree) {
+  std::string text;
+  for (const model::Coupling& coupling : tree.couplings) {
+    text += tree.joints[static_cast<std::size_t>(coupling.joint)].name + " =";
+    for (const model::Coupling::Term& term : coupling.terms)
+      text += " " + model::print(term.factor, {}) + " " + tree.joints[static_cast<std::size_t>(term.joint)].name;
+    text += "; ";
+  }
+  return text;
+}
+
+TEST(Parallelograms, AreSums) {
+  for (const char* angle : {"1.2", "PI/2.0", "-2.0"}) {
+    const std::string back = angle[0] == '-' ? angle + 1 : "-" + std::string(angle);
+    const model::KinematicTree tree = tree_of(parallelogram(angle, back));
+    EXPECT_TRUE(tree.closures.empty());
+    EXPECT_EQ(tree.loops.size(), 1U);
+    EXPECT_EQ(sums(tree), "b = -1.0 a; c = 1.0 a; ");
+    EXPECT_EQ(sums(tree_of(parallelogram(angle, back, "independent { b } "))), "a = -1.0 b; c = -1.0 b; ");
+    EXPECT_EQ(sums(tree_of(parallelogram(angle, back, "independent { c } "))), "a = 1.0 c; b = -1.0 c; ");
+    const std::string text = language::kinematics::print(exporting::kinematics_document(tree));
+    EXPECT_NE(text.find("bar { frames = end ~ pin type = hinge }"), std::string::npos) << text;
+    EXPECT_EQ(text.find("couplings"), std::string::npos) << text;
+  }
+}
+
+TEST(Parallelograms, HaveSidesOfEqualLength) {
+  EXPECT_FALSE(tree_of(parallelogram("1.2", "-1.2", "", "0.2", "0.20000001")).closures.empty());
+  EXPECT_EQ(sums(tree_of(parallelogram("1.2", "-1.2", "", "s[0.2]", "s"))), "b = -1.0 a; c = 1.0 a; ");
+  EXPECT_FALSE(tree_of(parallelogram("1.2", "-1.2", "", "s[0.2]", "0.2")).closures.empty());
+}
+
+// The same sides: the rod and the base cross.
+TEST(Parallelograms, AreNotCrossed) {
+  std::string crossed = parallelogram("1.2", "-2.02");
+  crossed.replace(crossed.rfind("1.2"), 3, "-2.02");
+  const model::KinematicTree tree = tree_of(crossed);
+  EXPECT_EQ(tree.closures.size(), 1U);
+  EXPECT_FALSE(tree.couplings.front().is_linear());
+}
+
+TEST(Parallelograms, FollowJointsOfCouplingsAndOfOneAnother) {
+  const std::string coupled = "couplings { a = 0.5 * m + 0.1 } ";
+  std::string text = parallelogram(
+      "1.2", "-1.2",
+      coupled +
+          "r_joint m { ref_frame { translation = (0.0, 0.0, 0.0) "
+          "rotation = (0.0, 0.0, 0.0) } } "
+          "link motor { id = 4 children {} } ");
+  text.replace(text.find("rocker via c"), 12, "rocker via c motor via m");
+  const model::KinematicTree tree = tree_of(text);
+  EXPECT_EQ(sums(tree), "a = 0.5 m; b = -0.5 m; c = 0.5 m; ");
+  EXPECT_EQ(model::evaluate(tree.couplings[1].offset), -0.1);
+}
+
 // A leg with a loop, attached twice: its frames, its loop and what leads it have the prefix of the instance.
 TEST(Loops, OfPartsAreThoseOfEachInstance) {
   const std::string text =

@@ -1,15 +1,14 @@
 // One mechanism, cut at each of its pivots in turn and led by each choice of its joints: however it is written, its
 // links move alike.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <map>
 
 #include "dice.h"
 #include "import/kinematics.h"
 #include "interpreted_robot.h"
 #include "language/kinematics/document.h"
+#include "ring_robot.h"
 #include "volume.h"
 
 namespace robcogen::numeric {
@@ -19,113 +18,6 @@ using reference::Real;
 using reference::Vector;
 
 constexpr double kSame = 1e-10;
-
-// A closed chain of links in a plane: pivot k joins links k and k + 1, the last pivot the last link and link 0, which
-// is the base. Link 2 carries an arm on a skew joint, `extra`. At q = 0 the axes of all links are those of the base.
-class Ring {
- public:
-  Ring(int size, std::uint64_t seed) : size_(size), dice_(seed) {
-    constexpr double kPi = 3.14159265358979323846;
-    for (int k = 0; k < size; ++k) {
-      const double angle = 2 * kPi * k / size;
-      pivots_.push_back({0.3 * std::cos(angle) + noise(), 0.3 * std::sin(angle) + noise()});
-      heights_.push_back(k == 0 ? 0.0 : noise());
-      bodies_.push_back(body());
-    }
-    arm_ = {pivots_[1].x + noise(), pivots_[1].y + noise()};
-    turn_of_arm_ =
-        fmt::format("rotation = ({}, {}, {})", dice_.between(-1, 1), dice_.between(-1, 1), dice_.between(-1, 1));
-  }
-
-  int size() const { return size_; }
-  static std::string name(int pivot) { return fmt::format("p{}", pivot); }
-
-  // The tree that is left without this pivot; a loop closes it.
-  std::string document(int cut, const std::vector<int>& leaders, const std::string& type) const {
-    std::string text = "Robot Ring { RobotBase link0 { " + children(0, cut) + frames(0, cut) + "} ";
-    for (int link = 1; link < size_; ++link)
-      text += fmt::format(
-          "link link{} {{ id = {} inertia_params {{ {} ref_frame = body{} }} {} {} }} ", link, link, bodies_[at(link)],
-          link, children(link, cut), frames(link, cut));
-    text += "link arm { id = 9 inertia_params { " + bodies_.front() + " } children {} } ";
-    for (int pivot = 0; pivot < size_; ++pivot)
-      if (pivot != cut) text += joint(pivot, cut);
-    text += "r_joint extra { ref_frame { " + place(2, cut, arm_, heights_[2]) + " " + turn_of_arm_ +
-            " } } loops { cut { frames = left ~ right type = " + type + " } } ";
-    text += "independent { extra";
-    for (const int leader : leaders) text += ", " + name(leader);
-    return text + " } }";
-  }
-
-  // Whether the position of the pivot is that of the tree's joint, or its opposite: links hang on their first pivots up
-  // to the cut, and on their second ones behind it.
-  static double sense(int pivot, int cut) { return pivot < cut ? 1.0 : -1.0; }
-
- private:
-  struct Point {
-    double x, y;
-  };
-
-  int size_;
-  Dice dice_;
-  std::vector<Point> pivots_;
-  std::vector<double> heights_;  // of links
-  std::vector<std::string> bodies_;
-  Point arm_ = {};
-  std::string turn_of_arm_;
-
-  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
-  double noise() { return dice_.between(-0.05, 0.05); }
-
-  std::string body() {
-    const double m = dice_.between(0.3, 2.0), s = dice_.between(0.002, 0.02);
-    return fmt::format(
-        "mass = {} CoM = ({}, {}, {}) Ix = {} Iy = {} Iz = {} Ixy = {} Ixz = {} Iyz = {}", m, noise(), noise(), noise(),
-        3 * m * s, 2.5 * m * s, 3.5 * m * s, 0.2 * m * s, -0.1 * m * s, 0.15 * m * s);
-  }
-
-  static bool is_before(int link, int cut) { return link <= cut; }
-
-  // Of the link's frame, at q = 0.
-  Point origin(int link, int cut) const {
-    if (link == 0) return {0, 0};
-    return is_before(link, cut) ? pivots_[at(link - 1)] : pivots_[at(link)];
-  }
-
-  std::string place(int link, int cut, const Point& p, double height) const {
-    const Point o = origin(link, cut);
-    return fmt::format("translation = ({}, {}, {})", p.x - o.x, p.y - o.y, height - heights_[at(link)]);
-  }
-
-  std::string children(int link, int cut) const {
-    std::string text = "children { ";
-    const auto add = [&](int child, int pivot) { text += fmt::format("link{} via {} ", child, name(pivot)); };
-    if (link < cut) add(link + 1, link);
-    if (link == 0 && cut < size_ - 1) add(size_ - 1, size_ - 1);
-    if (link > cut + 1) add(link - 1, link - 1);
-    if (link == 2) text += "arm via extra ";
-    return text + "} ";
-  }
-
-  std::string frames(int link, int cut) const {
-    std::string text;
-    const auto add = [&](const std::string& frame, const Point& p, double height) {
-      text += fmt::format("{} {{ {} rotation = (0.0, 0.0, 0.0) }} ", frame, place(link, cut, p, height));
-    };
-    if (link > 0) add(fmt::format("body{}", link), pivots_[at(link - 1)], heights_[at(link)]);
-    if (link == cut) add("left", pivots_[at(cut)], heights_[at(cut)]);
-    if (link == (cut + 1) % size_) add("right", pivots_[at(cut)], heights_[at(cut)]);
-    return text.empty() ? "" : "frames { " + text + "} ";
-  }
-
-  std::string joint(int pivot, int cut) const {
-    const int next = (pivot + 1) % size_;
-    const int parent = pivot < cut ? pivot : next, child = pivot < cut ? next : pivot;
-    return fmt::format(
-        "r_joint {} {{ ref_frame {{ {} rotation = (0.0, 0.0, 0.0) }} }} ", name(pivot),
-        place(parent, cut, pivots_[at(pivot)], heights_[at(child)]));
-  }
-};
 
 model::KinematicTree tree_of(const std::string& text) {
   Diagnostics diagnostics;
@@ -151,7 +43,7 @@ PivotMotion motion_of_pivots(
   const Vector<Real> joints[] = {
       reference::joint_positions(closed.robot(), motion.q.cast<Real>()),
       reference::joint_rates(closed.robot(), motion.qd.cast<Real>()),
-      reference::joint_rates(closed.robot(), motion.qdd.cast<Real>()) + of_loops.of_loops.cast<Real>()};
+      reference::joint_accelerations(closed.robot(), of_loops).cast<Real>()};
   std::map<std::string, int> index;
   for (int j = 0; j < tables.joints.size; ++j) index[tables.joints[j].name] = j;
   PivotMotion result;
@@ -180,23 +72,18 @@ std::vector<int> coordinates(const Ring& ring, const reflection::Robot& tables) 
   return pivots;
 }
 
-std::vector<std::vector<int>> choices_of_leaders(int size, int cut) {
-  std::vector<std::vector<int>> choices;
-  for (int a = 0; a < size; ++a) {
-    if (a == cut) continue;
-    if (size == 4) choices.push_back({a});
-    for (int b = a + 1; size == 5 && b < size; ++b)
-      if (b != cut) choices.push_back({a, b});
-  }
-  return choices;
-}
+struct Mechanism {
+  std::string name;
+  int size;
+  Ring::Shape shape = Ring::Shape::any;
+};
 
-class CutLoops : public testing::TestWithParam<int> {};
+class CutLoops : public testing::TestWithParam<Mechanism> {};
 
 TEST_P(CutLoops, MoveAlikeWhereverTheyAreCut) {
   for (int i = 0; i < std::max(1, robot_count() / 500); ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
-    const Ring ring(GetParam(), seed);
+    const Ring ring(GetParam().size, seed, GetParam().shape);
     Dice dice(seed + 100);
     const auto draw = [&](int size, double limit) {
       Vector<double> v(size);
@@ -218,7 +105,7 @@ TEST_P(CutLoops, MoveAlikeWhereverTheyAreCut) {
     PivotMotion expected;
     int documents = 0;
     for (int cut = 0; cut < size; ++cut)
-      for (const std::vector<int>& leaders : choices_of_leaders(size, cut)) {
+      for (const std::vector<int>& leaders : ring.choices_of_leaders(cut)) {
         const std::string text = ring.document(cut, leaders, cut % 2 == 0 ? "hinge" : "point");
         const InterpretedRobot robot(tree_of(text), {}, {}, {}, {}, {"forward_dynamics"});
         const std::vector<int> of = coordinates(ring, robot.tables());
@@ -254,7 +141,15 @@ TEST_P(CutLoops, MoveAlikeWhereverTheyAreCut) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfBars, CutLoops, testing::Values(4, 5));
+INSTANTIATE_TEST_SUITE_P(
+    Of,
+    CutLoops,
+    testing::Values(
+        Mechanism{"four_bars", 4},
+        Mechanism{"five_bars", 5},
+        Mechanism{"parallelograms", 4, Ring::Shape::parallelogram},
+        Mechanism{"flat_parallelograms", 4, Ring::Shape::flat}),
+    [](const auto& mechanism) { return mechanism.param.name; });
 
 }  // namespace
 }  // namespace robcogen::numeric

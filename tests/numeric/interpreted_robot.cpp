@@ -358,7 +358,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inertia_factor(robot, c, checks);
     check_factor_dynamics(robot, c, checks);
     // Robots with loops do not have these.
-    const bool has_loops = tables.loops.size > 0;
+    const bool has_loops = reference::follows_through_loops(tables);
     if (!has_loops) check_coriolis_matrix(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
     if (robot.programs().contains("regressor")) {

@@ -191,7 +191,7 @@ class RobotMotions : public testing::Test {
       SCOPED_TRACE(document.filename().string());
       const std::optional<model::KinematicTree> robot = robot_of(document);
       // Motions have one variable each, and no loops.
-      if (!robot || !robot->spherical_joints().empty() || robot->has_loops()) continue;
+      if (!robot || !robot->spherical_joints().empty() || !robot->loops.empty()) continue;
       const std::optional<model::RigidMotions> motions = read(motions_text(*robot));
       if (!motions) continue;
       ++robots;

@@ -63,9 +63,9 @@ void require_values(const driver::Model& model, const Robot& robot) {
           model.file.string(), robot.tree.name, fmt::join(names, ", "))};
 }
 
-// Fails where joints follow through loops.
+// Fails where the robot has loops.
 void require_no_loops(const driver::Model& model, const Robot& robot, std::string_view reason) {
-  if (!robot.tree.has_loops()) return;
+  if (robot.tree.loops.empty()) return;
   throw Failure{
       wrong_input, fmt::format(
                        "{}: error: {}, but robot '{}' has loop '{}' [loop-lost]", model.file.string(), reason,

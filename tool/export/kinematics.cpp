@@ -56,7 +56,7 @@ class Writer {
     for (const model::Joint& joint : tree_.joints)
       if (joint.is_first()) document.joints.push_back(write(joint));
     for (const model::Coupling& coupling : tree_.couplings)
-      if (coupling.is_linear()) document.couplings.push_back(write(coupling));
+      if (coupling.is_linear() && coupling.loop < 0) document.couplings.push_back(write(coupling));
     for (const model::LoopJoint& loop : tree_.loops) document.loop_joints.push_back(write(loop));
     document.independents = independents();
     return document;

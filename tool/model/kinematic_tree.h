@@ -99,6 +99,7 @@ struct Coupling {
   std::vector<Term> terms;  // none: the joint stands still
   Quantity offset;          // rad or m
   int closure = -1;         // of KinematicTree::closures, or none
+  int loop = -1;            // of KinematicTree::loops: the parallelogram that it keeps closed, or none
 
   bool is_linear() const { return closure < 0; }
 };
@@ -190,9 +191,9 @@ class KinematicTree {
   bool has_rotors() const;
   // Whether a joint is helical.
   bool has_pitches() const;
-  // Whether a joint follows others by a sum; whether one does through a loop.
+  // Whether a joint follows others by a sum; whether one does through a loop in a proportion that changes.
   bool has_linear_couplings() const;
-  bool has_loops() const { return !loops.empty(); }
+  bool has_closures() const { return !closures.empty(); }
   // nullptr for an independent joint.
   const Coupling* coupling_of(int joint) const;
   // Joint indices, parents before children, depth first, children in the order of the document.

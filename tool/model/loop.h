@@ -37,6 +37,12 @@ struct LoopJoint {
   Place place;
 };
 
+// A joint that another one follows, and how far that moves when it moves by one.
+struct LoopShare {
+  int joint = -1;
+  double factor = 0.0;
+};
+
 // How dependent joints follow the others of a loop, in closed form.
 struct Closure {
   // planar: all axes are parallel, and two joints follow by the sides of a triangle. distance: one joint follows.
@@ -49,6 +55,8 @@ struct Closure {
   // turns about the third axis (1), against it (-1), or slides (0); by end and joint.
   std::array<std::array<double, 3>, 2> plane = {};
   std::array<std::vector<int>, 2> senses = {};
+  // Of a parallelogram, by dependent joint: it follows by their sum.
+  std::vector<std::vector<LoopShare>> shares = {};
 };
 
 }  // namespace robcogen::model

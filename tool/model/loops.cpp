@@ -11,6 +11,7 @@
 
 #include "model/loop_plane.h"
 #include "model/name_index.h"
+#include "model/parallelogram.h"
 #include "support/index.h"
 
 namespace robcogen::model {
@@ -59,6 +60,7 @@ class LoopResolution {
     for (std::size_t k = 0; k < tree_.loops.size(); ++k) resolve(static_cast<int>(k));
     if (has_errors()) return;
     order();
+    if (!has_errors()) couple_parallelograms(tree_);
     if (!has_errors()) assemble();
     if (!has_errors()) add_couplings();
   }
@@ -253,7 +255,8 @@ class LoopResolution {
         error.hint = fmt::format("leave {}{} out of 'independent'", kept.size() > 1 ? "one of " : "", quoted(kept));
       return;
     }
-    choose(loop, start, free, wanted, closure);
+    const auto parallelogram = find_parallelogram(tree_, loop, parameters_, closure);
+    choose(loop, start, free, wanted, parallelogram, closure);
     if (closure.dependents.empty()) {
       diagnostics_
           .error(
@@ -268,7 +271,22 @@ class LoopResolution {
     }
     const int number = static_cast<int>(tree_.closures.size());
     for (const int joint : closure.dependents) followed_.insert({joint, number});
+    if (parallelogram) {
+      closure.shares = parallelogram->shares(closure.dependents);
+      if (parallelogram->is_flat()) warn_of_flat(loop);
+    }
     tree_.closures.push_back(std::move(closure));
+  }
+
+  void warn_of_flat(const LoopJoint& loop) {
+    diagnostics_
+        .warning(
+            "loop-flat", loop.place,
+            fmt::format(
+                "loop '{}' is flat at q = 0: it is taken for a parallelogram, whose opposite links stay parallel, not "
+                "for crossed links",
+                loop.name))
+        .hint = "turn the placement of a joint so that the loop is open at q = 0";
   }
 
   // Joints that may follow.
@@ -300,12 +318,15 @@ class LoopResolution {
       const LoopPosture& start,
       const std::vector<int>& free,
       std::size_t wanted,
+      const std::optional<Parallelogram>& parallelogram,
       Closure& closure) const {
     std::optional<Score> best;
     const auto consider = [&](std::vector<int> joints) {
       Closure trial = closure;
       trial.dependents = std::move(joints);
-      const double condition = conditioning(trial, start, error_of(trial, start, evaluate(loop.length, parameters_)));
+      const double condition =
+          parallelogram ? (parallelogram->determines(trial.dependents) ? 1.0 : 0.0)
+                        : conditioning(trial, start, error_of(trial, start, evaluate(loop.length, parameters_)));
       if (!(condition > kStretched) || slides(trial.dependents) > 1) return;
       Score score = {0, 0, condition < kWellDetermined, 0};
       for (const int joint : trial.dependents) {

@@ -241,7 +241,7 @@ struct Parameter {
 
 // A joint whose position follows others: offset + the sum of factor * q.
 struct Coupling {
-  const double* factors;  // one an element of qd; not numbers where the joint follows through a loop
+  const double* factors;  // one an element of qd; not numbers where a loop gives none (not a parallelogram)
   double offset;          // rad or m; the same
 };
 

@@ -130,7 +130,7 @@ constexpr std::array kRequirements = {
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
         "with ten columns for each of so many links its matrix would outgrow the stacks of threads"},
-    Requirement{kNoLoops, [](const KinematicTree& tree) { return !tree.has_loops(); }, "joints follow through loops"}};
+    Requirement{kNoLoops, [](const KinematicTree& tree) { return !tree.has_closures(); }, "joints follow through loops"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

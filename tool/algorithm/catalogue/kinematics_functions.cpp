@@ -164,7 +164,7 @@ std::vector<RobotFunction> jacobian_derivatives_functions(
     const model::DesiredTransforms& desired) {
   std::vector<RobotFunction> list;
   // Through loops, joints turn with others in a proportion that changes, too.
-  if (!tree.has_loops())
+  if (!tree.has_closures())
     add_for_jacobians(
         list, tree, desired, "jacobian_derivatives", "jacobians", "Jd",
         [](const std::string& left, const std::string& right) {

@@ -165,7 +165,9 @@ std::string coupling_tables(const Api& api) {
   const Library& library = *api.library;
   if (!library.numbers.empty()) return "";
   std::vector<std::string> factors, offsets;
+  bool has_others = false;
   for (const CoupledJointData& coupled : library.coupled) {
+    has_others = has_others || std::isnan(coupled.offset);
     std::vector<std::string> row;
     for (const double factor : coupled.factors) row.push_back(model_number(factor));
     factors.push_back("std::array<double, kDof>" + braced(row));
@@ -173,8 +175,7 @@ std::string coupling_tables(const Api& api) {
   }
   return paragraphs(
       {"// The position of a coupled joint is its offset plus the sum of factor times position of the joints.\n" +
-           std::string(
-               library.loops.empty() ? "" : "// Not numbers: it follows through a loop, by joint_positions.\n") +
+           std::string(has_others ? "// Not numbers: it follows through a loop, by joint_positions.\n" : "") +
            array("std::array<double, kDof>", kCoupledCount, "kCouplingFactors", factors, api.coupled),
        array("double", kCoupledCount, "kCouplingOffsets", offsets, api.coupled)});
 }

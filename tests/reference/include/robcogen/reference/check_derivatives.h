@@ -164,7 +164,7 @@ void check_forward_dynamics_derivatives(const Subject& subject, const Case& c, C
 // one element.
 template <class Subject>
 void check_inverse_dynamics_gradient(const Subject& subject, const Case& c, Checks& checks) {
-  if (c.robot.loops.size > 0) return;  // which the reference has at one position only
+  if (!c.motion.of_loops.empty()) return;  // which the reference has at one position only
   std::mt19937_64 engine(static_cast<std::uint64_t>(c.index));
   const Vector<double> weights = uniform_vector(engine, c.H.rows(), 1);
   const Matrix<Real> transposed_weights = transpose(weights.cast<Real>());

@@ -38,6 +38,13 @@ inline std::vector<Mover> movers_of(const Robot& robot, int joint) {
   return movers;
 }
 
+// Whether joints follow in proportions that change: through loops other than parallelograms (loops.h).
+inline bool follows_through_loops(const Robot& robot) {
+  return std::any_of(robot.couplings.begin(), robot.couplings.end(), [](const reflection::Coupling& coupling) {
+    return std::isnan(coupling.offset);
+  });
+}
+
 // Velocities, or accelerations, of all joints.
 template <class Scalar>
 Vector<Scalar> joint_rates(const Robot& robot, const Vector<Scalar>& rates) {

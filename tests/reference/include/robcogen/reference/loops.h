@@ -79,6 +79,11 @@ class AtLoops {
     for (int k = 0; k < robot.couplings.size; ++k)
       if (std::isnan(robot.couplings[k].offset)) dependent_.push_back(robot.dof() + k);
     const Vector<Real> y = motion.q.cast<Real>();
+    if (dependent_.empty()) {  // they close as exactly as the document has them
+      constexpr Real kDrawn = 1e-12L;
+      is_usual_ = largest(loop_rows(robot_, joint_positions(robot_, y)).error) < kDrawn;
+      return;
+    }
     Vector<Real> joints = closed(y);
     const Matrix<Real> G = tangent(joints);
     constexpr Real kClosed = 1e-15L, kRacing = 4;

@@ -1,0 +1,102 @@
+// Joints of parallelograms follow by sums: everywhere, flat positions included, and as Newton's method closes them.
+#include <gtest/gtest.h>
+
+#include "import/kinematics.h"
+#include "interpreted_robot.h"
+#include "language/kinematics/document.h"
+#include "ring_robot.h"
+#include "volume.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using reference::Real;
+using reference::Vector;
+
+int ring_count() {
+  return std::max(2, robot_count() / 1000);
+}
+
+model::KinematicTree tree_of(const std::string& text) {
+  Diagnostics diagnostics;
+  auto tree = import::kinematic_tree(
+      language::kinematics::parse(std::make_shared<const Source>("ring.kindsl", text), diagnostics), diagnostics);
+  if (!tree) throw std::runtime_error(diagnostics.render() + text);
+  return *std::move(tree);
+}
+
+// For all places to cut the loop and all joints that lead.
+void for_each_document(Ring::Shape shape, const std::function<void(const std::string&, std::uint64_t seed)>& check) {
+  for (int i = 0; i < ring_count(); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    const Ring ring(4, seed, shape);
+    for (int cut = 0; cut < ring.size(); ++cut)
+      for (const std::vector<int>& leaders : ring.choices_of_leaders(cut)) {
+        check(ring.document(cut, leaders, cut % 2 == 0 ? "hinge" : "point"), seed);
+        if (testing::Test::HasFailure()) return;
+      }
+  }
+}
+
+class Parallelograms : public testing::TestWithParam<Ring::Shape> {};
+
+TEST_P(Parallelograms, StayClosedInAllPositions) {
+  constexpr double kClosed = 1e-15;  // m
+  for_each_document(GetParam(), [&](const std::string& text, std::uint64_t seed) {
+    const model::KinematicTree tree = tree_of(text);
+    EXPECT_TRUE(tree.closures.empty()) << text;
+    EXPECT_EQ(tree.couplings.size(), 2U) << text;
+    const InterpretedRobot robot(tree, {}, {}, {}, {}, {"joint_positions"});
+    const reflection::Robot tables = robot.tables();
+    std::mt19937_64 engine(seed);
+    for (int state = 0; state < 5; ++state) {
+      const Vector<Real> q = reference::uniform_vector(engine, tables.dof(), 4.0).cast<Real>();
+      const Vector<Real> joints = reference::joint_positions(tables, q);
+      EXPECT_LT(static_cast<double>(reference::largest(reference::loop_rows(tables, joints).error)), kClosed) << text;
+    }
+  });
+}
+
+TEST_P(Parallelograms, AgreeWithTheReferenceInAllFunctions) {
+  for_each_document(GetParam(), [&](const std::string& text, std::uint64_t seed) {
+    const InterpretedRobot robot(tree_of(text), {});
+    EXPECT_TRUE(robot.programs().contains("coriolis_matrix"));
+    EXPECT_TRUE(robot.programs().contains("inverse_dynamics_derivatives"));
+    EXPECT_EQ(check_all(robot, seed, 1).failure_report(), "") << text;
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfShape,
+    Parallelograms,
+    testing::Values(Ring::Shape::parallelogram, Ring::Shape::flat),
+    [](const auto& shape) { return shape.param == Ring::Shape::flat ? "flat" : "open"; });
+
+// The same tables with loops of which nothing is known but that they close.
+TEST(OpenParallelograms, MoveAsNewtonsMethodClosesThem) {
+  constexpr double kSame = 1e-12;
+  for_each_document(Ring::Shape::parallelogram, [&](const std::string& text, std::uint64_t seed) {
+    const InterpretedRobot robot(tree_of(text), {}, {}, {}, {}, {"forward_dynamics"});
+    const reflection::Robot tables = robot.tables();
+    std::vector<reflection::Coupling> couplings(tables.couplings.begin(), tables.couplings.end());
+    for (reflection::Coupling& coupling : couplings) coupling.offset = std::numeric_limits<double>::quiet_NaN();
+    reflection::Robot general = tables;
+    general.couplings.data = couplings.data();
+    std::mt19937_64 engine(seed);
+    reference::Motion<double> motion;
+    motion.q = reference::uniform_vector(engine, tables.dof(), 0.3);
+    motion.qd = reference::uniform_vector(engine, tables.dof(), 2.0);
+    const reference::AtLoops closed(general, motion);
+    ASSERT_TRUE(closed.is_usual()) << text;
+    const auto same = [&](const Vector<Real>& found, const Vector<Real>& expected) {
+      EXPECT_LT(static_cast<double>(reference::largest(found - expected)), kSame) << text;
+    };
+    const Vector<Real> q = motion.q.cast<Real>(), qd = motion.qd.cast<Real>();
+    same(reference::joint_positions(tables, q), reference::joint_positions(closed.robot(), q));
+    same(reference::joint_rates(tables, qd), reference::joint_rates(closed.robot(), qd));
+    EXPECT_LT(reference::largest(motion.of_loops), kSame);
+  });
+}
+
+}  // namespace
+}  // namespace robcogen::numeric
