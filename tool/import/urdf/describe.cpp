@@ -11,34 +11,9 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// The pose of a link's URDF frame in the model's frame of the link that carries it.
-struct Carried {
-  int body = -1;  // a link; -1 for a root that is left out
-  Pose pose;
-};
-
 // The model's frame of a moving link is that of its joint, whose z is along the axis.
 Rotation joint_axes(const Joint& joint) {
   return rotation_to_axis(joint.axis);
-}
-
-std::vector<Carried> carry(const Document& document, const Topology& topology) {
-  std::vector<Carried> carried(document.links.size());
-  for (const int link : topology.order) {
-    const int j = topology.parent_joint[at(link)];
-    if (j < 0 || document.joints[at(j)].type == JointType::floating) {
-      carried[at(link)].body = link;
-      continue;
-    }
-    const Joint& joint = document.joints[at(j)];
-    const Carried& parent = carried[at(topology.parent[at(j)])];
-    if (joint.type == JointType::fixed) {
-      carried[at(link)] = {parent.body, parent.pose * pose_of(joint.origin)};
-    } else {
-      carried[at(link)] = {link, {{}, inverse(joint_axes(joint))}};
-    }
-  }
-  return carried;
 }
 
 // Where it moves about or along z.
@@ -89,6 +64,28 @@ model::DescribedCoupling coupling(
 
 }  // namespace
 
+std::vector<Carried> carry(const Document& document, const Topology& topology) {
+  std::vector<Carried> carried(document.links.size());
+  for (const int link : topology.order) {
+    const int j = topology.parent_joint[at(link)];
+    if (j < 0 || document.joints[at(j)].type == JointType::floating) {
+      carried[at(link)].body = link;
+      continue;
+    }
+    const Joint& joint = document.joints[at(j)];
+    const Carried& parent = carried[at(topology.parent[at(j)])];
+    if (joint.type == JointType::fixed) {
+      carried[at(link)] = {parent.body, parent.pose * pose_of(joint.origin)};
+    } else {
+      carried[at(link)] = {link, {{}, inverse(joint_axes(joint))}};
+    }
+  }
+  // A root that only carries a floating joint is not part of the robot.
+  for (const Joint& joint : document.joints)
+    if (joint.type == JointType::floating) carried[at(topology.root)].body = -1;
+  return carried;
+}
+
 model::Description describe(
     const Document& document,
     const Topology& topology,
@@ -96,14 +93,12 @@ model::Description describe(
     const std::vector<model::JointLimits>& limits,
     bool floating_base,
     bool free_mimic_joints) {
-  // A root that only carries a floating joint is not part of the robot.
   int base = topology.root;
   bool floats = floating_base;
   for (std::size_t j = 0; j < document.joints.size(); ++j) {
     if (document.joints[j].type == JointType::floating) base = topology.child[j], floats = true;
   }
-  std::vector<Carried> carried = carry(document, topology);
-  if (base != topology.root) carried[at(topology.root)].body = -1;
+  const std::vector<Carried> carried = carry(document, topology);
 
   std::vector<model::DescribedLink> bodies(document.links.size());
   std::vector<std::vector<PlacedInertial>> inertials(document.links.size());

@@ -74,6 +74,31 @@ struct Joint {
   std::optional<Dynamics> dynamics;
   Number armature;  // of the rotors that its transmissions turn
   std::optional<Mimic> mimic;
+  std::optional<bool> is_independent;  // as its attribute says
+  Place independent_place;
+};
+
+// A frame of one end of a loop.
+struct LoopEnd {
+  Name link;
+  Origin origin;
+};
+
+// A joint that closes a loop (URDF+: Chignoli et al., arXiv 2411.19753). Its frames meet, with the axis in both.
+struct Loop {
+  Name name;
+  JointType type = JointType::revolute;
+  Place type_place;
+  std::array<LoopEnd, 2> ends;  // predecessor, successor
+  std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
+};
+
+// The sum of the positions of the joints that lead to the successor is `ratio` times that of those to the predecessor,
+// both from the last link that both are carried by.
+struct Coupling {
+  Name name;
+  std::array<Name, 2> links;  // predecessor, successor
+  Number ratio = Number::rational(1);
 };
 
 // With one coordinate.
@@ -91,6 +116,8 @@ struct Document {
   std::string version;  // empty when there is none
   std::vector<Link> links;
   std::vector<Joint> joints;
+  std::vector<Loop> loops;
+  std::vector<Coupling> couplings;
   std::map<std::string, int> ignored;  // elements without mechanical content, by name
 };
 
@@ -111,6 +138,9 @@ void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostic
 // Reads the rotors of Drake's transmissions, `drake:rotor_inertia` and `drake:gear_ratio` of an actuator: their inertia
 // behind the gear becomes armature of the joint, with one note.
 void read_transmissions(const Element& root, Document& document, Diagnostics& diagnostics);
+
+// Reads loops and couplings, the extensions of URDF+, into the document.
+void read_loops(const Element& root, Document& document, Diagnostics& diagnostics);
 
 // Gives the document to urdfdom, the reader that most programs use. Reports its errors, in its words. Returns the
 // limits of each joint: infinite when the document has no limit of that kind; a missing `lower` or `upper` in a `limit`

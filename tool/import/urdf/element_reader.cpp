@@ -218,4 +218,23 @@ Number ElementReader::scalar(const Element& element, const char* attribute) {
   return found == nullptr ? Number() : numbers(*found, 1)[0];
 }
 
+Origin ElementReader::origin(const std::map<std::string, const Element*>& parts) {
+  Origin result;
+  const auto found = parts.find("origin");
+  if (found == parts.end()) return result;
+  const Element& element = *found->second;
+  check_attributes(element, {"xyz", "rpy"}, {"xyz", "rpy", "quat_xyzw"}, true);
+  if (const Attribute* xyz = find(element, "xyz")) result.xyz = triple(*xyz);
+  if (const Attribute* rpy = find(element, "rpy")) {
+    result.rpy = triple(*rpy);
+    const std::vector<Word> all = words(*rpy);
+    for (std::size_t i = 0; i < 3 && i < all.size(); ++i) result.rpy_places[i] = place(all[i].span);
+  }
+  if (const Attribute* quaternion = find(element, "quat_xyzw")) {
+    diagnostics_.error(
+        "unsupported-quaternion", place(quaternion->span), "rotations as quaternions are not supported: write 'rpy'");
+  }
+  return result;
+}
+
 }  // namespace robcogen::import::from_urdf

@@ -87,6 +87,9 @@ class ElementReader {
 
   Number scalar(const Element& element, const char* attribute);
 
+  // Of the part `origin`; the identity where there is none.
+  Origin origin(const std::map<std::string, const Element*>& parts);
+
   const std::shared_ptr<const Source>& source() const { return source_; }
   // How many elements of each name were not read.
   const std::map<std::string, int>& ignored() const { return ignored_; }

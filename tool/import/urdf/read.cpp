@@ -40,7 +40,7 @@ class DocumentReader : ElementReader {
         document.links.push_back(link(child));
       } else if (child.name == "joint") {
         document.joints.push_back(joint(child));
-      } else {
+      } else if (child.name != "loop" && child.name != "coupling") {
         ignore(child, root, {"link", "joint"});
       }
     }
@@ -51,25 +51,6 @@ class DocumentReader : ElementReader {
   }
 
  private:
-  Origin origin(const std::map<std::string, const Element*>& parts) {
-    Origin result;
-    const auto found = parts.find("origin");
-    if (found == parts.end()) return result;
-    const Element& element = *found->second;
-    check_attributes(element, {"xyz", "rpy"}, {"xyz", "rpy", "quat_xyzw"}, true);
-    if (const Attribute* xyz = find(element, "xyz")) result.xyz = triple(*xyz);
-    if (const Attribute* rpy = find(element, "rpy")) {
-      result.rpy = triple(*rpy);
-      const std::vector<Word> all = words(*rpy);
-      for (std::size_t i = 0; i < 3 && i < all.size(); ++i) result.rpy_places[i] = place(all[i].span);
-    }
-    if (const Attribute* quaternion = find(element, "quat_xyzw")) {
-      diagnostics_.error(
-          "unsupported-quaternion", place(quaternion->span), "rotations as quaternions are not supported: write 'rpy'");
-    }
-    return result;
-  }
-
   Link link(const Element& element) {
     Link result;
     result.name = name(element, "name");
@@ -139,6 +120,7 @@ class DocumentReader : ElementReader {
     Joint result;
     result.name = name(element, "name");
     const bool has_type = read_type(element, result);
+    read_independent(element, result);
     const auto own = parts(element, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"});
     if (const Element* parent = require_part(element, own, "parent")) result.parent = name(*parent, "link");
     if (const Element* child = require_part(element, own, "child")) result.child = name(*child, "link");
@@ -196,6 +178,20 @@ class DocumentReader : ElementReader {
             fmt::format("joint '{}' has unknown type '{}'", joint.name.text, type->value))
         .hint = hint.empty() ? fmt::format("the types are {}", fmt::join(names, ", ")) : hint;
     return false;
+  }
+
+  void read_independent(const Element& element, Joint& joint) {
+    const Attribute* attribute = find(element, "independent");
+    if (attribute == nullptr) return;
+    joint.independent_place = place(attribute->span);
+    const bool is_true = attribute->value == "true" || attribute->value == "True";
+    if (is_true || attribute->value == "false" || attribute->value == "False") {
+      joint.is_independent = is_true;
+      return;
+    }
+    diagnostics_.error(
+        "bad-independent", joint.independent_place,
+        fmt::format("'independent' of joint '{}' is 'true' or 'false', not '{}'", joint.name.text, attribute->value));
   }
 
   void read_axis(const Element& element, Joint& joint) {

@@ -67,6 +67,7 @@ std::optional<model::KinematicTree> urdf(
   if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
   read_transmissions(*root, document, diagnostics);
+  read_loops(*root, document, diagnostics);
   declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
   if (!options.allow_implausible)
@@ -82,6 +83,8 @@ std::optional<model::KinematicTree> urdf(
   note_ignored(document, diagnostics);
   model::Description description =
       describe(document, *topology, identifiers, limits, options.floating_base, options.free_mimic_joints);
+  add_loops(document, *topology, identifiers, description, diagnostics);
+  if (failed()) return std::nullopt;
   description.uses_passive_forces = options.passive_forces;
   if (!options.passive_forces) note_passive_forces(document, diagnostics);
   return build_tree(description, diagnostics);
