@@ -97,6 +97,19 @@ TEST_F(Urdf, NamesAreChangedEverywhere) {
   EXPECT_FALSE(client_.error.is_null());
 }
 
+TEST_F(Urdf, LoopsAndCouplingsReferToLinks) {
+  std::string text = kUrdf;
+  const std::string more =
+      "  <coupling name=\"gear\"><predecessor link=\"upper\"/><successor link=\"lower\"/><ratio "
+      "value=\"2\"/></coupling>\n";
+  text.insert(text.find("</robot>"), more);
+  client_.change(urdf_, text);
+  EXPECT_EQ(client_.ask_at("textDocument/documentHighlight", urdf_, "child link=\"|upper").size(), 5U);
+  const Json definition = client_.ask_at("textDocument/definition", urdf_, "successor link=\"|lower");
+  ASSERT_EQ(definition.size(), 1U);
+  EXPECT_EQ(definition[0].at("range").at("start"), client_.position(urdf_, "|lower'>"));
+}
+
 // Formatting would make another document of it, and what cannot be read must not be a fault.
 TEST_F(Urdf, BrokenTextIsLeftAlone) {
   EXPECT_EQ(client_.ask_about("textDocument/formatting", urdf_), Json::array());

@@ -1,7 +1,6 @@
 // Loops and couplings of URDF+, compared with robot documents and with sums made by hand.
-#include "import/kinematics.h"
+#include "document_tree.h"
 #include "interpreted_robot.h"
-#include "language/kinematics/document.h"
 #include "reading.h"
 
 namespace robcogen {
@@ -47,14 +46,6 @@ std::string four_bar(bool along_y) {
          "<loop name=\"bar\" type=\"revolute\"><predecessor link=\"rod\"><origin xyz=\"0.55 0 0\"/></predecessor>"
          "<successor link=\"rocker\"><origin xyz=\"0.4 0 0\"/></successor>" +
          axis + "</loop></robot>";
-}
-
-KinematicTree of_document(const std::string& text) {
-  Diagnostics diagnostics;
-  auto tree = import::kinematic_tree(
-      language::kinematics::parse(std::make_shared<const Source>("four_bar.kindsl", text), diagnostics), diagnostics);
-  EXPECT_TRUE(tree) << diagnostics.render();
-  return *tree;
 }
 
 std::vector<std::string> coordinates(const KinematicTree& tree) {
@@ -105,7 +96,7 @@ TEST(UrdfLoops, MoveAsThoseOfADocument) {
   };
   text.replace(text.find("PITCH, ROLL, 0.0"), 16, exact(x) + ", " + exact(y) + ", " + exact(z));
   const Vector<double> gravity{0.3, -9.7, 0.5};
-  const double expected = acceleration(of_document(text), gravity);
+  const double expected = acceleration(numeric::tree_of_text(text), gravity);
   EXPECT_NEAR(acceleration(tree, gravity), expected, kSame * (1 + std::abs(expected)));
 }
 

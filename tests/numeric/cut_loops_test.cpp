@@ -5,9 +5,8 @@
 #include <map>
 
 #include "dice.h"
-#include "import/kinematics.h"
+#include "document_tree.h"
 #include "interpreted_robot.h"
-#include "language/kinematics/document.h"
 #include "ring_robot.h"
 #include "volume.h"
 
@@ -18,14 +17,6 @@ using reference::Real;
 using reference::Vector;
 
 constexpr double kSame = 1e-10;
-
-model::KinematicTree tree_of(const std::string& text) {
-  Diagnostics diagnostics;
-  auto tree = import::kinematic_tree(
-      language::kinematics::parse(std::make_shared<const Source>("ring.kindsl", text), diagnostics), diagnostics);
-  if (!tree) throw std::runtime_error(diagnostics.render() + text);
-  return *std::move(tree);
-}
 
 // Of the pivots in their order, then of the joint `extra`.
 struct PivotMotion {
@@ -107,7 +98,7 @@ TEST_P(CutLoops, MoveAlikeWhereverTheyAreCut) {
     for (int cut = 0; cut < size; ++cut)
       for (const std::vector<int>& leaders : ring.choices_of_leaders(cut)) {
         const std::string text = ring.document(cut, leaders, cut % 2 == 0 ? "hinge" : "point");
-        const InterpretedRobot robot(tree_of(text), {}, {}, {}, {}, {"forward_dynamics"});
+        const InterpretedRobot robot(tree_of_text(text), {}, {}, {}, {}, {"forward_dynamics"});
         const std::vector<int> of = coordinates(ring, robot.tables());
         ASSERT_EQ(static_cast<int>(of.size()), dof) << text;
         if (documents++ == 0) {

@@ -1,12 +1,9 @@
 // Robots with loops over time: without dissipation they keep their energy.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
-#include "import/kinematics.h"
-#include "import/parts.h"
+#include "document_tree.h"
 #include "interpreted_robot.h"
+#include "runge_kutta.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -33,16 +30,9 @@ void PrintTo(const Held& held, std::ostream* out) {
 
 // Without damping and friction.
 model::KinematicTree conservative(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / name / (name + ".kindsl");
-  std::ifstream file(path, std::ios::binary);
-  const auto source =
-      std::make_shared<const Source>(path.string(), std::string(std::istreambuf_iterator<char>(file), {}));
-  Diagnostics diagnostics;
-  const auto read = import::robot_document(source, {}, diagnostics);
-  auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
-  if (!tree) throw std::runtime_error(diagnostics.render());
-  tree->uses_passive_forces = false;
-  return *std::move(tree);
+  model::KinematicTree tree = tree_of_robot(ROBCOGEN_ROBOTS_DIR, name);
+  tree.uses_passive_forces = false;
+  return tree;
 }
 
 class HeldMotion {
@@ -54,13 +44,8 @@ class HeldMotion {
         qd_(held.velocity) {}
 
   void step() {
-    const double h = 1.0 / held_.steps;
-    const Vector<double> a1 = acceleration(q_, qd_), v1 = qd_;
-    const Vector<double> v2 = qd_ + h / 2 * a1, a2 = acceleration(q_ + h / 2 * v1, v2);
-    const Vector<double> v3 = qd_ + h / 2 * a2, a3 = acceleration(q_ + h / 2 * v2, v3);
-    const Vector<double> v4 = qd_ + h * a3, a4 = acceleration(q_ + h * v3, v4);
-    q_ = q_ + h / 6 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
-    qd_ = qd_ + h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    runge_kutta_step(
+        1.0 / held_.steps, [&](const auto& q, const auto& qd) { return acceleration(q, qd); }, q_, qd_);
   }
 
   // By the reference, which closes the loops by Newton's method.

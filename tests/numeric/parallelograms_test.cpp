@@ -1,9 +1,8 @@
 // Joints of parallelograms follow by sums: everywhere, flat positions included, and as Newton's method closes them.
 #include <gtest/gtest.h>
 
-#include "import/kinematics.h"
+#include "document_tree.h"
 #include "interpreted_robot.h"
-#include "language/kinematics/document.h"
 #include "ring_robot.h"
 #include "volume.h"
 
@@ -15,14 +14,6 @@ using reference::Vector;
 
 int ring_count() {
   return std::max(2, robot_count() / 1000);
-}
-
-model::KinematicTree tree_of(const std::string& text) {
-  Diagnostics diagnostics;
-  auto tree = import::kinematic_tree(
-      language::kinematics::parse(std::make_shared<const Source>("ring.kindsl", text), diagnostics), diagnostics);
-  if (!tree) throw std::runtime_error(diagnostics.render() + text);
-  return *std::move(tree);
 }
 
 // For all places to cut the loop and all joints that lead.
@@ -43,7 +34,7 @@ class Parallelograms : public testing::TestWithParam<Ring::Shape> {};
 TEST_P(Parallelograms, StayClosedInAllPositions) {
   constexpr double kClosed = 1e-15;  // m
   for_each_document(GetParam(), [&](const std::string& text, std::uint64_t seed) {
-    const model::KinematicTree tree = tree_of(text);
+    const model::KinematicTree tree = tree_of_text(text);
     EXPECT_TRUE(tree.closures.empty()) << text;
     EXPECT_EQ(tree.couplings.size(), 2U) << text;
     const InterpretedRobot robot(tree, {}, {}, {}, {}, {"joint_positions"});
@@ -59,7 +50,7 @@ TEST_P(Parallelograms, StayClosedInAllPositions) {
 
 TEST_P(Parallelograms, AgreeWithTheReferenceInAllFunctions) {
   for_each_document(GetParam(), [&](const std::string& text, std::uint64_t seed) {
-    const InterpretedRobot robot(tree_of(text), {});
+    const InterpretedRobot robot(tree_of_text(text), {});
     EXPECT_TRUE(robot.programs().contains("coriolis_matrix"));
     EXPECT_TRUE(robot.programs().contains("inverse_dynamics_derivatives"));
     EXPECT_EQ(check_all(robot, seed, 1).failure_report(), "") << text;
@@ -76,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(OpenParallelograms, MoveAsNewtonsMethodClosesThem) {
   constexpr double kSame = 1e-12;
   for_each_document(Ring::Shape::parallelogram, [&](const std::string& text, std::uint64_t seed) {
-    const InterpretedRobot robot(tree_of(text), {}, {}, {}, {}, {"forward_dynamics"});
+    const InterpretedRobot robot(tree_of_text(text), {}, {}, {}, {}, {"forward_dynamics"});
     const reflection::Robot tables = robot.tables();
     std::vector<reflection::Coupling> couplings(tables.couplings.begin(), tables.couplings.end());
     for (reflection::Coupling& coupling : couplings) coupling.offset = std::numeric_limits<double>::quiet_NaN();
@@ -96,6 +87,37 @@ TEST(OpenParallelograms, MoveAsNewtonsMethodClosesThem) {
     same(reference::joint_rates(tables, qd), reference::joint_rates(closed.robot(), qd));
     EXPECT_LT(reference::largest(motion.of_loops), kSame);
   });
+}
+
+// A four-bar turns one side of a parallelogram: nothing follows in proportion.
+TEST(ParallelogramsBehindOtherLoops, AreClosedAsOthers) {
+  const auto body = [](const std::string& name, const std::string& rest) {
+    return "link " + name +
+           " { id = 1 inertia_params { mass = 1.2 CoM = (0.1, 0.02, 0.01) Ix = 0.03 Iy = 0.04 Iz = 0.05 Ixy = 0.001 "
+           "Ixz = 0.0 Iyz = 0.002 } " +
+           rest + " } ";
+  };
+  const auto frame = [](const std::string& name, double x) {
+    return name + " { translation = (" + std::to_string(x) + ", 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } ";
+  };
+  const auto joint = [](const std::string& name, double x, double angle) {
+    return "r_joint " + name + " { ref_frame { translation = (" + std::to_string(x) +
+           ", 0.0, 0.0) rotation = (0.0, 0.0, " + std::to_string(angle) + ") } } ";
+  };
+  const std::string text =
+      "Robot Two { RobotBase base { children { crank via x left via a right via c } } " +
+      body("crank", "children { rod via y }") + body("rod", "children {} frames { " + frame("end", 0.55) + "}") +
+      body("left", "children { top via b } frames { " + frame("pin", 0.4) + "}") +
+      body("top", "children {} frames { " + frame("top_end", 0.3) + "}") +
+      body("right", "children {} frames { " + frame("right_pin", 0.25) + "}") + joint("x", 0.0, 1.2) +
+      joint("y", 0.2, -0.8) + joint("a", 0.5, 1.4) + joint("b", 0.25, -1.4) + joint("c", 0.8, 1.4) +
+      "loops { bar { frames = end ~ pin type = hinge } sides { frames = top_end ~ right_pin type = point } } "
+      "independent { x } }";
+  const model::KinematicTree tree = tree_of_text(text);
+  EXPECT_EQ(tree.closures.size(), 2U);
+  const InterpretedRobot robot(tree, {});
+  EXPECT_FALSE(robot.programs().contains("coriolis_matrix"));
+  EXPECT_EQ(check_all(robot, 1, 5).failure_report(), "");
 }
 
 }  // namespace

@@ -4,13 +4,9 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
-#include "import/kinematics.h"
-#include "import/parts.h"
+#include "document_tree.h"
 #include "interpreted_robot.h"
+#include "runge_kutta.h"
 
 namespace robcogen::oracles {
 namespace {
@@ -26,16 +22,9 @@ struct Deleter {
 };
 
 model::KinematicTree robot_of(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / name / (name + ".kindsl");
-  std::ifstream file(path, std::ios::binary);
-  const auto source =
-      std::make_shared<const Source>(path.string(), std::string(std::istreambuf_iterator<char>(file), {}));
-  Diagnostics diagnostics;
-  const auto read = import::robot_document(source, {}, diagnostics);
-  auto tree = read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
-  if (!tree) throw std::runtime_error(diagnostics.render());
-  tree->uses_passive_forces = false;
-  return *std::move(tree);
+  model::KinematicTree tree = numeric::tree_of_robot(ROBCOGEN_ROBOTS_DIR, name);
+  tree.uses_passive_forces = false;
+  return tree;
 }
 
 // The tree in MJCF: every joint is a degree of freedom, and loops are equality constraints.
@@ -205,7 +194,6 @@ TEST_P(LoopsInMujoco, MoveAsItsStiffConstraintsLetThem) {
   const double stiffness = GetParam() == "palletiser" ? 400.0 : 30.0;
   for (int c = 0; c < tables_.dof(); ++c)
     model_->jnt_stiffness[mj_name2id(model_.get(), mjOBJ_JOINT, tables_.joints[c].name)] = stiffness;
-  const double h = 1e-3;
   const auto of = [&](const Vector<double>& q, const Vector<double>& qd) {
     Motion<double> m = reference::at_rest(q);
     m.qd = qd;
@@ -213,12 +201,7 @@ TEST_P(LoopsInMujoco, MoveAsItsStiffConstraintsLetThem) {
   };
   double farthest = 0, worst = 0;
   for (int step = 0; step < 500; ++step) {
-    const Vector<double> q = motion.q, v1 = motion.qd, a1 = of(q, v1);
-    const Vector<double> v2 = v1 + h / 2 * a1, a2 = of(q + h / 2 * v1, v2);
-    const Vector<double> v3 = v1 + h / 2 * a2, a3 = of(q + h / 2 * v2, v3);
-    const Vector<double> v4 = v1 + h * a3, a4 = of(q + h * v3, v4);
-    motion.q = q + h / 6 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
-    motion.qd = v1 + h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    numeric::runge_kutta_step(1e-3, of, motion.q, motion.qd);
     for (int k = 0; k < 10; ++k) mj_step(model_.get(), data_.get());
     farthest = std::max(farthest, reference::largest(motion.q));
     worst = std::max(worst, reference::largest(of_coordinates(data_->qpos) - motion.q));

@@ -122,6 +122,8 @@ UrdfNames urdf_names(std::string_view text) {
       if (tag.name == "child") names.joints.back().child = tag["link"];
       if (tag.name == "mimic") names.uses.push_back(tag["joint"]);
     }
+    if ((parent == "loop" || parent == "coupling") && (tag.name == "predecessor" || tag.name == "successor"))
+      names.uses.push_back(tag["link"]);
     if (parent == "transmission" && tag.name == "joint") names.uses.push_back(tag["name"]);
     if (!tag.closes) open.push_back(tag.name);
   }

@@ -29,7 +29,7 @@ struct UrdfNames {
   UrdfName robot;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
-  // Elsewhere: joints in `mimic` and in transmissions, links and joints in `gazebo`.
+  // Elsewhere: joints in `mimic` and in transmissions, links in loops and couplings, links and joints in `gazebo`.
   std::vector<UrdfName> uses;
 };
 
