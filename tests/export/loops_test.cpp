@@ -125,6 +125,17 @@ TEST(Parallelograms, HaveSidesOfEqualLength) {
   EXPECT_FALSE(tree_of(parallelogram("1.2", "-1.2", "", "s[0.2]", "0.2")).closures.empty());
 }
 
+// Drawn closed to the digit: sides of 0.2, 0.5, 0.5 and 0.4 m.
+TEST(Parallelograms, AreNoTrapezoids) {
+  std::string text = parallelogram("PI/2.0", "-PI/2.0", "", "0.2", "0.5");
+  text.replace(text.find("(0.5, 0.0, 0.0)"), 15, "(0.4, 0.3, 0.0)");
+  const std::size_t ground = text.find("r_joint c");
+  text.replace(text.find("(0.5, 0.0, 0.0)", ground), 15, "(0.4, 0.0, 0.0)");
+  const model::KinematicTree tree = tree_of(text);
+  EXPECT_EQ(tree.closures.size(), 1U);
+  EXPECT_LT(std::abs(model::evaluate(tree.couplings.front().offset)), 1e-15);
+}
+
 // The same sides: the rod and the base cross.
 TEST(Parallelograms, AreNotCrossed) {
   std::string crossed = parallelogram("1.2", "-2.02");

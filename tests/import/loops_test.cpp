@@ -151,6 +151,16 @@ TEST(UrdfCouplings, AreSolvedTogether) {
   EXPECT_EQ(sums(test::tree_of(geared(kFollows, "", kGears))), "a = 10.0 n; b = 1.0/6.0 m -10.0 n; ");
 }
 
+// Both say how far a and b turn together; at once, or when a and b are known.
+TEST(UrdfCouplings, AreRefusedWhereTheyTieJointsThatLead) {
+  const std::string third = joint("k", "base", "third", kAxis) + link("third", 1);
+  for (const std::string& couplings :
+       {coupling("lower", "first", "6") + coupling("second", "lower", "0.5"),
+        coupling("lower", "first", "6") + coupling("upper", "second", "0.1") + third + coupling("lower", "third", "2")})
+    EXPECT_EQ(test::imported(geared(kFollows, "", couplings)).of_code("coupling-without-follower").size(), 1U)
+        << couplings;
+}
+
 TEST(UrdfCouplings, ChooseTheLastJointWhereNoneIsSaidToFollow) {
   EXPECT_EQ(sums(test::tree_of(geared("", "", kGears))), "m = 6.0 a 6.0 b; n = 0.1 a; ");
   EXPECT_EQ(

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "import/urdf/describe.h"
+#include "import/urdf/mass.h"
 #include "model/name_index.h"
 #include "support/index.h"
 
@@ -175,7 +178,7 @@ class LoopWriter {
     drop_zeros(row);
   }
 
-  // Every row becomes the sum by which one joint follows others that do not follow.
+  // Every row becomes the sum by which one joint follows others, none of which follow.
   void eliminate() {
     std::map<int, Row> solved;
     for (Row& row : rows_) {
@@ -184,7 +187,7 @@ class LoopWriter {
         if (factor != row.factors.end()) add_to(row, other, -Number(factor->second));
       }
       drop_zeros(row);
-      const auto joint = follower(row);
+      const std::optional<int> joint = follower(row);
       if (!joint) {
         report_unsolved(row);
         continue;
