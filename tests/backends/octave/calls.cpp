@@ -35,11 +35,11 @@ double uniform(std::mt19937& engine, double lower, double upper) {
 }
 
 std::vector<double> draw(const Argument& argument, std::mt19937& engine) {
-  constexpr double kWide = 4.0;  // more than half a turn
   std::vector<double> values;
   for (std::size_t i = 0; i < static_cast<std::size_t>(size(argument)); ++i)
     values.push_back(
-        argument.around.empty() ? uniform(engine, -kWide, kWide) : argument.around[i] * uniform(engine, 0.8, 1.2));
+        argument.around.empty() ? uniform(engine, -argument.limit, argument.limit)
+                                : argument.around[i] * uniform(engine, 0.8, 1.2));
   for (const int first : argument.quaternions) {
     double square = 0;
     for (int k = first; k < first + 4; ++k) square += values[std::size_t(k)] * values[std::size_t(k)];

@@ -15,7 +15,8 @@ struct Argument {
   // `array`; `scalars`: Octave gets the elements one by one; `struct:a,b`: a field each.
   std::string kind = "array";
   std::vector<int> quaternions = {};  // the elements that begin unit quaternions
-  std::vector<double> around = {};    // values are drawn within a fifth of these; else of all signs and a few turns
+  std::vector<double> around = {};    // values are drawn within a fifth of these; else of all signs
+  double limit = 4.0;                 // of those: more than half a turn
 };
 
 struct Result {

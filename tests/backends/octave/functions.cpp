@@ -23,6 +23,8 @@ std::string dotted(const std::string& scope) {
 Argument argument(const backend::Library& library, const InputArray& array) {
   Argument result{array.name, static_cast<int>(array.elements.size())};
   result.quaternions = array.quaternions;
+  // Loops close near the position in which they are assembled.
+  if (array.role == Role::joint_position && !library.loops.empty()) result.limit = 0.1;
   if (array.role == Role::link_wrenches) {
     result.rows = 6;
     result.columns = static_cast<int>(library.links.size());
