@@ -2,13 +2,9 @@
 // file. The files are those beside this one, and URDFs from the field where there are any.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <stdexcept>
 
-#include "import/urdf.h"
+#include "imported.h"
 #include "interpreted_robot.h"
 #include "judge.h"
 
@@ -43,6 +39,7 @@ const Decisions kDecisions = {
         {"KDL chain", "fixed_tree", "one chain"},
         {"KDL chain", "hyq_no_sensors", "one chain"},
         {"KDL chain", "kinova", "one chain"},
+        {"KDL chain", "mimic_tree", "one chain"},
         {"KDL chain", "panda", "one chain"},
         {"KDL chain", "simple_humanoid", "one chain"},
         {"KDL chain", "solo12", "one chain"},
@@ -65,70 +62,12 @@ const Decisions kDecisions = {
         {"MuJoCo", "fixed_tree", kPrincipalAxes},
         {"MuJoCo", "floating_tree", kPrincipalAxes},
         {"MuJoCo", "kinova", kPrincipalAxes},
+        {"MuJoCo", "mimic_tree", kPrincipalAxes},
         {"MuJoCo", "panda", kPrincipalAxes},
     }};
 
-std::set<path> urdfs() {
-  std::set<path> files;
-  for (const char* folder : {TEST_SOURCE_DIR, ROBCOGEN_MODELS_DIR}) {
-    if (!std::filesystem::is_directory(folder)) continue;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      if (entry.path().extension() == ".urdf") files.insert(entry.path());
-    }
-  }
-  return files;
-}
-
-std::string contents(const path& file) {
-  std::ifstream text(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(text), {}};
-}
-
-KinematicTree imported(const path& file, bool floating) {
-  const auto source = std::make_shared<Source>(file.filename().string(), contents(file));
-  Diagnostics diagnostics;
-  import::UrdfOptions options;
-  options.floating_base = floating;
-  options.free_mimic_joints = true;
-  const auto tree = import::urdf(source, options, diagnostics);
-  if (!tree) throw std::runtime_error(diagnostics.render());
-  return *tree;
-}
-
-// From the base to one frame on each leaf: the last of the file, which is farthest out.
-model::DesiredTransforms jacobians_of_leaves(const KinematicTree& tree) {
-  model::DesiredTransforms desired;
-  const std::vector<model::Frame> frames = tree.frames();
-  for (int link = 1; link < static_cast<int>(tree.links.size()); ++link) {
-    if (!tree.links[static_cast<std::size_t>(link)].child_joints.empty()) continue;
-    const model::Frame* last = nullptr;
-    for (const model::Frame& frame : frames) {
-      if (frame.kind == model::Frame::Kind::user && tree.link_of(frame) == link) last = &frame;
-    }
-    if (last != nullptr) desired.jacobians.push_back({frames.front(), *last});
-  }
-  return desired;
-}
-
-// Characters that an identifier cannot have become underscores: all names of the file with such characters.
-std::map<std::string, std::string> changed_names(const std::string& urdf) {
-  const std::string attribute = "name=\"";
-  std::map<std::string, std::string> names;
-  for (std::size_t at = urdf.find(attribute); at != std::string::npos; at = urdf.find(attribute, at + 1)) {
-    const std::size_t begin = at + attribute.size();
-    const std::string name = urdf.substr(begin, urdf.find('"', begin) - begin);
-    std::string identifier = name;
-    for (char& c : identifier) {
-      const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-      if (!fits) c = '_';
-    }
-    if (identifier != name) names[identifier] = name;
-  }
-  return names;
-}
-
 Judged imported_robot(const path& file, bool floating) {
-  const KinematicTree tree = imported(file, floating);
+  const KinematicTree tree = imported(file, floating, MimicJoints::free);
   const auto robot = std::make_shared<const numeric::InterpretedRobot>(tree, jacobians_of_leaves(tree));
   Judged result = judged(file.string(), robot->tables(), robot);
   result.urdf_names = changed_names(contents(file));
@@ -149,7 +88,7 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   // Those of which the root is a body that can float.
   const std::set<std::string> floating = {"a1", "hyq_no_sensors", "simple_humanoid", "solo12", "talos_reduced"};
-  for (const auto& file : urdfs()) {
+  for (const auto& file : urdfs_in({TEST_SOURCE_DIR, ROBCOGEN_MODELS_DIR})) {
     register_file(file, false);
     if (floating.contains(file.stem().string())) register_file(file, true);
   }
