@@ -34,26 +34,30 @@ struct Group {
   std::vector<RobotFunction> (*dynamics)(const KinematicTree&, FormulationChoices&);
   std::vector<RobotFunction> (*kinematics)(const KinematicTree&, const model::DesiredTransforms&);
   std::vector<RobotFunction> (*contacts)(const KinematicTree&, const ContactFrames&, FormulationChoices&) = nullptr;
+  // Of the bodies, rotors and parameters of the model as they are. (Coriolis matrices of the same robot differ with how
+  // its mass is told.)
+  bool is_of_model = false;
 
   bool has_formulation() const { return kinematics == nullptr; }
   std::vector<RobotFunction> functions(
       const KinematicTree& tree,
       const model::DesiredTransforms& desired,
       FormulationChoices& choices) const {
-    if (dynamics) return dynamics(tree, choices);
+    if (dynamics) return dynamics(is_of_model ? tree : choices.tree(), choices);
     if (kinematics) return kinematics(tree, desired);
-    return desired.contacts.empty() ? std::vector<RobotFunction>() : contacts(tree, desired.contacts, choices);
+    return desired.contacts.empty() ? std::vector<RobotFunction>()
+                                    : contacts(choices.tree(), desired.contacts, choices);
   }
 };
 
 constexpr std::array kGroups = {
     Group{"inverse_dynamics", true, kInertia, inverse_dynamics_functions, nullptr},
     Group{"bias_forces", true, kInertia, bias_forces_functions, nullptr},
-    Group{"passive_forces", false, kNothing, passive_forces_functions, nullptr},
+    Group{"passive_forces", false, kNothing, passive_forces_functions, nullptr, nullptr, true},
     Group{"forward_dynamics", true, kInertiaInverse, forward_dynamics_functions, nullptr},
     Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
-    Group{"coriolis_matrix", false, kInertia | kNoLoops, coriolis_matrix_functions, nullptr},
+    Group{"coriolis_matrix", false, kInertia | kNoLoops, coriolis_matrix_functions, nullptr, nullptr, true},
     Group{"inverse_dynamics_derivatives", false, kInertia | kNoLoops, inverse_dynamics_derivatives_functions, nullptr},
     Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
@@ -62,15 +66,16 @@ constexpr std::array kGroups = {
     Group{
         "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations | kNoLoops,
         forward_dynamics_derivatives_functions, nullptr},
-    Group{"centroidal", true, kMass, centroidal_functions, nullptr},
+    Group{"centroidal", true, kMass, centroidal_functions, nullptr, nullptr, true},
     Group{"energy", true, kInertia, energy_functions, nullptr},
-    Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr},
+    Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr, nullptr, true},
     Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
     Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
-    Group{"regressor", false, kFewElements, regressor_functions, nullptr},
-    Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr},
-    Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr},
-    Group{"slotine_li_regressor", false, kFewElements | kNoLoops, slotine_li_regressor_functions, nullptr},
+    Group{"regressor", false, kFewElements, regressor_functions, nullptr, nullptr, true},
+    Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr, nullptr, true},
+    Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr, nullptr, true},
+    Group{
+        "slotine_li_regressor", false, kFewElements | kNoLoops, slotine_li_regressor_functions, nullptr, nullptr, true},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},

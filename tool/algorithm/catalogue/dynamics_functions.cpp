@@ -259,7 +259,7 @@ std::vector<RobotFunction> energy_functions(const KinematicTree& tree, Formulati
       {std::string("Potential energy (J) of ") + (tree.floating_base ? "the robot" : "the moving links") +
        ", zero where their centre of mass is at the base origin."},
       [&](const std::string& kernel, Loads loads) {
-        return potential_energy(tree, kernel, loads, choices.representative_of_model());
+        return potential_energy(choices.model(), kernel, loads, choices.representative_of_model());
       },
       false);
   return list;

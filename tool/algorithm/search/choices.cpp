@@ -1,26 +1,33 @@
 #include "algorithm/search/choices.h"
 
 #include "algorithm/dynamics/traced_robot.h"
+#include "algorithm/formulation/rotor_spin.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
 
 using model::KinematicTree;
 
+FormulationChoices::FormulationChoices(const KinematicTree& tree, const Formulation& common)
+    : model_(tree), common_(common) {
+  if (common.regroup && tree.has_rotors()) spun_ = std::make_shared<const KinematicTree>(with_spin_in_bodies(tree));
+}
+
 FormulationChoices::FormulationChoices(FormulationChoices& original)
-    : tree_(original.tree_),
+    : model_(original.model_),
+      spun_(original.spun_),
       original_(&original),
       common_(with_representatives(original.common_)),
-      representative_of_model_(representative_links(original.tree_)) {}
+      representative_of_model_(representative_links(original.model_)) {}
 
 Formulation FormulationChoices::searched(const Formulation& start, const TraceOf& trace) const {
   Formulation result = start;
-  result.frames = cheap_frames(tree_, start, trace);
+  result.frames = cheap_frames(tree(), start, trace);
   return result;
 }
 
 Formulation FormulationChoices::with_representatives(Formulation formulation) const {
-  formulation.representative = representative_links(tree_, formulation);
+  formulation.representative = representative_links(tree(), formulation);
   return formulation;
 }
 
@@ -28,7 +35,7 @@ const Formulation& FormulationChoices::newton_euler() {
   return newton_euler_.get([&] {
     if (original_) return with_representatives(original_->newton_euler());
     return searched(common_, [&](const KinematicTree& part, const Formulation& f) {
-      return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree_), f);
+      return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree()), f);
     });
   });
 }
@@ -55,14 +62,14 @@ const Formulation& FormulationChoices::inverse_dynamics_derivatives() {
   return inverse_dynamics_derivatives_.get([&] {
     if (original_) return with_representatives(original_->inverse_dynamics_derivatives());
     return searched(newton_euler(), [&](const KinematicTree& part, const Formulation& f) {
-      return algorithm::inverse_dynamics_derivatives(part, "inverse_dynamics_derivatives", default_loads(tree_), f);
+      return algorithm::inverse_dynamics_derivatives(part, "inverse_dynamics_derivatives", default_loads(tree()), f);
     });
   });
 }
 
 const ForwardDynamicsChoice& FormulationChoices::forward_dynamics() {
   return forward_dynamics_.get([&] {
-    if (!original_) return forward_dynamics_choice(tree_, common_);
+    if (!original_) return forward_dynamics_choice(tree(), common_);
     ForwardDynamicsChoice choice = original_->forward_dynamics();
     choice.formulation = with_representatives(choice.formulation);
     return choice;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "algorithm/search/forward_dynamics_choice.h"
 #include "algorithm/search/frame_search.h"
@@ -13,12 +14,17 @@ namespace robcogen::algorithm {
 // Several threads may ask.
 class FormulationChoices {
  public:
-  FormulationChoices(const model::KinematicTree& tree, const Formulation& common) : tree_(tree), common_(common) {}
+  FormulationChoices(const model::KinematicTree& tree, const Formulation& common);
 
   // The choices of `original`, for programs whose congruent limbs fold in the same way (representative_limbs.h).
   static FormulationChoices for_congruent_limbs(FormulationChoices& original) { return FormulationChoices(original); }
 
   const Formulation& common() const { return common_; }
+  // The robot that programs with these formulations are traced of: where mass properties may move to other links, those
+  // of rotors do too (rotor_spin.h).
+  const model::KinematicTree& tree() const { return spun_ ? *spun_ : model_; }
+  // As it is.
+  const model::KinematicTree& model() const { return model_; }
   const Formulation& newton_euler();
   const Formulation& unactuated_base();
   const Formulation& inertia();
@@ -32,7 +38,8 @@ class FormulationChoices {
  private:
   explicit FormulationChoices(FormulationChoices& original);
 
-  const model::KinematicTree& tree_;
+  const model::KinematicTree& model_;
+  std::shared_ptr<const model::KinematicTree> spun_;
   FormulationChoices* original_ = nullptr;
   Formulation common_;
   RepresentativeLinks representative_of_model_;

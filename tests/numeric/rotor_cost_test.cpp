@@ -1,0 +1,125 @@
+// What drives cost in inverse dynamics.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "algorithm/catalogue/catalogue.h"
+#include "dice.h"
+#include "pass/passes.h"
+#include "random_robot.h"
+#include "support/index.h"
+#include "symbolic/count.h"
+
+namespace robcogen::numeric {
+namespace {
+
+using model::KinematicTree;
+using model::Quantity;
+
+// Chains whose links have all ten inertial parameters.
+KinematicTree chain(std::uint64_t seed) {
+  RobotOptions options;
+  options.min_joints = options.max_joints = 4;
+  options.shape = Shape::chain;
+  options.odd_documents = options.screws = false;
+  KinematicTree robot = random_robot(seed, options);
+  Dice dice(seed);
+  for (model::Joint& joint : robot.joints) {
+    joint.type = model::JointType::revolute;
+    for (Quantity& angle : joint.placement.rotation) angle = Quantity(dice.between(0.3, 1.2));
+    for (Quantity& offset : joint.placement.translation) offset = Quantity(dice.between(0.1, 0.4));
+  }
+  for (model::Link& link : robot.links) {
+    model::Inertia& body = link.inertia.emplace();
+    body.mass = Quantity(dice.between(1, 3));
+    for (Quantity& c : body.com) c = Quantity(dice.between(0.02, 0.2));
+    for (Quantity* moment : {&body.ixx, &body.iyy, &body.izz}) *moment = Quantity(dice.between(0.4, 0.6));
+    for (Quantity* product : {&body.ixy, &body.ixz, &body.iyz}) *product = Quantity(dice.between(0.01, 0.04));
+  }
+  return robot;
+}
+
+// Multiplications, additions and divisions of inverse dynamics, all accelerations given, in the frames of the model.
+int operations(const KinematicTree& robot) {
+  const std::string name = robot.floating_base ? "inverse_dynamics_fully_actuated" : "inverse_dynamics";
+  for (algorithm::RobotFunction& f : algorithm::functions(robot, {}, "inverse_dynamics")) {
+    if (f.name != name) continue;
+    const symbolic::OperationCount n = symbolic::count(pass::run(std::move(f.program), pass::names()));
+    return n.mul + n.add + n.div;
+  }
+  throw std::logic_error("no inverse dynamics");
+}
+
+// The last joint but one, and the links beside it.
+int joint_of(const KinematicTree& robot) {
+  return robot.parent_joint_of(robot.topological().back());
+}
+
+// Added by a rotor on the last joint but one.
+int cost(const KinematicTree& robot, const std::optional<std::array<double, 3>>& axis, int carrier) {
+  KinematicTree geared = robot;
+  model::Rotor& rotor = geared.joints[at(joint_of(robot))].drive.rotor.emplace();
+  rotor.inertia = Quantity(3e-4);
+  rotor.ratio = Quantity(7.5);
+  rotor.carrier = carrier;
+  if (axis) rotor.axis = {Quantity((*axis)[0]), Quantity((*axis)[1]), Quantity((*axis)[2])};
+  return operations(geared) - operations(robot);
+}
+
+constexpr int kRobots = 40;
+
+TEST(DriveCosts, AnArmatureTakesAProductAndASum) {
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const KinematicTree robot = chain(seed);
+    KinematicTree geared = robot;
+    for (model::Joint& joint : geared.joints) joint.drive.armature = Quantity(0.02);
+    EXPECT_LE(operations(geared) - operations(robot), 2 * robot.dof()) << seed;
+  }
+}
+
+TEST(DriveCosts, ARotorAlongItsJointCostsAnArmature) {
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const KinematicTree robot = chain(seed);
+    const model::Joint& joint = robot.joints[at(joint_of(robot))];
+    EXPECT_LE(cost(robot, std::nullopt, joint.parent), 2) << seed;
+    EXPECT_LE(cost(robot, std::nullopt, joint.child), 2) << seed;
+  }
+}
+
+TEST(DriveCosts, ARotorAlongAnAxisOfItsCarrierTakesElevenOperations) {
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const KinematicTree robot = chain(seed);
+    for (int carrier = 1; carrier < static_cast<int>(robot.links.size()); ++carrier)
+      for (const std::array<double, 3>& axis : {std::array{1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, 1.0}})
+        EXPECT_LE(cost(robot, axis, carrier), 11) << seed << " on link " << carrier;
+  }
+}
+
+// Where the axis of the joint is fixed in the carrier, its bodies take a component of the rotor's momentum over.
+TEST(DriveCosts, ARotorAboutAnyAxisTakesTwentyOperationsBesideItsJointAndTwentyNineElsewhere) {
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const KinematicTree robot = chain(seed);
+    const model::Joint& joint = robot.joints[at(joint_of(robot))];
+    Dice dice(seed);
+    const std::array<double, 3> axis = {dice.between(0.1, 1), dice.between(0.1, 1), dice.between(0.1, 1)};
+    for (int carrier = 1; carrier < static_cast<int>(robot.links.size()); ++carrier) {
+      const bool is_beside = carrier == joint.parent || carrier == joint.child;
+      EXPECT_LE(cost(robot, axis, carrier), is_beside ? 20 : 29) << seed << " on link " << carrier;
+    }
+  }
+}
+
+// The joint's axis is normal to that of its parent, as in legs and arms: the component along it is what is left out.
+TEST(DriveCosts, ARotorAboutAnyAxisTakesTwentyOperationsWhereAxesAreNormal) {
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    KinematicTree robot = chain(seed);
+    model::Joint& joint = robot.joints[at(joint_of(robot))];
+    joint.placement.rotation = {Quantity(Number::pi_multiple(1, 2)), Quantity(), Quantity()};
+    Dice dice(seed);
+    const std::array<double, 3> axis = {dice.between(0.1, 1), dice.between(0.1, 1), dice.between(0.1, 1)};
+    EXPECT_LE(cost(robot, axis, joint.parent), 20) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::numeric
