@@ -22,6 +22,7 @@ namespace robcogen::numeric {
 namespace {
 
 using model::KinematicTree;
+using model::Quantity;
 using symbolic::Program;
 
 // k limbs of one topology on a trunk, that may be one joint away from the base. Numbers are any, zero, or multiples of
@@ -93,11 +94,42 @@ class RobotsWithLimbs {
     Diagnostics diagnostics;
     const auto tree = model::build(d, diagnostics);
     EXPECT_TRUE(tree.has_value()) << diagnostics.render(ErrorFormat::gnu);
+    limbs_ = limbs;
+    length_ = length;
     return *tree;
+  }
+
+  // In each limb a joint follows another one, and one has a rotor on its parent.
+  KinematicTree make_coupled() {
+    KinematicTree tree;
+    do tree = make();
+    while (length_ < 2);
+    const int follower = pick(length_), leader = (follower + 1 + pick(length_ - 1)) % length_, geared = pick(length_);
+    const std::array<double, 3> factors = {1.0, 2.0, 0.7};
+    const double factor = factors[static_cast<std::size_t>(pick(3))];
+    const bool has_offset = pick(2) == 0, same_rotors = pick(2) == 0;
+    const auto joint_of = [&](int limb, int k) {
+      return *tree.find_joint("joint_limb" + std::to_string(limb) + "_" + std::to_string(k));
+    };
+    for (int limb = 0; limb < limbs_; ++limb) {
+      // Whole factors fold, and are the same but for their signs; others have numbers of their own.
+      const double sign = pick(2) == 0 ? 1 : -1, own = factor == 0.7 ? uniform(0.6, 0.8) : factor;
+      model::Coupling coupling;
+      coupling.joint = joint_of(limb, follower);
+      coupling.terms = {{joint_of(limb, leader), model::test::number(sign * own)}};
+      if (has_offset) coupling.offset = model::test::number(uniform(0.1, 0.3));
+      tree.couplings.push_back(std::move(coupling));
+      model::Joint& driven = tree.joints[static_cast<std::size_t>(joint_of(limb, geared))];
+      if (driven.type != model::JointType::prismatic)
+        driven.drive.rotor = {
+            model::test::number(same_rotors ? 1e-3 : uniform(1e-3, 2e-3)), model::test::number(6), {}, driven.parent};
+    }
+    return tree;
   }
 
  private:
   std::mt19937 random_;
+  int limbs_ = 0, length_ = 0;
 
   int pick(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -168,12 +200,18 @@ struct Tally {
 // does the same.
 void expect_same_of_given_sines(const KinematicTree& tree, const Program& program, const Program& packed) {
   std::vector<pass::Position> joints;
-  for (const model::Joint& joint : tree.joints) joints.push_back({joint.name});
+  for (const int j : tree.coordinates()) {
+    const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+    joints.push_back({joint.name, model::turns(joint.type)});
+  }
   const pass::SplitAngles split = pass::split_angles({{program, &packed}}, joints);
   if (!split.parts[0]) return;
   const Program& core = *split.parts[0]->core_in_lanes;
   ASSERT_EQ(symbolic::verify(core), "") << program.name;
-  EXPECT_EQ(symbolic::count(core).sincos, 0) << program.name;
+  // A joint that follows others by a factor has a sine of its own.
+  const bool has_others = symbolic::count(split.parts[0]->core).sincos > 0;
+  EXPECT_EQ(symbolic::count(core).sincos > 0, has_others) << program.name;
+  EXPECT_TRUE(!has_others || !tree.couplings.empty()) << program.name;
   symbolic::Arrays<double> inputs = random_inputs(program, 2);
   const auto expected = symbolic::interpret<double>(packed, inputs);
   const auto angles = symbolic::interpret<double>(split.angles, {{"q", inputs.at("q")}});
@@ -260,6 +298,37 @@ TEST(Lanes, OfRandomRobotsComputeTheSame) {
   }
   EXPECT_GT(tally.with_lanes, tally.programs / 2);
   EXPECT_GT(tally.congruent, tally.programs / 10);
+}
+
+TEST(Lanes, OfCoupledLimbsComputeTheSame) {
+  Tally tally;
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
+    SCOPED_TRACE("seed " + std::to_string(i));
+    const KinematicTree tree = RobotsWithLimbs(static_cast<std::uint64_t>(1000 + i)).make_coupled();
+    expect_same_results(tree, i % 3 == 0 ? std::vector<std::string>() : all_steps(), tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.with_lanes, tally.programs / 2);
+}
+
+// Legs whose ankles follow their knees share lanes as those do in which all joints are free.
+TEST(Lanes, OfCoupledLegsTakeHalfTheInstructions) {
+  KinematicTree tree = document("quadruped");
+  for (const char* leg : {"LF", "RF", "LH", "RH"}) {
+    const auto joint = [&](const char* name) { return *tree.find_joint(std::string(leg) + "_" + name); };
+    tree.couplings.push_back({joint("KFE"), {{joint("HFE"), Quantity(-0.5)}}, Quantity(0.2)});
+    model::Joint& hip = tree.joints[static_cast<std::size_t>(joint("HAA"))];
+    hip.drive.rotor = {Quantity(1e-4), Quantity(9.0), {}, hip.parent};
+  }
+  for (const std::string group : {"inverse_dynamics", "joint_space_inertia", "bias_forces"}) {
+    for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
+      const Program program = pass::run(f.program, pass::names());
+      const Program packed = pass::packed(program, classes_of(tree, program));
+      const int before = symbolic::count(program).instructions, after = symbolic::count(packed).instructions;
+      std::printf("%s: %d instructions, %d in lanes\n", f.program.name.c_str(), before, after);
+      EXPECT_LT(after, 0.5 * before) << f.program.name;
+    }
+  }
 }
 
 // The programs of two legs one of which has zeros where the other has none, and those of two legs without zeros.

@@ -1,6 +1,8 @@
 #include "model/limbs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <compare>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -29,41 +31,6 @@ std::vector<int> joints_of_rotor(const KinematicTree& tree, std::size_t joint) {
 
 }  // namespace
 
-std::vector<int> limb_shapes(const KinematicTree& tree) {
-  std::vector<bool> is_tied(tree.joints.size(), false);
-  for (const Coupling& coupling : tree.couplings) {
-    is_tied[at(coupling.joint)] = true;
-    for (const Coupling::Term& term : coupling.terms) is_tied[at(term.joint)] = true;
-  }
-  // A rotor beyond its joint stays within a limb; one on another branch ties the two.
-  std::vector<std::size_t> distance(tree.joints.size());  // of rotors from their joints
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    const std::vector<int> joints = joints_of_rotor(tree, j);
-    distance[j] = joints.size();
-    if (joints.empty() || joints.back() == static_cast<int>(j)) continue;
-    is_tied[j] = true;
-    for (const int joint : joints) is_tied[at(joint)] = true;
-  }
-  constexpr int kUntied = -1;
-  std::map<std::tuple<JointType, bool, std::vector<bool>, int, std::vector<int>>, int> known;
-  std::vector<int> shape(tree.joints.size(), -1);
-  const std::vector<int> order = tree.topological();
-  for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
-    std::vector<int> beyond;
-    for (int child : tree.links[at(tree.joints[at(*joint)].child)].child_joints) beyond.push_back(shape[at(child)]);
-    std::sort(beyond.begin(), beyond.end());
-    const auto number = static_cast<int>(known.size());
-    const Joint& own = tree.joints[at(*joint)];
-    const int tied = is_tied[at(*joint)] ? *joint : kUntied;
-    std::vector<bool> drive = own.drive.present(tree.uses_passive_forces);
-    drive.resize(drive.size() + distance[at(*joint)]);
-    shape[at(*joint)] =
-        known.try_emplace({own.type, own.pitch.is_zero(), std::move(drive), tied, std::move(beyond)}, number)
-            .first->second;
-  }
-  return shape;
-}
-
 std::vector<int> limb_joints(const KinematicTree& tree, const std::vector<int>& shapes, int first) {
   std::vector<int> joints, pending = {first};
   while (!pending.empty()) {
@@ -75,6 +42,122 @@ std::vector<int> limb_joints(const KinematicTree& tree, const std::vector<int>& 
     pending.insert(pending.end(), children.rbegin(), children.rend());
   }
   return joints;
+}
+
+namespace {
+
+// By joint: what ties it to others. A joint that is tied to another limb is like no other.
+using Ties = std::vector<std::vector<int>>;
+
+void tie_to_nothing_else(Ties& ties, int joint) {
+  ties[at(joint)] = {-1 - joint};
+}
+
+std::vector<int> shapes_with(const KinematicTree& tree, const Ties& ties, const std::vector<std::size_t>& distance) {
+  std::map<std::tuple<JointType, bool, std::vector<bool>, std::vector<int>, std::vector<int>>, int> known;
+  std::vector<int> shape(tree.joints.size(), -1);
+  const std::vector<int> order = tree.topological();
+  for (auto joint = order.rbegin(); joint != order.rend(); ++joint) {
+    std::vector<int> beyond;
+    for (int child : tree.links[at(tree.joints[at(*joint)].child)].child_joints) beyond.push_back(shape[at(child)]);
+    std::sort(beyond.begin(), beyond.end());
+    const auto number = static_cast<int>(known.size());
+    const Joint& own = tree.joints[at(*joint)];
+    std::vector<bool> drive = own.drive.present(tree.uses_passive_forces);
+    drive.resize(drive.size() + distance[at(*joint)]);
+    shape[at(*joint)] =
+        known
+            .try_emplace({own.type, own.pitch.is_zero(), std::move(drive), ties[at(*joint)], std::move(beyond)}, number)
+            .first->second;
+  }
+  return shape;
+}
+
+// The last joint that carries all of these, or is one of them; -1: the base alone does.
+int common_joint(const KinematicTree& tree, const std::vector<int>& joints) {
+  for (int root = joints.front(); root >= 0; root = tree.parent_joint_of(root)) {
+    const auto carries = [&](int joint) {
+      while (joint >= 0 && joint != root) joint = tree.parent_joint_of(joint);
+      return joint == root;
+    };
+    if (std::all_of(joints.begin(), joints.end(), carries)) return root;
+  }
+  return -1;
+}
+
+// Numbers that fold, by themselves: whole factors, offsets of multiples of PI; all others alike.
+double folding_part(const Quantity& q) {
+  constexpr double kOther = 0.5;
+  if (!q.is_constant()) return -kOther;
+  const double size = std::abs(q.number().value());
+  return q.number().is_pi_multiple() || size == std::round(size) ? size : kOther;
+}
+
+// A coupling within a limb: the shape of the limb without it, which of its joints follows, and the others.
+struct Role {
+  int shape = 0;
+  std::vector<int> places;      // of the follower, then of those that it follows, in the list of the limb's joints
+  std::vector<double> numbers;  // offset, factors
+  friend auto operator<=>(const Role&, const Role&) = default;
+};
+
+std::vector<int> joints_of(const Coupling& coupling) {
+  std::vector<int> joints = {coupling.joint};
+  for (const Coupling::Term& term : coupling.terms) joints.push_back(term.joint);
+  return joints;
+}
+
+Role role_of(const KinematicTree& tree, const Coupling& coupling, const std::vector<int>& shapes, int root) {
+  const std::vector<int> limb = limb_joints(tree, shapes, root);
+  Role role{shapes[at(root)], {}, {folding_part(coupling.offset)}};
+  for (const int joint : joints_of(coupling))
+    role.places.push_back(static_cast<int>(std::find(limb.begin(), limb.end(), joint) - limb.begin()));
+  for (const Coupling::Term& term : coupling.terms) role.numbers.push_back(folding_part(term.factor));
+  return role;
+}
+
+// Couplings within limbs are alike where they tie corresponding joints; one between limbs makes its joints unlike all
+// others, as a loop does.
+void tie_coupled_joints(const KinematicTree& tree, const std::vector<std::size_t>& distance, Ties& ties) {
+  std::vector<int> roots;
+  for (const Coupling& coupling : tree.couplings) {
+    const std::vector<int> joints = joints_of(coupling);
+    roots.push_back(coupling.is_linear() ? common_joint(tree, joints) : -1);
+    if (roots.back() >= 0) continue;
+    for (const int joint : joints) tie_to_nothing_else(ties, joint);
+  }
+  const std::vector<int> plain = shapes_with(tree, ties, distance);
+  std::map<Role, int> known;
+  Ties within(tree.joints.size());
+  for (std::size_t c = 0; c < roots.size(); ++c) {
+    if (roots[c] < 0) continue;
+    const Role role = role_of(tree, tree.couplings[c], plain, roots[c]);
+    const int number = known.try_emplace(role, static_cast<int>(known.size())).first->second;
+    const std::vector<int> joints = joints_of(tree.couplings[c]);
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      within[at(joints[k])].push_back(number * static_cast<int>(tree.joints.size()) + static_cast<int>(k));
+  }
+  for (std::size_t j = 0; j < ties.size(); ++j) {
+    std::sort(within[j].begin(), within[j].end());
+    ties[j].insert(ties[j].end(), within[j].begin(), within[j].end());
+  }
+}
+
+}  // namespace
+
+std::vector<int> limb_shapes(const KinematicTree& tree) {
+  Ties ties(tree.joints.size());
+  // A rotor beyond its joint stays within a limb; one on another branch ties the two.
+  std::vector<std::size_t> distance(tree.joints.size());  // of rotors from their joints
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    const std::vector<int> joints = joints_of_rotor(tree, j);
+    distance[j] = joints.size();
+    if (joints.empty() || joints.back() == static_cast<int>(j)) continue;
+    tie_to_nothing_else(ties, static_cast<int>(j));
+    for (const int joint : joints) tie_to_nothing_else(ties, joint);
+  }
+  tie_coupled_joints(tree, distance, ties);
+  return shapes_with(tree, ties, distance);
 }
 
 std::vector<int> LimbClass::corresponding(std::size_t k) const {

@@ -20,8 +20,8 @@ struct LimbClass {
 };
 
 // Numbers the shapes of the subtrees of joints: two joints have the same number if and only if their types agree and
-// the subtrees on their links can be paired, shape by shape. A joint that is coupled, or that another follows, is like
-// no other.
+// the subtrees on their links can be paired, shape by shape. Couplings within a limb are part of its shape; a joint that
+// is coupled to one of another limb, or through a loop, is like no other.
 std::vector<int> limb_shapes(const KinematicTree& tree);
 
 // The joints from this one on, depth first; children by shape, equal ones in the order of the document. So the joints

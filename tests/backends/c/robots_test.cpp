@@ -213,6 +213,15 @@ INSTANTIATE_TEST_SUITE_P(
         "quadruped"),
     [](const auto& robot) { return robot.param; });
 
+// In couplings and pitches.
+TEST(C, ParametersOfJointsGiveWhatTheInterpreterGives) {
+  const Library robot = library(
+      std::filesystem::path(TEST_SOURCE_DIR) / "../../drives/adjustable.kindsl", "adjustable",
+      {algorithm::default_groups()});
+  ASSERT_EQ(robot.parameters.size(), 5U);
+  EXPECT_EQ(differences(robot), "");
+}
+
 // Of the same parameters, functions after an update give what the program that computes all in one gives.
 TEST(C, UpdatedCachesStandForTheParameters) {
   const std::filesystem::path document = kRobots / "hyl_parametric" / "hyl_parametric.kindsl";

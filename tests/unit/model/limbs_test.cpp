@@ -75,6 +75,38 @@ TEST(Limbs, ARotorOnAnotherLimbTiesTheTwo) {
   EXPECT_EQ(groups(tree), (Names{{"lh_j1", "rh_j1"}, {"lh_j2", "rh_j2"}}));
 }
 
+KinematicTree legs_with_couplings(const std::vector<Coupling>& couplings) {
+  std::vector<Edge> edges;
+  for (const char* leg : {"lf", "rf", "lh", "rh"}) add_chain(edges, "base", leg, 2);
+  KinematicTree tree = robot(edges);
+  tree.couplings = couplings;
+  return tree;
+}
+
+Coupling coupling(int joint, int followed, double factor, double offset = 0.0) {
+  return {joint, {{followed, test::number(factor)}}, test::number(offset)};
+}
+
+TEST(Limbs, WithTheSameCouplingsAreOneClass) {
+  const KinematicTree tree = legs_with_couplings(
+      {coupling(1, 0, 0.5, 0.1), coupling(3, 2, -0.6, 0.2), coupling(5, 4, 0.5, 0.3), coupling(7, 6, 0.5, 0.1)});
+  EXPECT_EQ(groups(tree), (Names{{"lf_j1", "rf_j1", "lh_j1", "rh_j1"}, {"lf_j2", "rf_j2", "lh_j2", "rh_j2"}}));
+}
+
+TEST(Limbs, WithOtherCouplingsAreOthers) {
+  // The third leg's hip follows, the fourth has a factor that folds.
+  const KinematicTree tree =
+      legs_with_couplings({coupling(1, 0, 0.5), coupling(3, 2, 0.5), coupling(4, 5, 0.5), coupling(7, 6, 1.0)});
+  EXPECT_EQ(groups(tree), (Names{{"lf_j1", "rf_j1"}, {"lf_j2", "rf_j2"}}));
+  EXPECT_TRUE(groups(legs_with_couplings({coupling(1, 0, 0.5), coupling(3, 2, 0.5, 0.1)})).size() == 2u)
+      << "free hind legs";
+}
+
+TEST(Limbs, CoupledToEachOtherAreUnlikeAllOthers) {
+  EXPECT_EQ(groups(legs_with_couplings({coupling(3, 1, 1.0)})), (Names{{"lh_j1", "rh_j1"}, {"lh_j2", "rh_j2"}}));
+  EXPECT_EQ(groups(legs_with_couplings({coupling(3, 1, 1.0), coupling(7, 5, 1.0)})), Names{});
+}
+
 TEST(Limbs, HumanoidHasArmsBeyondItsWaist) {
   std::vector<Edge> edges;
   add_chain(edges, "base", "left_leg", 2);
