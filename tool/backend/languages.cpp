@@ -1,6 +1,7 @@
 #include "backend/languages.h"
 
 #include "backend/c/c.h"
+#include "backend/casadi/casadi.h"
 #include "backend/cpp/cpp.h"
 #include "backend/javascript/javascript.h"
 #include "backend/matlab/matlab.h"
@@ -8,6 +9,16 @@
 #include "backend/python/python.h"
 
 namespace robcogen::backend {
+namespace {
+
+// The library in C, and what CasADi loads of it.
+std::vector<OutputFile> print_c(const Library& library) {
+  std::vector<OutputFile> files = c::print(library);
+  files.push_back(casadi::print(library));
+  return files;
+}
+
+}  // namespace
 
 const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
@@ -18,7 +29,7 @@ const std::vector<Language>& languages() {
       {.name = "c",
        .features = {.caches_parameters = true, .takes_long_programs = false},
        .takes_transforms = true,
-       .print = c::print},
+       .print = print_c},
       {.name = "matlab", .features = {.takes_long_programs = false}, .takes_transforms = true, .print = matlab::print},
       {.name = "maxima", .features = {.takes_long_programs = false}, .takes_transforms = true, .print = maxima::print},
       {.name = "python",

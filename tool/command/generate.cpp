@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "backend/c/c.h"
+#include "backend/casadi/casadi.h"
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "command/output.h"
@@ -220,9 +221,9 @@ Status list_outputs(const GenerateOptions& options) {
     if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
     if (language->name == "c") {
       if (!transforms) groups.insert(groups.begin(), backend::c::kParametersGroup);
-      for (const std::string& file :
-           backend::c::outputs(backend::c::prefix(options.names.name, options.names.enclosing), groups))
-        print_output("c/{}\n", file);
+      const std::string prefix = backend::c::prefix(options.names.name, options.names.enclosing);
+      for (const std::string& file : backend::c::outputs(prefix, groups)) print_output("c/{}\n", file);
+      print_output("c/{}\n", backend::casadi::output(prefix));
       continue;
     }
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);

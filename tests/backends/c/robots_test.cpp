@@ -12,6 +12,7 @@
 #include "../../unit/command/run_tool.h"
 #include "algorithm/catalogue/catalogue.h"
 #include "backend/c/c.h"
+#include "backend/casadi/casadi.h"
 #include "driver/derivatives.h"
 #include "driver/driver.h"
 #include "symbolic/interpret.h"
@@ -44,7 +45,9 @@ Library library(const std::filesystem::path& document, const std::string& name, 
 // The files below the folder, and a unit that has all of them.
 void write(const std::filesystem::path& folder, const Library& library) {
   std::string all;
-  for (const OutputFile& file : c::print(library)) {
+  std::vector<OutputFile> files = c::print(library);
+  files.push_back(casadi::print(library));
+  for (const OutputFile& file : files) {
     create_directories((folder / file.path).parent_path());
     test::write_text(folder / file.path, file.text);
     if (file.path.extension() == ".c") all += "#include \"" + file.path.string() + "\"\n";

@@ -12,42 +12,13 @@ namespace {
 constexpr const char* kModel = "model";
 
 // Names that model.h has, without the prefix.
-const std::vector<std::string> kOthers = {
-    "cache",
-    "cachef",
-    "update",
-    "updatef",
-    "default_parameters",
-    "default_parametersf",
-    "dof",
-    "frame_names",
-    "joint_effort",
-    "joint_lower",
-    "joint_names",
-    "joint_upper",
-    "joint_velocity",
-    "limb",
-    "limb_element",
-    "limbs",
-    "link_count",
-    "link_names",
-    "parameter_count",
-    "parameter_names",
-    "parameters",
-    "parametersf",
-    "position_names",
-    "positions",
-    "restrict"};
+constexpr std::string_view kOthers =
+    "cache cachef update updatef default_parameters default_parametersf dof frame_names joint_effort joint_lower "
+    "joint_names joint_upper joint_velocity limb limb_element limbs link_count link_names parameter_count "
+    "parameter_names parameters parametersf position_names positions restrict";
 
 bool is_free(const std::string&) {
   return false;
-}
-
-std::vector<std::string> members(const Library& library) {
-  std::vector<std::string> wanted;
-  for (const ParameterData& p : library.parameters) wanted.push_back(p.name);
-  NameScope scope(is_reserved);
-  return claim_all(scope, wanted);
 }
 
 // Those of the library; a robot's parameters in front.
@@ -74,8 +45,7 @@ std::string prefix(const std::string& name, const std::string& enclosing) {
 
 std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups) {
   const std::string folder = prefix + "_c", path = folder + "/";
-  std::vector<std::string> files = {
-      path + folder + ".h", path + kModel + ".h", path + kModel + ".c", path + "casadi.c"};
+  std::vector<std::string> files = {path + folder + ".h", path + kModel + ".h", path + kModel + ".c"};
   for (const std::string& group : groups)
     for (const char* end : {".h", ".c", "_f.c"}) files.push_back(path + group + end);
   return files;
@@ -83,7 +53,7 @@ std::vector<std::string> outputs(const std::string& prefix, const std::vector<st
 
 // Names of single precision give way: they are the younger ones.
 std::vector<Callable> callables(const Library& library) {
-  NameScope scope(is_free, kOthers);
+  NameScope scope(is_free, words(kOthers));
   std::vector<Callable> result;
   const std::string start = prefix(library.name, library.enclosing) + "_";
   for (const std::vector<Function>* list : {&library.functions, &library.updates})
@@ -93,20 +63,26 @@ std::vector<Callable> callables(const Library& library) {
   return result;
 }
 
-std::vector<OutputFile> print(const Library& library) {
+Names names(const Library& library) {
+  std::vector<std::string> parameters;
+  for (const ParameterData& p : library.parameters) parameters.push_back(p.name);
   const std::string name = prefix(library.name, library.enclosing);
-  const Names names{library, name, name + "_c", callables(library), members(library)};
+  return {library, name, name + "_c", callables(library), members(parameters)};
+}
+
+std::vector<OutputFile> print(const Library& library) {
+  const Names names = c::names(library);
   std::vector<std::function<std::string()>> texts = {
       [&] { return print_umbrella(names); }, [&] { return print_model_header(names); },
-      [&] { return print_model(names); }, [&] { return print_casadi(names); }};
+      [&] { return print_model(names); }};
   const std::vector<std::string> groups = groups_of(library);
   for (const std::string& group : groups) {
     texts.emplace_back([&names, group] { return print_header(names, group); });
-    for (const Precision precision : {Precision::in_double, Precision::in_float})
-      texts.emplace_back([&names, group, precision] { return print_functions(names, group, precision); });
+    for (const Precision& precision : kPrecisions)
+      texts.emplace_back([&names, group, &precision] { return print_functions(names, group, precision); });
   }
   std::vector<OutputFile> files;
-  for (const std::string& path : outputs(name, groups)) files.push_back({path, {}});
+  for (const std::string& path : outputs(names.prefix, groups)) files.push_back({path, {}});
   for_each_index(files.size(), [&](std::size_t i) { files[i].text = texts[i](); });
   return files;
 }

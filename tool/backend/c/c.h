@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "backend/c/dialect.h"
 #include "backend/library.h"
 
 namespace robcogen::backend::c {
@@ -21,16 +22,19 @@ inline constexpr const char* kParametersGroup = "parameters";
 struct Callable {
   const Function* function = nullptr;
   std::string name, name_in_float;
+
+  const std::string& name_in(const Precision& precision) const {
+    return precision.suffix.empty() ? name : name_in_float;
+  }
 };
 
 // In the order of Library::functions, then Library::updates.
 std::vector<Callable> callables(const Library& library);
 
 // <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and
-// <prefix>_c.h, which includes all headers; casadi.c, with every function for CasADi. Functions are <prefix>_<kernel>,
-// in single precision with an f behind. All arguments are arrays, results behind inputs; matrices column by column.
-// Functions of a robot with parameters take a structure first that <prefix>_update of parameters.h computes of the
-// parameters; those of transforms, the parameters.
+// <prefix>_c.h, which includes all headers. Functions are <prefix>_<kernel>, in single precision with an f behind. All
+// arguments are arrays, results behind inputs; matrices column by column. Functions of a robot with parameters take a
+// structure first that <prefix>_update of parameters.h computes of the parameters; those of transforms, the parameters.
 std::vector<OutputFile> print(const Library& library);
 
 }  // namespace robcogen::backend::c

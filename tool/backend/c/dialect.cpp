@@ -4,9 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "backend/common/layout.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/names.h"
-#include "support/number.h"
+#include "support/concat.h"
 
 namespace robcogen::backend::c {
 namespace {
@@ -18,7 +19,8 @@ std::string without_trigraphs(std::string text, const char* between) {
   return text;
 }
 
-std::string line(const Line& l, Precision precision) {
+template <bool is_float>
+std::string line(const Line& l) {
   switch (l.kind) {
     case Line::Kind::section: {
       const std::string text = comment(l.expression);
@@ -26,20 +28,29 @@ std::string line(const Line& l, Precision precision) {
     }
     case Line::Kind::binding:
     case Line::Kind::definition:
-      return "const " + scalar(precision) + " " + l.targets.front() + " = " + l.expression + ";";
-    case Line::Kind::store: {
-      std::string text;
-      for (const std::string& target : l.targets) text += target + " = ";
-      return text + l.expression + ";";
-    }
+      return "const " + (is_float ? kFloat : kDouble).scalar + " " + l.targets.front() + " = " + l.expression + ";";
+    case Line::Kind::store:
+      return joined(l.targets, " = ") + " = " + l.expression + ";";
     default:
       throw std::logic_error("C has no lanes: " + l.expression);
   }
 }
 
-template <Precision precision>
-Dialect make_dialect() {
-  const std::string suffix = precision == Precision::in_float ? "f" : "";
+template <bool is_float>
+Spelling literal(const Number& value, Texts& texts) {
+  const std::string text = number(value.value(), is_float ? kFloat : kDouble);
+  return backend::literal(texts.add({text}), texts.add({"-", text}));
+}
+
+std::vector<std::string> values(const std::vector<std::string>& labels) {
+  std::vector<std::string> elements;
+  for (std::size_t k = 0; k < labels.size(); ++k) elements.push_back(subscripted("values", k));
+  return elements;
+}
+
+template <bool is_float>
+Dialect make_dialect(bool reads_cache) {
+  const std::string& suffix = (is_float ? kFloat : kDouble).suffix;
   Dialect d;
   d.is_reserved = is_reserved;
   d.sine = "sin" + suffix;
@@ -50,36 +61,36 @@ Dialect make_dialect() {
   d.line_limit = cpp::kColumns - 2;
   d.pairs_angles = false;
   d.binds_parameters = true;
-  d.literal = [](const Number& value, Texts& texts) {
-    const std::string text = number(value.value(), precision);
-    return backend::literal(texts.add({text}), texts.add({"-", text}));
-  };
-  d.type = [](int) { return std::string("double"); };
-  d.element = [](const std::string& array, std::size_t k) { return array + "[" + std::to_string(k) + "]"; };
-  d.text = [](const Line& l) { return line(l, precision); };
+  d.literal = literal<is_float>;
+  d.type = [](int) { return kDouble.scalar; };
+  d.element = subscripted;
+  d.members = reads_cache ? values : members;
+  d.member_access = "->";
+  d.text = line<is_float>;
   return d;
 }
 
 }  // namespace
 
-const Dialect& dialect(Precision precision) {
-  static const Dialect in_double = make_dialect<Precision::in_double>();
-  static const Dialect in_float = make_dialect<Precision::in_float>();
-  return precision == Precision::in_float ? in_float : in_double;
+const Dialect& dialect(const Precision& precision, bool reads_cache) {
+  static const Dialect all[] = {
+      make_dialect<false>(false), make_dialect<false>(true), make_dialect<true>(false), make_dialect<true>(true)};
+  return all[(precision.suffix.empty() ? 0 : 2) + (reads_cache ? 1 : 0)];
 }
 
-std::string scalar(Precision precision) {
-  return precision == Precision::in_float ? "float" : "double";
+std::vector<std::string> members(const std::vector<std::string>& parameters) {
+  NameScope scope(is_reserved);
+  return claim_all(scope, parameters);
 }
 
 bool is_reserved(const std::string& name) {
   return name == "restrict" || cpp::is_reserved(name);
 }
 
-std::string number(double value, Precision precision) {
-  if (precision == Precision::in_double) return print_double(value);
-  const float rounded = static_cast<float>(value);
-  if (std::isinf(rounded)) return rounded < 0 ? "-HUGE_VALF" : "HUGE_VALF";
+std::string number(double value, const Precision& precision) {
+  if (precision.suffix.empty()) return backend::number(value, "(double)NAN", "(double)INFINITY");
+  const auto rounded = static_cast<float>(value);
+  if (!std::isfinite(rounded)) return backend::number(rounded, "(float)NAN", "HUGE_VALF");
   char buffer[40];
   std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded).ptr);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
@@ -95,17 +106,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail) {
-  std::string result, row = head;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const std::string item = items[i] + (i + 1 < items.size() ? "," : tail);
-    if (i > 0 && row.size() + 1 + item.size() > cpp::kColumns) {
-      result += row + "\n";
-      row = "    " + item;
-    } else {
-      row += (i > 0 ? " " : "") + item;
-    }
-  }
-  return result + row + (items.empty() ? tail : "") + "\n";
+  return backend::wrapped({.columns = cpp::kColumns, .openers = "({ ", .follows_head = false}, head, items, tail);
 }
 
 }  // namespace robcogen::backend::c

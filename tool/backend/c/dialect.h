@@ -8,18 +8,25 @@
 
 namespace robcogen::backend::c {
 
-enum class Precision { in_double, in_float };
+struct Precision {
+  std::string scalar;  // the type
+  std::string suffix;  // of names: of functions of <math.h> and of ours
+};
 
-const Dialect& dialect(Precision precision);
+inline const Precision kDouble = {"double", ""}, kFloat = {"float", "f"};
+inline const std::vector<Precision> kPrecisions = {kDouble, kFloat};
 
-// `double` or `float`.
-std::string scalar(Precision precision);
+// Where functions read a cache, parameters are elements of its array; otherwise members of their structure.
+const Dialect& dialect(const Precision& precision, bool reads_cache);
+
+// The members of the structure of parameters, by the names of all parameters.
+std::vector<std::string> members(const std::vector<std::string>& parameters);
 
 // Keywords of C and C++, since headers are for both, and macros of system headers.
 bool is_reserved(const std::string& name);
 
-// A literal of any finite value; in single precision the nearest one, infinite beyond the largest.
-std::string number(double value, Precision precision);
+// A literal of any value; in single precision the nearest one, infinite beyond the largest.
+std::string number(double value, const Precision& precision);
 
 // As in C++, and without trigraphs.
 std::string comment(const std::string& text, std::size_t indent = 0);

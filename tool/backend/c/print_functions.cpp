@@ -22,26 +22,29 @@ bool reads_cache(const Names& names, const Callable& c) {
 }
 
 // Of an argument, by its place among inputs and then outputs.
-std::string declared(const Names& names, const Callable& c, std::size_t i, const Parameter& p, Precision precision) {
+std::string declared(
+    const Names& names,
+    const Callable& c,
+    std::size_t i,
+    const Parameter& p,
+    const Precision& precision) {
   const std::vector<InputArray>& inputs = c.function->program.inputs;
   const std::string start = p.output ? "" : "const ";
   if (i < inputs.size() && inputs[i].role == Role::parameters)
-    return start + names.prefix + (reads_cache(names, c) ? "_cache" : "_parameters") +
-           (precision == Precision::in_float ? "f *" : " *") + p.name;
-  return start + scalar(precision) + " *" + names.prefix + "_restrict " + p.name;
+    return start + names.prefix + (reads_cache(names, c) ? "_cache" : "_parameters") + precision.suffix + " *" + p.name;
+  return start + precision.scalar + " *" + names.prefix + "_restrict " + p.name;
 }
 
 std::string signature(
     const Names& names,
     const Callable& c,
     const std::vector<Parameter>& list,
-    Precision precision,
+    const Precision& precision,
     const std::string& end) {
   std::vector<std::string> arguments;
   for (std::size_t i = 0; i < list.size(); ++i) arguments.push_back(declared(names, c, i, list[i], precision));
   if (arguments.empty()) arguments = {"void"};
-  const std::string& name = precision == Precision::in_float ? c.name_in_float : c.name;
-  return wrapped("void " + name + "(", arguments, ")" + end);
+  return wrapped("void " + c.name_in(precision) + "(", arguments, ")" + end);
 }
 
 std::string describe(const InputArray& input, const std::string& name, bool is_cache) {
@@ -56,7 +59,7 @@ std::string describe(const InputArray& input, const std::string& name, bool is_c
 
 std::string describe(const OutputArray& output, const std::string& name) {
   const std::string start = name + "[" + std::to_string(output.rows * output.columns) + "]: ";
-  if (!symbolic::is_matrix(output.role) && output.columns == 1) return start + "result";
+  if (!is_matrix(output)) return start + "result";
   return start + "result, " + std::to_string(output.rows) + " x " + std::to_string(output.columns) +
          ", column by column";
 }
@@ -72,34 +75,11 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
         i < count ? describe(f.program.inputs[i], list[i].name, reads_cache(names, c))
                   : describe(f.program.outputs[i - count], list[i].name));
   if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) text += comment(remark);
-  std::vector<std::string> columns;
-  for (const int j : f.columns) columns.push_back(names.library.joints[static_cast<std::size_t>(j)].name);
+  const std::vector<std::string> columns = column_joints(names.library, f);
   if (!columns.empty()) text += comment("Columns: " + joined(columns) + ".");
   for (std::size_t k = 0; k < f.labels.size(); ++k)
     text += comment("Column " + std::to_string(k) + ": " + f.labels[k] + ".");
   return text;
-}
-
-// Elements of the arrays of parameters are members of a structure.
-void read_members(const Names& names, const Callable& c, Kernel& kernel) {
-  const symbolic::Program& program = c.function->program;
-  const std::vector<ParameterData>& all = names.library.parameters;
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    if (program.inputs[i].role != Role::parameters) continue;
-    const std::string& array = kernel.parameters[i].name;
-    for (Line& line : kernel.lines) {
-      if (line.kind != Line::Kind::binding || line.names != std::vector{array}) continue;
-      const std::string index = line.expression.substr(array.size());  // `[3]`
-      if (reads_cache(names, c)) {
-        line.expression = array + "->values" + index;
-        continue;
-      }
-      const std::size_t k = std::stoul(index.substr(1));
-      const auto place = std::find_if(
-          all.begin(), all.end(), [&](const ParameterData& p) { return p.name == program.inputs[i].elements[k]; });
-      line.expression = array + "->" + names.members.at(static_cast<std::size_t>(place - all.begin()));
-    }
-  }
 }
 
 std::string body(const Kernel& kernel, const Dialect& dialect) {
@@ -111,10 +91,9 @@ std::string body(const Kernel& kernel, const Dialect& dialect) {
   return text;
 }
 
-std::string print_function(const Names& names, const Callable& c, Precision precision) {
-  const Dialect& d = dialect(precision);
-  Kernel kernel = lower(c.function->program, c.function->kernel, d);
-  read_members(names, c, kernel);
+std::string print_function(const Names& names, const Callable& c, const Precision& precision) {
+  const Dialect& d = dialect(precision, reads_cache(names, c));
+  const Kernel kernel = lower(c.function->program, c.function->kernel, d);
   std::string unused;
   for (const Parameter& p : kernel.parameters)
     if (!p.used) unused += "  (void)" + p.name + ";\n";
@@ -123,7 +102,7 @@ std::string print_function(const Names& names, const Callable& c, Precision prec
   const Parts parts = in_parts(kernel, kPart, d);
   std::string text, calls;
   for (const Handed& h : parts.handed)
-    calls += "  " + scalar(precision) + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
+    calls += "  " + precision.scalar + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
   for (const Kernel& part : parts.kernels) {
     // Of its parameters, those that the whole function has not are handed from part to part.
     std::vector<std::string> arguments, declarations;
@@ -135,29 +114,28 @@ std::string print_function(const Names& names, const Callable& c, Precision prec
           declared(names, c, static_cast<std::size_t>(place - kernel.parameters.begin()), p, precision));
     }
     // No other name has two underscores that follow each other.
-    const std::string name = names.prefix + "__" + part.name + (precision == Precision::in_float ? "f" : "");
+    const std::string name = names.prefix + "__" + part.name + precision.suffix;
     text += wrapped("static void " + name + "(", declarations, ") {") + body(part, d) + "}\n\n";
     calls += wrapped("  " + name + "(", arguments, ");");
   }
   return text + head + calls + "}\n";
 }
 
-std::string update_signature(const Names& names, Precision precision) {
-  const std::string f = precision == Precision::in_float ? "f" : "";
+std::string update_signature(const Names& names, const Precision& precision) {
+  const std::string& f = precision.suffix;
   return "void " + names.prefix + "_update" + f + "(const " + names.prefix + "_parameters" + f + " *parameters, " +
          names.prefix + "_cache" + f + " *cache)";
 }
 
 // Computes the parts of the cache one after the other.
-std::string print_update(const Names& names, Precision precision) {
+std::string print_update(const Names& names, const Precision& precision) {
   std::string text = update_signature(names, precision) + " {\n";
   int begin = 0;
   for (const Callable& c : names.callables) {
     if (c.function->group != kParametersGroup) continue;
     const int size = c.function->program.outputs.front().rows;
     if (size > 0)
-      text += "  " + (precision == Precision::in_float ? c.name_in_float : c.name) + "(parameters, cache->values + " +
-              std::to_string(begin) + ");\n";
+      text += "  " + c.name_in(precision) + "(parameters, cache->values + " + std::to_string(begin) + ");\n";
     begin += size;
   }
   return text + (begin == 0 ? "  (void)parameters;\n  (void)cache;\n" : "") + "}\n";
@@ -174,26 +152,24 @@ std::string print_header(const Names& names, const std::string& group) {
   text += "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
   for (const Callable& c : names.callables) {
     if (c.function->group != group) continue;
-    const std::vector<Parameter> list = parameters(c.function->program, dialect(Precision::in_double));
+    const std::vector<Parameter> list = parameters(c.function->program, dialect(kDouble, reads_cache(names, c)));
     text += "\n" + documentation(names, c, list);
-    for (const Precision precision : {Precision::in_double, Precision::in_float})
-      text += signature(names, c, list, precision, ";");
+    for (const Precision& precision : kPrecisions) text += signature(names, c, list, precision, ";");
   }
   if (has_update(names, group)) {
     text +=
         "\n" +
         comment(
             "The whole cache, of which functions read what they need of the parameters: once, and after every change.");
-    for (const Precision precision : {Precision::in_double, Precision::in_float})
-      text += update_signature(names, precision) + ";\n";
+    for (const Precision& precision : kPrecisions) text += update_signature(names, precision) + ";\n";
   }
   text += "\n#ifdef __cplusplus\n}\n#endif\n";
   return header(names, group + ".h", group, text);
 }
 
-std::string print_functions(const Names& names, const std::string& group, Precision precision) {
-  const bool is_float = precision == Precision::in_float;
-  std::string text = opening(names, group + (is_float ? "_f.c" : ".c"), group + " in " + scalar(precision));
+std::string print_functions(const Names& names, const std::string& group, const Precision& precision) {
+  const std::string end = precision.suffix.empty() ? ".c" : "_f.c";
+  std::string text = opening(names, group + end, group + " in " + precision.scalar);
   text += "#include \"" + names.folder + "/" + group + ".h\"\n\n#include <math.h>\n";
   for (const Callable& c : names.callables)
     if (c.function->group == group) text += "\n" + print_function(names, c, precision);

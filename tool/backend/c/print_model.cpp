@@ -1,66 +1,24 @@
 // Names, limits and parameters.
 #include <algorithm>
-#include <cmath>
-#include <functional>
 
 #include "backend/c/printers.h"
+#include "backend/common/constants.h"
 
 namespace robcogen::backend::c {
 namespace {
 
-struct Table {
-  std::string name, type, what;
-  std::vector<std::string> values;
-};
-
-std::string limit(double value) {
-  if (std::isinf(value)) return value < 0 ? "-(double)INFINITY" : "(double)INFINITY";
-  return number(value, Precision::in_double);
-}
-
-template <class List>
-std::vector<std::string> names_of(const List& list) {
-  std::vector<std::string> result;
-  for (const auto& item : list) result.push_back(quoted(item.name));
-  return result;
-}
-
 // Lists of names end with a null pointer: a list of none is legal.
-std::vector<Table> tables(const Library& library) {
-  const std::string names = "char *const ";
-  std::vector<Table> all;
-  const auto add_names = [&](const std::string& name, const std::string& what, std::vector<std::string> values) {
-    values.emplace_back("0");
-    all.push_back({name, names, what + "; a null pointer ends them.", std::move(values)});
-  };
-  if (library.has_robot()) {
-    const std::string but = library.has_spherical_joints() ? " but q, of spherical joints three" : "";
-    add_names("joint_names", "The joints, in the order of all arrays of joints" + but, names_of(library.joints));
-    if (library.has_spherical_joints()) {
-      std::vector<std::string> positions;
-      for (const std::string& name : library.positions) positions.push_back(quoted(name));
-      add_names(
-          "position_names", "The elements of q: of spherical joints unit quaternions, scalar part first", positions);
-    }
-    add_names("link_names", "The links, the base first", names_of(library.links));
-  }
-  add_names("frame_names", "The frames of transforms", names_of(library.frames));
-  if (!library.parameters.empty()) add_names("parameter_names", "The parameters", names_of(library.parameters));
-  if (library.joints.empty()) return all;
-  const auto add = [&](const std::string& name, const std::string& what, double JointLimits::*member) {
-    Table table{name, "double ", what, {}};
-    for (const JointData& joint : library.joints) table.values.push_back(limit(joint.limits.*member));
-    all.push_back(std::move(table));
-  };
-  add("joint_lower", "Least positions: rad or m.", &JointLimits::lower);
-  add("joint_upper", "Greatest positions: rad or m.", &JointLimits::upper);
-  add("joint_velocity", "Greatest speeds: rad/s or m/s.", &JointLimits::velocity);
-  add("joint_effort", "Greatest forces: N m or N.", &JointLimits::effort);
-  return all;
+std::vector<std::string> values(const Table& table) {
+  std::vector<std::string> items;
+  for (const std::string& text : table.texts) items.push_back(quoted(text));
+  for (const double value : table.numbers) items.push_back(number(value, kDouble));
+  if (!table.is_numeric) items.emplace_back("0");
+  return items;
 }
 
 std::string head(const Names& names, const Table& table) {
-  return "const " + table.type + names.prefix + "_" + table.name + "[" + std::to_string(table.values.size()) + "]";
+  return std::string("const ") + (table.is_numeric ? "double " : "char *const ") + names.prefix + "_" + table.name +
+         "[" + std::to_string(values(table).size()) + "]";
 }
 
 std::string enumeration(const Names& names) {
@@ -78,24 +36,24 @@ std::string enumeration(const Names& names) {
 // The structures of parameters and their declarations.
 std::string structures(const Names& names) {
   if (names.members.empty()) return "";
-  std::string text;
-  for (const Precision precision : {Precision::in_double, Precision::in_float}) {
-    const std::string f = precision == Precision::in_float ? "f" : "", type = names.prefix + "_parameters" + f;
-    if (f.empty()) text += "\n" + comment("The parameters, and their values as declared; NAN where there is none.");
-    text += "typedef struct {\n";
-    for (const std::string& member : names.members) text += "  " + scalar(precision) + " " + member + ";\n";
-    text += "} " + type + ";\nextern const " + type + " " + names.prefix + "_default_parameters" + f + ";\n";
-  }
-  if (names.library.updates.empty()) return text;
+  std::string text, caches;
   int size = 0;
   for (const Function& update : names.library.updates) size += update.program.outputs.front().rows;
-  text += "\n" + comment(
-                     "What functions read: values that follow from the parameters. " + names.prefix +
-                     "_update computes them.");
-  for (const Precision precision : {Precision::in_double, Precision::in_float})
-    text += "typedef struct {\n  " + scalar(precision) + " values[" + std::to_string(std::max(size, 1)) + "];\n} " +
-            names.prefix + "_cache" + (precision == Precision::in_float ? "f" : "") + ";\n";
-  return text;
+  for (const auto& [scalar, f] : kPrecisions) {
+    const std::string type = names.prefix + "_parameters" + f;
+    if (f.empty()) text += "\n" + comment("The parameters, and their values as declared; NAN where there is none.");
+    text += "typedef struct {\n";
+    for (const std::string& member : names.members) text += "  " + scalar + " " + member + ";\n";
+    text += "} " + type + ";\nextern const " + type + " " + names.prefix + "_default_parameters" + f + ";\n";
+    caches += "typedef struct {\n  " + scalar + " values[" + std::to_string(std::max(size, 1)) + "];\n} " +
+              names.prefix + "_cache" + f + ";\n";
+  }
+  if (names.library.updates.empty()) return text;
+  return text + "\n" +
+         comment(
+             "What functions read: values that follow from the parameters. " + names.prefix +
+             "_update computes them.") +
+         caches;
 }
 
 // Of the limbs: types, and the declaration of the list.
@@ -160,7 +118,8 @@ std::string print_model_header(const Names& names) {
   text += "#ifdef __cplusplus\n#define " + restrict + "\nextern \"C\" {\n#else\n#define " + restrict +
           " restrict\n#endif\n" + enumeration(names);
   for (const Table& table : tables(names.library))
-    text += "\n" + comment(table.what) + "extern " + head(names, table) + ";\n";
+    text += "\n" + comment(table.what + (table.is_numeric ? "" : "; a null pointer ends them.")) + "extern " +
+            head(names, table) + ";\n";
   text += limb_types(names) + structures(names) + "\n#ifdef __cplusplus\n}\n#endif\n";
   return header(names, "model.h", "names, limits, parameters", text);
 }
@@ -169,19 +128,17 @@ std::string print_model(const Names& names) {
   std::string text = opening(names, "model.c", "names, limits, parameters");
   text += "#include \"" + names.folder + "/model.h\"\n\n#include <math.h>\n";
   for (const Table& table : tables(names.library))
-    text += "\n" + wrapped(head(names, table) + " = {", table.values, "};");
+    text += "\n" + wrapped(head(names, table) + " = {", values(table), "};");
   text += limb_tables(names);
   if (names.members.empty()) return text;
-  for (const Precision precision : {Precision::in_double, Precision::in_float}) {
-    const std::string f = precision == Precision::in_float ? "f" : "";
-    std::vector<std::string> values;
-    for (const ParameterData& p : names.library.parameters)
-      values.push_back(
-          std::isnan(p.default_value) ? "(" + scalar(precision) + ")NAN" : number(p.default_value, precision));
+  for (const Precision& precision : kPrecisions) {
+    const std::string& f = precision.suffix;
+    std::vector<std::string> defaults;
+    for (const ParameterData& p : names.library.parameters) defaults.push_back(number(p.default_value, precision));
     text += "\n" +
             wrapped(
                 "const " + names.prefix + "_parameters" + f + " " + names.prefix + "_default_parameters" + f + " = {",
-                values, "};");
+                defaults, "};");
   }
   return text;
 }

@@ -18,6 +18,8 @@ struct Names {
   std::vector<std::string> members;  // of the structure of parameters, by parameter
 };
 
+Names names(const Library& library);
+
 // The comment and the includes at the top of a file.
 std::string opening(const Names& names, const std::string& file, const std::string& what);
 // The same of a header, with its guard, and what closes it.
@@ -26,7 +28,6 @@ std::string header(const Names& names, const std::string& file, const std::strin
 std::string print_model_header(const Names& names);
 std::string print_model(const Names& names);
 std::string print_header(const Names& names, const std::string& group);
-std::string print_casadi(const Names& names);
-std::string print_functions(const Names& names, const std::string& group, Precision precision);
+std::string print_functions(const Names& names, const std::string& group, const Precision& precision);
 
 }  // namespace robcogen::backend::c

@@ -99,7 +99,8 @@ class ArrangementBuilder {
     if (!parameter.elements.empty()) return parameter.elements;
     std::vector<std::string> names;
     if (input.role == symbolic::Role::parameters && dialect_.members) {
-      for (const std::string& member : dialect_.members(input.elements)) names.push_back(parameter.name + "." + member);
+      for (const std::string& member : dialect_.members(input.elements))
+        names.push_back(parameter.name + dialect_.member_access + member);
     } else {
       for (std::size_t k = 0; k < input.elements.size(); ++k) names.push_back(element(parameter, k));
     }

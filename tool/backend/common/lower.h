@@ -84,8 +84,9 @@ struct Dialect {
   std::string (*type)(int width) = nullptr;
   // Element k, from 0, of an array.
   std::string (*element)(const std::string& array, std::size_t k) = nullptr;
-  // Where parameters come as a structure: its members, by the labels of all parameters.
+  // Where parameters come as a structure: its members, by the labels of all parameters, and what stands before them.
   std::vector<std::string> (*members)(const std::vector<std::string>& labels) = nullptr;
+  std::string member_access = ".";
   // The line, ready to be printed.
   std::string (*text)(const Line& line) = nullptr;
 };

@@ -1,6 +1,6 @@
 #include "backend/common/meaning.h"
 
-#include <vector>
+#include <cmath>
 
 #include "support/concat.h"
 #include "support/index.h"
@@ -55,6 +55,28 @@ std::string remark_on_quaternions(const symbolic::Program& program) {
 bool is_of_joints(Role role) {
   return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
          role == Role::joint_force;
+}
+
+bool is_matrix(const symbolic::OutputArray& output) {
+  return symbolic::is_matrix(output.role) || output.columns > 1;
+}
+
+int side(const symbolic::InputArray& square) {
+  return static_cast<int>(std::lround(std::sqrt(static_cast<double>(square.elements.size()))));
+}
+
+std::vector<std::vector<std::string>> rows_of(
+    const symbolic::OutputArray& output,
+    const std::vector<std::string>& elements) {
+  std::vector<std::vector<std::string>> rows(at(output.rows));
+  for (std::size_t k = 0; k < elements.size(); ++k) rows[k % rows.size()].push_back(elements[k]);
+  return rows;
+}
+
+std::vector<std::string> column_joints(const Library& library, const Function& function) {
+  std::vector<std::string> names;
+  for (const int j : function.columns) names.push_back(library.joints[at(j)].name);
+  return names;
 }
 
 }  // namespace robcogen::backend

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "backend/library.h"
 #include "symbolic/program.h"
 
 namespace robcogen::backend {
@@ -16,5 +18,19 @@ std::string remark_on_quaternions(const symbolic::Program& program);
 
 // Whether the elements are those of the joints, in the order of the model.
 bool is_of_joints(symbolic::Role role);
+
+// Whether it has rows and columns, though one of them may be the only one.
+bool is_matrix(const symbolic::OutputArray& output);
+
+// Rows of a square matrix that stands in the array.
+int side(const symbolic::InputArray& square);
+
+// The elements of an output, which stand column by column, in rows.
+std::vector<std::vector<std::string>> rows_of(
+    const symbolic::OutputArray& output,
+    const std::vector<std::string>& elements);
+
+// The names of the joints to which the columns of a Jacobian belong.
+std::vector<std::string> column_joints(const Library& library, const Function& function);
 
 }  // namespace robcogen::backend

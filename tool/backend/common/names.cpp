@@ -1,5 +1,7 @@
 #include "backend/common/names.h"
 
+#include <algorithm>
+
 namespace robcogen::backend {
 namespace {
 
@@ -65,6 +67,16 @@ std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wa
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (!is_claimed[i]) wanted[i] = scope.claim(wanted[i]);
   return wanted;
+}
+
+std::vector<std::string> words(std::string_view text) {
+  std::vector<std::string> result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (end > 0) result.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
 }
 
 std::string dotted(std::string scope) {

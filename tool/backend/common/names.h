@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -35,6 +36,9 @@ class NameScope {
 
 // One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
 std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted);
+
+// The words of a text, which blanks separate.
+std::vector<std::string> words(std::string_view text);
 
 // `transforms.homogeneous` of `transforms::homogeneous`.
 std::string dotted(std::string scope);

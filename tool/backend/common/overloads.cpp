@@ -23,6 +23,18 @@ std::vector<Callable> callables(const Library& library) {
   return result;
 }
 
+std::vector<std::string> scopes(const std::vector<Callable>& callables) {
+  std::vector<std::string> known;
+  for (const Callable& callable : callables) {
+    for (std::size_t end = 0; end < callable.scope.size();) {
+      end = std::min(callable.scope.find('.', end + 1), callable.scope.size());
+      const std::string scope = callable.scope.substr(0, end);
+      if (std::find(known.begin(), known.end(), scope) == known.end()) known.push_back(scope);
+    }
+  }
+  return known;
+}
+
 std::size_t required_inputs(const Library& library, const Callable& callable) {
   const std::vector<symbolic::InputArray>& inputs = callable.overloads.front()->program.inputs;
   const bool has_default = !library.floating_base && !inputs.empty() && inputs.back().role == symbolic::Role::gravity;

@@ -21,6 +21,10 @@ struct Callable {
 // In the order of the library, which they refer to.
 std::vector<Callable> callables(const Library& library);
 
+// `transforms`, `transforms.homogeneous`: each scope once, those that enclose it before it. The callables have dotted
+// ones.
+std::vector<std::string> scopes(const std::vector<Callable>& callables);
+
 // How many of the arguments must be given. Gravity, when it is the last of them, need not, unless the base floats.
 std::size_t required_inputs(const Library& library, const Callable& callable);
 

@@ -2,18 +2,14 @@
 
 namespace robcogen::backend {
 
-Product product_of_primitives(
-    const ProductData& data,
-    const std::string& name,
-    const std::string& sign,
-    const Dialect& dialect) {
-  Product product{lower(data.amounts, name, dialect), ""};
+Product product_of_primitives(const ProductData& data, const std::string& name, const Dialect& dialect) {
+  Product product{lower(data.amounts, name, dialect), {}};
   for (std::size_t i = 0; i < data.primitives.size(); ++i) {
     const PrimitiveData& primitive = data.primitives[i];
-    product.text += (i > 0 ? sign : "") + (primitive.rotation ? "R" : "T") + "xyz"[primitive.axis] + "(" +
-                    product.kernel.results.front()[i] + ")";
+    const std::string name_of_primitive = {primitive.rotation ? 'R' : 'T', "xyz"[primitive.axis]};
+    product.factors.push_back(name_of_primitive + "(" + product.kernel.results.front()[i] + ")");
   }
-  if (product.text.empty()) product.text = "Tx(0)";
+  if (product.factors.empty()) product.factors = {"Tx(0)"};
   return product;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "backend/common/layout.h"
 #include "support/concat.h"
 
 namespace robcogen::backend::cpp {
@@ -51,16 +52,7 @@ std::string comment(const std::string& text, std::size_t indent) {
   }
   while (!clean.empty() && clean.back() == ' ') clean.pop_back();
   const std::string prefix = blanks(indent) + "// ";
-  const std::size_t room = kColumns - prefix.size();
-  std::string result;
-  while (clean.size() > room) {
-    std::size_t cut = clean.rfind(' ', room);
-    if (cut == std::string::npos || cut == 0) cut = clean.find(' ', 1);
-    if (cut == std::string::npos) break;
-    result += prefix + clean.substr(0, cut) + "\n";
-    clean.erase(0, clean.find_first_not_of(' ', cut));
-  }
-  return result + prefix + clean + "\n";
+  return wrapped_text(clean, kColumns, prefix, prefix);
 }
 
 std::string declaration(

@@ -1,7 +1,6 @@
 #include "backend/javascript/javascript.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "backend/common/meaning.h"
 #include "backend/common/overloads.h"
@@ -15,55 +14,25 @@ using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Role;
 
-// With scopes as `transforms.homogeneous.`, and legal names. A member may have any name.
+// With scopes as `transforms.homogeneous`, and legal names. A member may have any name.
 std::vector<Callable> named_callables(const Library& library) {
   std::vector<Callable> result = callables(library);
   NameScope names(dialect().is_reserved);
   for (Callable& callable : result) {
     if (callable.scope.empty()) callable.name = names.claim(callable.name);
-    if (!callable.scope.empty()) callable.scope = dotted(callable.scope) + ".";
+    callable.scope = dotted(callable.scope);
   }
   return result;
 }
 
-int side(const InputArray& square) {
-  return static_cast<int>(std::lround(std::sqrt(static_cast<double>(square.elements.size()))));
+std::string whole_name(const Callable& callable) {
+  return callable.scope.empty() ? callable.name : callable.scope + "." + callable.name;
 }
 
 // The functions that take arguments; no function of a robot has such a name.
-constexpr const char* kChecks = R"(
-const { atan2, cos, sin, sqrt } = Math;
-
-const $isArray = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
-
-const $kind = (value) => ($isArray(value) ? `an array of ${value.length}` : typeof value);
-
-// An array of `size` numbers, as it is.
-function $vector(name, value, size) {
-  if (!$isArray(value) || value.length !== size)
-    throw new TypeError(`${name} must be an array of ${size} numbers, is ${$kind(value)}`);
-  for (let k = 0; k < size; ++k)
-    if (typeof value[k] !== "number") throw new TypeError(`${name}[${k}] must be a number, is ${$kind(value[k])}`);
-  return value;
-}
-
-// `count` arrays of `size` numbers, one after another.
-function $vectors(name, value, count, size) {
-  if (!Array.isArray(value) || value.length !== count)
-    throw new TypeError(`${name} must be an array of ${count} arrays of ${size} numbers, is ${$kind(value)}`);
-  return value.flatMap((vector, k) => Array.from($vector(`${name}[${k}]`, vector, size)));
-}
-
-// The columns of a square matrix, one after another.
-function $columns(name, value, size) {
-  const rows = $vectors(name, value, size, size);
-  return rows.map((_, k) => rows[(k % size) * size + Math.floor(k / size)]);
-}
-
-function $number(name, value) {
-  if (typeof value !== "number") throw new TypeError(`${name} must be a number, is ${$kind(value)}`);
-}
-)";
+constexpr const char* kChecks =
+#include "backend/javascript/checks.inc"
+    ;
 
 // The text that checks an argument and puts it into the form that the lines read.
 std::string check(const std::string& function, const InputArray& input, const Parameter& parameter) {
@@ -112,10 +81,6 @@ bool is_number(const OutputArray& output) {
   return output.role == Role::energy || output.role == Role::mass;
 }
 
-bool is_matrix(const OutputArray& output) {
-  return symbolic::is_matrix(output.role) || output.columns > 1;
-}
-
 std::string type_of(const OutputArray& output) {
   return is_number(output) ? "number" : is_matrix(output) ? "number[][]" : "number[]";
 }
@@ -151,8 +116,7 @@ std::string documentation(const Library& library, const Callable& callable, cons
       lines.push_back(parameter_line(library, f.program.inputs[i], p, i < required));
   }
   if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) lines.push_back(remark);
-  std::vector<std::string> columns;
-  for (const int j : f.columns) columns.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  const std::vector<std::string> columns = column_joints(library, f);
   lines.push_back(returns_line(f.program.outputs) + (columns.empty() ? "" : "; columns: " + joined(columns)));
   for (std::size_t k = 0; k < f.labels.size(); ++k)
     lines.push_back("  column " + std::to_string(k) + ": " + f.labels[k]);
@@ -179,8 +143,7 @@ std::string signature(
   arguments.insert(arguments.end(), more.begin(), more.end());
   const bool is_member = !callable.scope.empty();
   return wrapped(
-      is_member ? callable.scope + callable.name + " = function (" : "export function " + callable.name + "(",
-      arguments, ") {");
+      is_member ? whole_name(callable) + " = function (" : "export function " + callable.name + "(", arguments, ") {");
 }
 
 std::string body(const std::string& name, const symbolic::Program& program, const Kernel& kernel) {
@@ -201,13 +164,8 @@ std::string result(
   if (is_number(output)) return head + elements.front() + tail + "\n";
   if (!is_matrix(output)) return wrapped(head + "[", elements, "]" + tail);
   const std::string margin(head.find_first_not_of(' ') + 2, ' ');
-  const auto rows = static_cast<std::size_t>(output.rows);
   std::string text = head + "[\n";
-  for (std::size_t r = 0; r < rows; ++r) {
-    std::vector<std::string> row;
-    for (std::size_t k = r; k < elements.size(); k += rows) row.push_back(elements[k]);
-    text += wrapped(margin + "[", row, "],");
-  }
+  for (const std::vector<std::string>& row : rows_of(output, elements)) text += wrapped(margin + "[", row, "],");
   return text + margin.substr(2) + "]" + tail + "\n";
 }
 
@@ -217,7 +175,7 @@ std::string print_function(const Library& library, const Callable& callable) {
   const bool is_member = !callable.scope.empty();
   std::string text = documentation(library, callable, kernel) +
                      signature(callable, program, kernel, required_inputs(library, callable)) +
-                     body(callable.scope + callable.name, program, kernel);
+                     body(whole_name(callable), program, kernel);
   if (program.outputs.size() == 1) {
     text += result("  return ", program.outputs.front(), kernel.results.front(), ";");
   } else {
@@ -231,36 +189,22 @@ std::string print_function(const Library& library, const Callable& callable) {
 
 std::string print_product(const Library& library, const Function& function, const Callable& callable) {
   const ProductData& data = function.product.value();
-  const Product product = product_of_primitives(data, function.kernel, ", ", dialect());
-  std::vector<std::string> factors;
-  for (std::size_t begin = 0; begin < product.text.size();) {
-    const std::size_t end = std::min(product.text.find("), ", begin), product.text.size() - 1);
-    factors.push_back(product.text.substr(begin, end + 1 - begin));
-    begin = end + 3;
-  }
+  const Product product = product_of_primitives(data, function.kernel, dialect());
   std::vector<std::string> lines = {
       convention_of_primitives(library),
       "@param {object} primitives your functions Rx, Ry, Rz, Tx, Ty, Tz of one number, and multiply(A, B)"};
   return "\n/**\n" + comment_lines(lines, " * ") + " */\n" +
          signature(callable, data.amounts, product.kernel, data.amounts.inputs.size(), {"primitives"}) +
-         body(callable.scope + callable.name, data.amounts, product.kernel) +
+         body(whole_name(callable), data.amounts, product.kernel) +
          "  const { Rx, Ry, Rz, Tx, Ty, Tz, multiply } = primitives;\n" +
-         wrapped("  return [", factors, "].reduce((A, B) => multiply(A, B));") + "};\n";
+         wrapped("  return [", product.factors, "].reduce((A, B) => multiply(A, B));") + "};\n";
 }
 
 // The objects of scopes, each before its members.
 std::string print_scopes(const std::vector<Callable>& all) {
   std::string text;
-  std::vector<std::string> known;
-  for (const Callable& callable : all) {
-    for (std::size_t dot = callable.scope.find('.'); dot != std::string::npos;
-         dot = callable.scope.find('.', dot + 1)) {
-      const std::string scope = callable.scope.substr(0, dot);
-      if (std::find(known.begin(), known.end(), scope) != known.end()) continue;
-      known.push_back(scope);
-      text += (scope.find('.') == std::string::npos ? "export const " : "") + scope + " = {};\n";
-    }
-  }
+  for (const std::string& scope : scopes(all))
+    text += (scope.find('.') == std::string::npos ? "export const " : "") + scope + " = {};\n";
   return text.empty() ? "" : "\n" + text;
 }
 
@@ -292,7 +236,7 @@ std::vector<OutputFile> print(const Library& library) {
   if (library.primitives != PrimitiveConvention::none)
     for (const Callable& callable : all)
       if (callable.longest().product)
-        products.push_back({&callable.longest(), {"transforms.product.", callable.name, {}}});
+        products.push_back({&callable.longest(), {"transforms.product", callable.name, {}}});
   std::vector<Callable> scopes = all;
   for (const auto& [function, callable] : products) scopes.push_back(callable);
 

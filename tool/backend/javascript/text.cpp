@@ -1,10 +1,8 @@
 #include "backend/javascript/text.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
 
-#include "support/number.h"
+#include "backend/common/layout.h"
 
 namespace robcogen::backend::javascript {
 namespace {
@@ -30,10 +28,6 @@ Spelling literal(const Number& value, Texts& texts) {
   return backend::literal(texts.add({text}), texts.add({"-", text}));
 }
 
-std::string element(const std::string& array, std::size_t k) {
-  return array + "[" + std::to_string(k) + "]";
-}
-
 std::string text(const Line& line) {
   return "const " + line.targets.front() + " = " + line.expression + ";";
 }
@@ -49,7 +43,7 @@ const Dialect& dialect() {
     d.binds_parameters = true;
     d.names_variables = true;
     d.literal = literal;
-    d.element = element;
+    d.element = subscripted;
     d.members = members;
     d.text = text;
     return d;
@@ -63,10 +57,7 @@ std::vector<std::string> members(const std::vector<std::string>& parameters) {
 }
 
 std::string number(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
-  const std::string text = print_double(value);
-  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  return short_number(value, "NaN", "Infinity");
 }
 
 std::string quoted(const std::string& text) {
@@ -79,19 +70,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail) {
-  const std::string margin(std::min(head.find_first_not_of(' '), head.size()) + 4, ' ');
-  std::string result, line = head;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool opens = line.ends_with('(') || line.ends_with('[');
-    const std::string item = items[i] + (i + 1 < items.size() ? "," : tail);
-    if (line.size() + item.size() + 1 > kColumns && line != head) {
-      result += line + "\n";
-      line = margin + item;
-    } else {
-      line += (opens ? "" : " ") + item;
-    }
-  }
-  return result + line + (items.empty() ? tail : "") + "\n";
+  return backend::wrapped({.columns = kColumns}, head, items, tail);
 }
 
 std::string comment_lines(const std::vector<std::string>& lines, const std::string& margin) {
@@ -101,16 +80,7 @@ std::string comment_lines(const std::vector<std::string>& lines, const std::stri
       const bool ends_line = static_cast<unsigned char>(line[i]) < ' ' || line.compare(i, 2, "\xE2\x80") == 0;
       if (ends_line || (i > 0 && line[i] == '/' && line[i - 1] == '*')) line[i] = ' ';
     }
-    std::string prefix = margin;
-    while (line.size() + prefix.size() > kColumns) {
-      std::size_t cut = line.rfind(' ', kColumns - prefix.size());
-      if (cut == std::string::npos || cut == 0) cut = line.find(' ', 1);
-      if (cut == std::string::npos) break;
-      result += prefix + line.substr(0, cut) + "\n";
-      line.erase(0, cut + 1);
-      prefix = margin + "  ";
-    }
-    result += prefix + line + "\n";
+    result += wrapped_text(line, kColumns, margin, margin + "  ");
   }
   return result;
 }

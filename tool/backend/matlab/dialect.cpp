@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <unordered_set>
 
-#include "support/number.h"
+#include "backend/common/layout.h"
 
 namespace robcogen::backend::matlab {
 namespace {
@@ -172,10 +171,7 @@ std::string upper_case(std::string text) {
 }
 
 std::string number(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value < 0 ? "-Inf" : "Inf";
-  const std::string text = print_double(value);
-  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  return short_number(value, "NaN", "Inf");
 }
 
 std::string quoted(const std::string& text) {
@@ -186,19 +182,10 @@ std::string quoted(const std::string& text) {
 
 std::string comment(const std::string& text, std::size_t indent, std::size_t hanging) {
   const std::string margin = std::string(indent, ' ') + "% ";
-  std::string clean, result, prefix = margin;
+  std::string clean;
   for (const char c : text)
     if (c != '`') clean += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  while (clean.size() + prefix.size() > kColumns) {
-    std::size_t cut = clean.rfind(' ', kColumns - prefix.size());
-    if (cut == std::string::npos || clean.find_first_not_of(' ') > cut)
-      cut = clean.find(' ', clean.find_first_not_of(' '));
-    if (cut == std::string::npos) break;
-    result += prefix + clean.substr(0, cut) + "\n";
-    clean.erase(0, cut + 1);
-    prefix = margin + std::string(hanging, ' ');
-  }
-  return result + prefix + clean + "\n";
+  return wrapped_text(clean, kColumns, margin, margin + std::string(hanging, ' '));
 }
 
 std::string wrapped(
@@ -206,18 +193,9 @@ std::string wrapped(
     const std::vector<std::string>& items,
     const std::string& tail,
     const std::string& separator) {
-  std::string result, line = head;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool opens = line.ends_with('(') || line.ends_with('[') || line.ends_with('{');
-    const std::string item = items[i] + (i + 1 < items.size() ? separator : tail);
-    if (line.size() + item.size() + 5 > kColumns) {
-      result += line + " ...\n";
-      line = std::string(head.find_first_not_of(' ') + 4, ' ') + item;
-    } else {
-      line += (opens ? "" : " ") + item;
-    }
-  }
-  return result + line + (items.empty() ? tail : "") + "\n";
+  const ListLayout layout = {
+      .columns = kColumns, .openers = "([{", .separator = separator, .continuation = " ...", .keeps_first = false};
+  return backend::wrapped(layout, head, items, tail);
 }
 
 std::string matrix(const std::string& target, const std::vector<std::vector<std::string>>& rows) {

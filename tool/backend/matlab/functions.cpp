@@ -1,4 +1,5 @@
 // The text of functions.
+#include "backend/common/meaning.h"
 #include "backend/common/product.h"
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
@@ -59,8 +60,7 @@ std::string print_function(const Library& library, const Callable& callable) {
   const Function& function = callable.longest();
   const Program& program = function.program;
   const Kernel kernel = lower(program, callable.name, dialect());
-  std::vector<std::string> joints;
-  for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  const std::vector<std::string> joints = column_joints(library, function);
   std::string results;
   for (std::size_t p = 0; p < program.outputs.size(); ++p)
     results +=
@@ -74,13 +74,7 @@ std::string print_function(const Library& library, const Callable& callable) {
 std::string print_product(const Library& library, const Callable& callable) {
   ProductData data = callable.longest().product.value();
   data.amounts.outputs.front().name = "X";
-  const Product product = product_of_primitives(data, callable.longest().kernel, " * ", dialect());
-  std::vector<std::string> factors;
-  for (std::size_t begin = 0; begin < product.text.size();) {
-    const std::size_t end = std::min(product.text.find(" * ", begin), product.text.size());
-    factors.push_back(product.text.substr(begin, end - begin));
-    begin = end + 3;
-  }
+  const Product product = product_of_primitives(data, callable.longest().kernel, dialect());
   const std::vector<InputArray>& inputs = data.amounts.inputs;
   const std::string result = "  " + product.kernel.parameters.back().name + " =";
   const std::string checks =
@@ -88,7 +82,8 @@ std::string print_product(const Library& library, const Callable& callable) {
   return signature(data.amounts, product.kernel, callable.name) +
          heading(callable.name, {convention_of_primitives(library)}) +
          describe_arguments(inputs, product.kernel, inputs.size()) + "\n" +
-         blocks({origin(library), checks, lines(product.kernel), wrapped(result, factors, ";", " *")}) + "end\n";
+         blocks({origin(library), checks, lines(product.kernel), wrapped(result, product.factors, ";", " *")}) +
+         "end\n";
 }
 
 }  // namespace robcogen::backend::matlab

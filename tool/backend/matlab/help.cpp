@@ -1,6 +1,5 @@
 // What a function says of itself: the help text.
 #include <algorithm>
-#include <cmath>
 
 #include "backend/common/meaning.h"
 #include "backend/matlab/dialect.h"
@@ -41,8 +40,7 @@ std::string results(const Library& library, const Function& function) {
   std::string text = comment("Results:");
   for (const OutputArray& output : function.program.outputs)
     text += line(output.name, output.rows, output.columns, meaning_of(output.role));
-  std::vector<std::string> joints;
-  for (const int j : function.columns) joints.push_back(library.joints[static_cast<std::size_t>(j)].name);
+  const std::vector<std::string> joints = column_joints(library, function);
   if (!joints.empty()) text += comment("    columns: " + joined(joints), 0, 6);
   for (std::size_t k = 0; k < function.labels.size(); ++k)
     text += comment("    column " + std::to_string(k + 1) + ": " + function.labels[k], 0, 6);
@@ -95,7 +93,7 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
     if (input.role == Role::link_wrenches) {
       text += line(name, 6, size / 6, what);
     } else if (input.role == Role::inertia_factor) {
-      const int rows = static_cast<int>(std::lround(std::sqrt(size)));
+      const int rows = side(input);
       text += line(name, rows, rows, what);
     } else if (input.role == Role::parameters) {
       text += comment("  " + name + "  " + what, 0, 6);

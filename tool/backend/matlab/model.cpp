@@ -173,6 +173,8 @@ std::string print_model(const Library& library) {
     text += comment(
         "  coupled_joints: the same of joints that follow the others, counted behind them; their positions are "
         "coupling_factors * q + coupling_offsets.");
+  if (!library.loops.empty())
+    text += comment("  Those that follow through a loop have NaN there; joint_positions gives their positions.");
   if (!library.parameters.empty())
     text +=
         comment("  Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");

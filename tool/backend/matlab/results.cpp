@@ -1,6 +1,7 @@
 // How the results of a function are put together from its values.
 #include <algorithm>
 
+#include "backend/common/meaning.h"
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
 
@@ -113,8 +114,7 @@ std::string assemble(
     const std::string& name,
     const std::vector<std::string>& elements,
     const std::vector<std::string>& columns) {
-  Rows rows(static_cast<std::size_t>(output.rows));
-  for (std::size_t k = 0; k < elements.size(); ++k) rows[k % rows.size()].push_back(elements[k]);
+  const Rows rows = rows_of(output, elements);
   if (elements.empty())
     return zeros(name, static_cast<std::size_t>(output.rows), static_cast<std::size_t>(output.columns));
   if (output.role == Role::spatial_motion || output.role == Role::spatial_force) return spatial_transform(name, rows);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "backend/common/layout.h"
 #include "backend/common/meaning.h"
 #include "backend/common/product.h"
 #include "support/concat.h"
@@ -64,17 +65,8 @@ const Dialect& dialect() {
 }
 
 // Lines of at most kColumns where blanks allow it, each after the margin.
-std::string wrapped(std::string text, const std::string& margin) {
-  const std::size_t columns = kColumns - kEnd - margin.size();
-  std::string result;
-  while (text.size() > columns) {
-    std::size_t cut = text.rfind(' ', columns);
-    if (cut == std::string::npos || cut == 0) cut = text.find(' ', 1);
-    if (cut == std::string::npos) break;
-    result += margin + text.substr(0, cut) + "\n";
-    text.erase(0, cut + 1);
-  }
-  return result + margin + text + "\n";
+std::string wrapped(const std::string& text, const std::string& margin) {
+  return wrapped_text(text, kColumns - kEnd, margin, margin);
 }
 
 // A comment that no text of the user's ends early: comments nest.
@@ -100,10 +92,6 @@ std::string describe(const InputArray& array, const std::string& name) {
   return name + ": [" + joined(array.elements) + "]";
 }
 
-bool is_matrix(const OutputArray& output) {
-  return symbolic::is_matrix(output.role) || output.columns > 1;
-}
-
 std::string describe(const OutputArray& output) {
   const std::string rows = std::to_string(output.rows);
   return output.name +
@@ -113,10 +101,8 @@ std::string describe(const OutputArray& output) {
 std::string result(const OutputArray& output, const std::vector<std::string>& elements) {
   if (!is_matrix(output)) return wrapped("[" + joined(elements) + "]", "  ");
   std::string text;
-  for (std::size_t r = 0; r < static_cast<std::size_t>(output.rows); ++r) {
-    std::vector<std::string> row;
-    for (std::size_t k = r; k < elements.size(); k += static_cast<std::size_t>(output.rows)) row.push_back(elements[k]);
-    text += (r == 0 ? "" : ",\n") + wrapped("[" + joined(row) + "]", "    ");
+  for (const std::vector<std::string>& row : rows_of(output, elements)) {
+    text += (text.empty() ? "" : ",\n") + wrapped("[" + joined(row) + "]", "    ");
     text.pop_back();
   }
   return "  matrix(\n" + text + ")\n";
@@ -154,10 +140,10 @@ std::vector<std::string> documentation(const Library& library, const Function& f
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i)
     lines.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
   if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) lines.push_back(remark);
-  std::vector<std::string> outputs, columns;
+  std::vector<std::string> outputs;
+  const std::vector<std::string> columns = column_joints(library, f);
   for (const OutputArray& output : f.program.outputs) outputs.push_back(describe(output));
   lines.push_back("returns " + joined(outputs));
-  for (const int j : f.columns) columns.push_back(library.joints[static_cast<std::size_t>(j)].name);
   if (!columns.empty()) lines.push_back("columns: " + joined(columns));
   for (std::size_t k = 0; k < f.labels.size(); ++k)
     lines.push_back("column " + std::to_string(k + 1) + ": " + f.labels[k]);
@@ -178,8 +164,8 @@ std::string print_function(const Library& library, const Function& f, const std:
 
 std::string print_product(const Library& library, const Function& f, const std::string& name) {
   const ProductData& data = f.product.value();
-  const Product product = product_of_primitives(data, f.kernel, " . ", dialect());
-  std::string value = wrapped(product.text, "  ");
+  const Product product = product_of_primitives(data, f.kernel, dialect());
+  std::string value = wrapped(joined(product.factors, " . "), "  ");
   value.pop_back();
   return "\n" + comment({convention_of_primitives(library)}) + definition(name, data.amounts, product.kernel, value);
 }

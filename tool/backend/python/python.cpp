@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/common/layout.h"
 #include "backend/cpp/api.h"
 #include "backend/cpp/cpp.h"
 #include "backend/cpp/layout.h"
@@ -19,9 +20,7 @@ using cpp::quoted;
 using symbolic::Role;
 
 std::string number(double value) {
-  if (std::isnan(value)) return "NAN";
-  if (std::isinf(value)) return value < 0 ? "-INFINITY" : "INFINITY";
-  return print_double(value);
+  return backend::number(value, "NAN", "INFINITY");
 }
 
 std::string flag(bool value) {

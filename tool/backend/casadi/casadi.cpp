@@ -1,13 +1,18 @@
-// Functions as CasADi loads external ones from a shared library (its naming protocol: F, F_n_in, F_n_out, F_name_in,
-// F_name_out, F_sparsity_in, F_sparsity_out, F_work).
+#include "backend/casadi/casadi.h"
+
 #include <algorithm>
 
 #include "backend/c/printers.h"
 #include "backend/common/parts.h"
 
-namespace robcogen::backend::c {
+namespace robcogen::backend::casadi {
 namespace {
 
+using c::Callable;
+using c::comment;
+using c::Names;
+using c::quoted;
+using c::wrapped;
 using symbolic::InputArray;
 using symbolic::Operand;
 using symbolic::OutputArray;
@@ -88,7 +93,7 @@ std::string tables(const std::string& function, const std::vector<Matrix>& list,
 std::string print_function(const Names& names, const Callable& c) {
   const std::string function = names.prefix + "_casadi" + c.name.substr(names.prefix.size());
   const Program& program = c.function->program;
-  const std::vector<Parameter> list = parameters(program, dialect(Precision::in_double));
+  const std::vector<Parameter> list = parameters(program, c::dialect(c::kDouble, false));
   std::vector<Matrix> in, out;
   for (std::size_t i = 0; i < program.inputs.size(); ++i)
     in.push_back(argument(names.library, program.inputs[i], list[i].name));
@@ -141,14 +146,19 @@ std::string print_function(const Names& names, const Callable& c) {
 }
 
 bool takes_inputs(const Callable& c) {
-  return c.function->group != kParametersGroup && !c.function->program.inputs.empty();
+  return c.function->group != c::kParametersGroup && !c.function->program.inputs.empty();
 }
 
 }  // namespace
 
-std::string print_casadi(const Names& names) {
+std::string output(const std::string& prefix) {
+  return prefix + "_c/casadi.c";
+}
+
+OutputFile print(const Library& library) {
+  const Names names = c::names(library);
   const std::string given = names.prefix + "__given", take = names.prefix + "__take";
-  std::string text = opening(names, "casadi.c", "external functions of CasADi");
+  std::string text = c::opening(names, "casadi.c", "external functions of CasADi");
   text += comment(
       "In CasADi: external(\"" + names.prefix +
       "_casadi_...\", \"./lib.so\"), from a library of this file and of the functions.");
@@ -159,7 +169,8 @@ std::string print_casadi(const Names& names) {
           "#ifndef CASADI_EXPORT\n#if defined(_WIN32)\n#define CASADI_EXPORT __declspec(dllexport)\n"
           "#elif defined(__GNUC__)\n#define CASADI_EXPORT __attribute__((visibility(\"default\")))\n"
           "#else\n#define CASADI_EXPORT\n#endif\n#endif\n\n";
-  if (names.callables.empty()) return text;
+  const std::string path = output(names.prefix);
+  if (names.callables.empty()) return {path, text};
   // A function that nothing calls is a warning.
   if (std::any_of(names.callables.begin(), names.callables.end(), takes_inputs))
     text += comment("An argument that is a null pointer is zero.") + "static const casadi_real *" + given +
@@ -180,8 +191,8 @@ std::string print_casadi(const Names& names) {
       "    for (k = pattern[2 + column]; k < pattern[3 + column]; ++k)\n"
       "      result[k] = from[column * pattern[0] + pattern[3 + pattern[1] + k]];\n}\n";
   for (const Callable& c : names.callables)
-    if (c.function->group != kParametersGroup) text += print_function(names, c);
-  return text;
+    if (c.function->group != c::kParametersGroup) text += print_function(names, c);
+  return {path, text};
 }
 
-}  // namespace robcogen::backend::c
+}  // namespace robcogen::backend::casadi

@@ -1,0 +1,44 @@
+// What a library tells about its robot, for languages that have it as data: which lists, of which items, with which
+// members. A back end spells them.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend {
+
+struct Constant;
+// Members of an item, in rows of those that stand together.
+using Record = std::vector<std::vector<Constant>>;
+
+struct Constant {
+  std::string name;
+  std::variant<std::string, double, int, std::vector<double>, Record> value;  // int: an index, from 0
+};
+
+struct ConstantList {
+  std::string name;
+  std::vector<std::vector<Constant>> items;
+};
+
+// Joints, coupled joints, links, frames and limbs, in SI units; link 0 is the base, whose parent_joint is -1.
+std::vector<ConstantList> constants(const Library& library);
+
+// What the lists and their members are, one text each.
+std::vector<std::string> describe_constants(const Library& library);
+
+// A table of texts or numbers by which languages of plain arrays know the robot.
+struct Table {
+  std::string name, what;
+  std::vector<std::string> texts = {};
+  std::vector<double> numbers = {};  // where there are no texts
+  bool is_numeric = false;
+};
+
+// Names of joints, positions, links, frames and parameters, and limits of joints.
+std::vector<Table> tables(const Library& library);
+
+}  // namespace robcogen::backend
