@@ -50,7 +50,7 @@ def plot(file, second, fourth, torques, positions):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
     figure.colorbar(left.contourf(second, fourth, torques, 24), ax=left, label="gravity torque of joint 2 (N m)")
     left.set(xlabel="joint 2 (rad)", ylabel="joint 4 (rad)")
     right.plot(np.arange(len(positions)) * 1e-3, positions)
@@ -69,7 +69,9 @@ def main():
     parameters, error = identify(arm)
     print(f"{len(parameters)} base parameters predict torques within {error:.3f} N m of the model, from noise of 0.5 N m")
     if "--plot" in sys.argv:
-        plot(sys.argv[sys.argv.index("--plot") + 1], second, fourth, torques, positions)
+        file = sys.argv[sys.argv.index("--plot") + 1]
+        plot(file, second, fourth, torques, positions)
+        print(f"figures in {file}")
 
 
 if __name__ == "__main__":

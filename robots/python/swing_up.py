@@ -105,7 +105,7 @@ def plot(file, X, U, costs):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(14, 4))
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(14, 4), layout="constrained")
     t = STEP * np.arange(len(X))
     left.plot(t, X[:, :2], label=["cart (m)", "pole (rad)"])
     left.set(xlabel="time (s)")
@@ -129,7 +129,9 @@ def main():
     print(f"{len(costs) - 1} iterations, cost {costs[0]:.0f} to {costs[-1]:.1f}")
     print(f"upright after {STEP * STEPS:.0f} s within {error:.3f}, with at most {np.abs(U).max():.1f} N")
     if "--plot" in sys.argv:
-        plot(sys.argv[sys.argv.index("--plot") + 1], X, U, costs)
+        file = sys.argv[sys.argv.index("--plot") + 1]
+        plot(file, X, U, costs)
+        print(f"figures in {file}")
 
 
 if __name__ == "__main__":

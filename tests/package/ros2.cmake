@@ -1,5 +1,6 @@
 # The package of robots/ros2 as a colcon workspace builds it: configured, built and installed on its own, then used by another
-# package; without ROS, and with stand-ins for the packages of ROS that it looks for.
+# package; without ROS, and with stand-ins for the packages of ROS that it looks for. Where colcon is, the workspace is built by
+# colcon too.
 #
 # cmake -D PREFIX=dir -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -D VERSION=1.0.0 -P ros2.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -77,3 +78,20 @@ run(output ${CMAKE_COMMAND} -G Ninja -S ${workspace}/src/user -B ${workspace}/bu
 run(output ${CMAKE_COMMAND} --build ${workspace}/build/user)
 run(output ${workspace}/build/user/user)
 expect_words("interfaces" "${output}" "shoulder_pan/effort shoulder_lift/effort elbow/effort")
+
+find_program(colcon_program colcon)
+if(NOT colcon_program)
+  message(STATUS "not built by colcon (Debian: python3-colcon-cmake, python3-colcon-ros)")
+  return()
+endif()
+file(WRITE ${workspace}/src/user/package.xml
+     "<package format=\"3\"><name>user</name><version>1.0.0</version><description>A user</description>
+      <maintainer email=\"robcogen@example.org\">RobCoGen developers</maintainer><license>BSD-3-Clause</license>
+      <depend>demo_arm_control</depend><export><build_type>cmake</build_type></export></package>")
+file(REMOVE_RECURSE ${workspace}/build ${workspace}/install)
+set(ENV{CMAKE_PREFIX_PATH} ${PREFIX})
+set(ENV{CXX} ${CXX_COMPILER})
+run(output ${CMAKE_COMMAND} -E chdir ${workspace} ${colcon_program} --log-base ${workspace}/log build --base-paths src --executor sequential)
+expect_words("colcon" "${output}" "Finished <<< user")
+run(output ${workspace}/build/user/user)
+expect_words("interfaces of colcon's" "${output}" "shoulder_pan/effort shoulder_lift/effort elbow/effort")
