@@ -136,5 +136,37 @@ TEST(Session, ImportsFromFolders) {
     EXPECT_NE(told("of_editor", wrong).find(missing), std::string::npos);
 }
 
+// Folders that come and go while documents are open. What is not about them is left alone.
+TEST(Session, FollowsSettingsAndFolders) {
+  const Scratch scratch("settings");
+  std::filesystem::create_directory(scratch.path / "parts");
+  write_text(
+      scratch.path / "parts" / "leg.kindsl",
+      "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
+      "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n");
+  const std::string uri = file_uri(scratch.path / "biped.kindsl");
+  Client client(scratch.path);
+  client.open(uri, "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n");
+  const auto is_found = [&] { return client.diagnostics.at(uri).dump().find("unknown-file") == std::string::npos; };
+  const auto set = [&](const Json& settings) {
+    client.tell("workspace/didChangeConfiguration", {{"settings", settings}});
+  };
+  EXPECT_FALSE(is_found());
+  set({{"robcogen", {{"path", "robcogen"}, {"importFolders", {"parts"}}}}});
+  EXPECT_TRUE(is_found());
+  for (const Json& other :
+       {Json(nullptr), Json::object(), Json({{"importFolders", 3}}), Json({{"clangd", {{"a", 1}}}})})
+    set(other);
+  EXPECT_TRUE(is_found());
+  const Json folder = {{"uri", file_uri(scratch.path)}, {"name", "robots"}};
+  client.tell("workspace/didChangeWorkspaceFolders", {{"event", {{"added", Json::array()}, {"removed", {folder}}}}});
+  EXPECT_FALSE(is_found());
+  client.tell("workspace/didChangeWorkspaceFolders", {{"event", {{"added", {folder}}, {"removed", Json::array()}}}});
+  EXPECT_TRUE(is_found());
+  set({{"importFolders", Json::array()}});
+  EXPECT_FALSE(is_found());
+  EXPECT_TRUE(client.capabilities.at("workspace").at("workspaceFolders").at("changeNotifications").get<bool>());
+}
+
 }  // namespace
 }  // namespace robcogen::test

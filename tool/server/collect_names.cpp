@@ -170,6 +170,7 @@ class RobotCollector : public Collector {
     instances_of(body.loops, scope_);
     for (const kinematics::Coupling& coupling : body.couplings) this->coupling(coupling, body.loops);
     for (const kinematics::LoopJoint& loop : body.loop_joints) {
+      declare(loop.name, NameKind::loop, scope());
       for (const kinematics::Name& frame : loop.frames) add_pieces(frame.span, names_.frame(scope_, frame.text));
       if (loop.distance) expression(loop.distance);
     }
@@ -185,9 +186,10 @@ class RobotCollector : public Collector {
       if (!e.group.empty()) return member(scope_, e.span, e.group, e.name, loops, coupling.loop, false);
       const auto pieces = names_.element(scope_, e.name);
       const bool is_joint = !pieces.empty() && !e.is_parameter && e.kind == Expression::Kind::name;
+      const bool is_unit = (e.name == "rad" || e.name == "m") && !e.is_parameter && !is_of_part(e.name);
       if (is_joint)
         add_pieces(span, pieces);
-      else
+      else if (!is_unit)
         named(e, span);
     });
   }

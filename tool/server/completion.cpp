@@ -137,6 +137,7 @@ class Completion {
       for (const std::string_view type : language::kinematics::kLoopTypes) word(type);
       return;
     }
+    if (block == "loop" && (context_.word_before("=") == "frames" || context_.follows("~"))) return frames_of_robot();
     if (is_in_expression()) return expression();
     if (block == "children") return children();
     if (block == "sense") return joints_of_part();
@@ -185,6 +186,12 @@ class Completion {
     return false;
   }
 
+  void frames_of_robot() {
+    for (const auto& [link, frames] : declared_.frames)
+      for (const std::string& frame : frames) add(frame, field_item, "frame");
+    if (const auto tree = tree_of(workspace_, lookup_.document->path))
+      for (const model::Frame& frame : tree->frames()) add(frame.name, field_item, "frame");
+  }
   void frames_of_link() {
     for (const Context::Block& block : context_.blocks) {
       const auto frames = declared_.frames.find(block.name);

@@ -102,7 +102,9 @@ DeclaredNames declared_in_part(const language::TokenList& tokens, const std::str
 
 std::vector<std::string> parameter_names(const language::TokenList& list, const std::set<std::string>& words) {
   static const std::set<std::string_view> operators = {"(", ",", "+", "-", "*", "/", "=", ":"};
-  static const std::set<std::string_view> not_behind = {"carrier", "ref_frame", "base", "target", "left", "right"};
+  static const std::set<std::string_view> not_behind = {"carrier", "ref_frame", "base", "target",
+                                                        "left",    "right",     "type", "frames"};
+  static const std::set<std::string_view> units = {"rad", "m"};  // of couplings
   std::vector<std::string> result;
   std::set<std::string> known = words;
   int open = 0;
@@ -113,6 +115,9 @@ std::vector<std::string> parameter_names(const language::TokenList& list, const 
     const bool is_operand =
         (open > 0 || before.text == "=") && (operators.contains(before.text) || before.kind == Token::Kind::number);
     if (!is_word_token(token) || !is_operand || not_behind.contains(list.tokens[i - 2].text)) continue;
+    const bool is_factor =
+        before.kind == Token::Kind::number || (before.text == "/" && units.contains(list.tokens[i - 2].text));
+    if (is_factor && units.contains(token.text)) continue;
     if (list.tokens[i + 1].text == "=" || list.tokens[i + 1].text == "(") continue;
     if (known.insert(std::string(token.text)).second) result.push_back(std::string(token.text));
   }

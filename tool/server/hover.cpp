@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "server/features.h"
 #include "server/lookup.h"
@@ -90,6 +91,25 @@ class RobotText {
     if (tree_.coupling_of(j) != nullptr)
       text += tree_.coupling_of(j)->is_linear() ? "\n- coupled to other joints: no coordinate of its own"
                                                 : "\n- follows through a loop: no coordinate of its own";
+    return text + unknown_parameters();
+  }
+
+  std::string loop(std::size_t l) const {
+    const model::LoopJoint& loop = tree_.loops[l];
+    std::string text =
+        fmt::format("**loop** `{}`, {}", loop.name, model::kLoopTypes[static_cast<std::size_t>(loop.type)]);
+    if (loop.type == model::LoopType::distance)
+      text += fmt::format(" {} m", text_of_number(resting_.value(loop.length)));
+    const char* separator = "\n\n- frame";
+    for (const model::LoopEnd& end : loop.ends) {
+      const std::string& link = tree_.links[static_cast<std::size_t>(end.link)].name;
+      text += fmt::format("{} `{}` of link `{}`", std::exchange(separator, " and"), end.frame, link);
+    }
+    for (const model::Closure& closure : tree_.closures) {
+      if (closure.loop != static_cast<int>(l)) continue;
+      for (const int j : closure.dependents)
+        text += fmt::format("\n- `{}` follows", tree_.joints[static_cast<std::size_t>(j)].declared_name());
+    }
     return text + unknown_parameters();
   }
 
@@ -185,6 +205,9 @@ class NameText {
       if (const auto link = tree.find_link(word)) return text.link(*link);
     } else if (kind == NameKind::joint) {
       if (const auto joint = tree.find_joint(word)) return text.joint(*joint);
+    } else if (kind == NameKind::loop) {
+      for (std::size_t l = 0; l < tree.loops.size(); ++l)
+        if (tree.loops[l].name == word) return text.loop(l);
     } else if (kind == NameKind::parameter) {
       for (const model::Parameter& p : tree.parameters)
         if (p.name == word) return text.parameter(p);
@@ -209,6 +232,9 @@ class NameText {
       for (std::size_t l = 0; l < tree.links.size(); ++l)
         if (!tree.links[l].is_virtual && !tree.links[l].is_repeated && is_declared_at(tree.links[l].place))
           return text.link(static_cast<int>(l));
+    } else if (symbol.kind == NameKind::loop) {
+      for (std::size_t l = 0; l < tree.loops.size(); ++l)
+        if (is_declared_at(tree.loops[l].place)) return text.loop(l);
     } else if (symbol.kind == NameKind::joint) {
       std::string all;
       for (std::size_t j = 0; j < tree.joints.size(); ++j) {

@@ -36,6 +36,8 @@ std::string describe(NameKind kind) {
       return "link";
     case NameKind::joint:
       return "joint";
+    case NameKind::loop:
+      return "loop";
     case NameKind::frame:
       return "frame";
     case NameKind::parameter:

@@ -13,7 +13,7 @@
 
 namespace robcogen::server {
 
-enum class NameKind { robot, part, instance, link, joint, frame, parameter, constant, group, transform };
+enum class NameKind { robot, part, instance, link, joint, loop, frame, parameter, constant, group, transform };
 
 std::string describe(NameKind kind);
 

@@ -30,6 +30,7 @@ class Outline {
     Json links = Json::array();
     if (!robot.links.empty()) links.push_back(link(robot, robot.links.front(), nullptr));
     add_rest(robot, links);
+    add_loops(robot, links);
     list.push_back(symbol(robot.robot, kModule, "robot", block(robot.robot.span), std::move(links)));
     return list;
   }
@@ -75,6 +76,7 @@ class Outline {
         if (link.name.text == root.link.text && !seen_.contains(link.name.text))
           links.push_back(this->link(part, link, &root.joint));
     add_rest(part, links);
+    add_loops(part, links);
     seen_.clear();
     return links;
   }
@@ -83,6 +85,13 @@ class Outline {
   void add_rest(const kinematics::Body& body, Json& links) {
     for (const kinematics::Link& link : body.links)
       if (!seen_.contains(link.name.text)) links.push_back(this->link(body, link, nullptr));
+  }
+
+  void add_loops(const kinematics::Body& body, Json& list) const {
+    for (const kinematics::LoopJoint& loop : body.loop_joints)
+      list.push_back(symbol(
+          loop.name, kMethod, fmt::format("loop of {} and {}", loop.frames[0].text, loop.frames[1].text),
+          loop.name.span));
   }
 
   // Links that are deeper are listed beside the tree.

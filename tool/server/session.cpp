@@ -28,12 +28,12 @@ std::vector<std::filesystem::path> folders_of(const Json& parameters) {
   return folders;
 }
 
-// Of the option `importFolders`; relative ones are those of each folder of the workspace.
+// Of the setting `importFolders`; relative ones are those of each folder of the workspace.
 std::vector<std::filesystem::path> import_folders_of(
-    const Json& options,
+    const Json& settings,
     const std::vector<std::filesystem::path>& workspace_folders) {
   std::vector<std::filesystem::path> folders;
-  const Json& list = member(options, "importFolders");
+  const Json& list = member(settings, "importFolders");
   for (const Json& name : list.is_array() ? list : Json::array()) {
     if (!name.is_string()) continue;
     const std::filesystem::path folder(name.get<std::string>());
@@ -77,19 +77,48 @@ Json Session::fault(const std::string& what) {
 Session::Session(const std::vector<std::filesystem::path>& import_folders) {
   std::error_code ignored;
   for (const std::filesystem::path& folder : import_folders)
-    workspace_.documents().import_folders.push_back(std::filesystem::absolute(folder, ignored).lexically_normal());
+    import_folders_.push_back(std::filesystem::absolute(folder, ignored).lexically_normal());
+}
+
+void Session::set_folders() {
+  workspace_.robots().set_folders(workspace_folders_);
+  std::vector<std::filesystem::path> folders = import_folders_;
+  for (std::filesystem::path& folder : import_folders_of(settings_, workspace_folders_))
+    folders.push_back(std::move(folder));
+  workspace_.documents().import_folders = std::move(folders);
+}
+
+// Editors send their settings as they are or below the name of the server; some send others' settings, or none.
+std::vector<Json> Session::change_settings(const Json& settings) {
+  const Json& named = member(settings, "robcogen");
+  const Json& ours = named.is_object() ? named : settings;
+  if (!member(ours, "importFolders").is_array()) return {};
+  settings_ = ours;
+  set_folders();
+  workspace_.forget_all();
+  return workspace_.publish("");
+}
+
+std::vector<Json> Session::change_folders(const Json& event) {
+  for (const std::filesystem::path& removed : folders_of({{"workspaceFolders", member(event, "removed")}}))
+    std::erase(workspace_folders_, removed);
+  for (std::filesystem::path& added : folders_of({{"workspaceFolders", member(event, "added")}}))
+    workspace_folders_.push_back(std::move(added));
+  set_folders();
+  workspace_.forget_all();
+  return workspace_.publish("");
 }
 
 Json Session::initialize(const Json& parameters) {
   if (state_ != State::starting) throw RequestError{ErrorCode::invalid_request, "the session is initialized already"};
   state_ = State::running;
   workspace_.encoding = encoding_of(parameters);
-  const std::vector<std::filesystem::path> folders = folders_of(parameters);
-  workspace_.robots().set_folders(folders);
-  for (std::filesystem::path& folder : import_folders_of(member(parameters, "initializationOptions"), folders))
-    workspace_.documents().import_folders.push_back(std::move(folder));
+  workspace_folders_ = folders_of(parameters);
+  settings_ = member(parameters, "initializationOptions");
+  set_folders();
   Json capabilities = capabilities_of_answers();
   capabilities["positionEncoding"] = workspace_.encoding == PositionEncoding::utf8 ? "utf-8" : "utf-16";
+  capabilities["workspace"]["workspaceFolders"] = {{"supported", true}, {"changeNotifications", true}};
   capabilities["textDocumentSync"] = {{"openClose", true}, {"change", 1}, {"save", true}};
   return {
       {"capabilities", std::move(capabilities)}, {"serverInfo", {{"name", "robcogen"}, {"version", driver::kVersion}}}};
@@ -144,6 +173,8 @@ std::vector<Json> Session::notice(const std::string& method, const Json& paramet
     workspace_.forget_all();
     return workspace_.publish("");
   }
+  if (method == "workspace/didChangeConfiguration") return change_settings(member(parameters, "settings"));
+  if (method == "workspace/didChangeWorkspaceFolders") return change_folders(parameters.at("event"));
   if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") {
     workspace_.forget_all();
     return workspace_.publish("");

@@ -48,12 +48,18 @@ class Session {
   State state_ = State::starting;
   bool is_over_ = false;
   Workspace workspace_;
+  std::vector<std::filesystem::path> import_folders_;     // of the command line
+  std::vector<std::filesystem::path> workspace_folders_;  // that the editor has open
+  Json settings_;                                         // the last ones that name folders of imports
 
   std::vector<Json> handle(const Json& message);
   Json answer(const std::string& method, const Json& parameters);
   Json initialize(const Json& parameters);
   std::vector<Json> notice(const std::string& method, const Json& parameters);
   std::vector<Json> change(const Json& parameters);
+  void set_folders();
+  std::vector<Json> change_settings(const Json& settings);
+  std::vector<Json> change_folders(const Json& event);
 };
 
 }  // namespace robcogen::server

@@ -26,6 +26,7 @@ TokenType type_of_name(NameKind kind) {
     case NameKind::link:
       return link;
     case NameKind::joint:
+    case NameKind::loop:
       return joint;
     case NameKind::frame:
       return frame;

@@ -122,8 +122,9 @@ async function preview() {
   assert.match(panels[1].webview.html, /^<pre>hyl\.kindsl:\d+:\d+: error/);
   subscribed.subscriptions.forEach((s) => s.dispose());
   assert.ok(panels[1].disposed);
-  assert.deepStrictEqual(
-    seen.clients[0].server.args, ['language-server', '-I', path.join(folder, 'parts'), '-I', '/opt/parts']);
+  assert.deepStrictEqual(seen.clients[0].server.args, ['language-server']);
+  assert.deepStrictEqual(seen.clients[0].options.initializationOptions, { importFolders: ['parts', '/opt/parts'] });
+  assert.strictEqual(seen.clients[0].options.synchronize.configurationSection, 'robcogen');
   stand_ins.vscode.workspace.workspaceFolders = undefined;
   fs.rmSync(folder, { recursive: true, force: true });
   seen.clients.pop();

@@ -10,7 +10,7 @@ let client;
 
 const setting = (name) => vscode.workspace.getConfiguration('robcogen').get(name);
 
-// Arguments that name the folders of imports. Relative ones are those of each folder of the workspace.
+// Arguments that name the folders of imports, for previews. Relative ones are those of each folder of the workspace.
 function import_arguments() {
   const roots = (vscode.workspace.workspaceFolders || []).map((folder) => folder.uri.fsPath);
   const folders = (setting('importFolders') || []).flatMap((folder) =>
@@ -21,11 +21,15 @@ function import_arguments() {
 function activate(context) {
   const program = () => setting('path') || 'robcogen';
   const command = program();
-  const server = { command, args: ['language-server', ...import_arguments()], transport: TransportKind.stdio };
+  const server = { command, args: ['language-server'], transport: TransportKind.stdio };
   const languages = ['kindsl', 'dtdsl', 'motdsl', 'ctdsl'];
   const documentSelector = languages.map((language) => ({ language }));
   documentSelector.push({ scheme: 'file', pattern: '**/*.urdf' });
-  client = new LanguageClient('robcogen', 'RobCoGen', server, { documentSelector });
+  client = new LanguageClient('robcogen', 'RobCoGen', server, {
+    documentSelector,
+    initializationOptions: { importFolders: setting('importFolders') || [] },
+    synchronize: { configurationSection: 'robcogen' }, // a change of the settings reaches the server
+  });
   context.subscriptions.push(
     { dispose: () => client.stop() },
     vscode.commands.registerCommand('robcogen.view', () => preview.show(program(), import_arguments())),
