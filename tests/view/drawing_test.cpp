@@ -79,7 +79,7 @@ TEST_P(Drawing, HasEveryJointAndMass) {
 INSTANTIATE_TEST_SUITE_P(
     Of,
     Drawing,
-    testing::Values("hyl", "hyl_parametric", "scara", "gripper", "ball_leg", "quadruped"),
+    testing::Values("hyl", "hyl_parametric", "scara", "gripper", "ball_leg", "five_bar", "quadruped"),
     [](const auto& robot) { return robot.param; });
 
 double luminance(int r, int g, int b) {

@@ -98,6 +98,12 @@ async function checkPoses(page, model, given, data) {
     const { X } = evaluated(model, `transforms.homogeneous.${base}_X_${name}`, given);
     assertNear(all[name].flat(), X.flat(), `pose of ${name}`);
   }
+  const positions = Object.values(await page.evaluate("robcogen.positions()"));
+  const following = positions.length - (await sliders(page)).length;
+  if (following > 0) {
+    const [expected] = Object.values(evaluated(model, "joint_positions", given));
+    assertNear(positions.slice(-following), expected.slice(-following), "positions of joints that follow");
+  }
   const forces = await page.evaluate("robcogen.gravity()");
   if (forces && !data.about.includes("floating")) {
     const { tau } = evaluated(model, "gravity_forces", given);

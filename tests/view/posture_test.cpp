@@ -3,6 +3,7 @@
 
 #include "robcogen/reference/kinematics.h"
 #include "robots.h"
+#include "symbolic/interpret.h"
 
 namespace robcogen::test {
 namespace {
@@ -45,6 +46,15 @@ Matrix<double> turn_of(double w, const std::array<double, 3>& vector) {
 
 double position(const backend::Library& library, const std::vector<double>& q, std::size_t joint) {
   if (joint < library.joints.size()) return q[static_cast<std::size_t>(element_of(library, joint))];
+  if (!library.loops.empty()) {
+    for (const backend::Function& f : library.functions) {
+      if (f.name != "joint_positions") continue;
+      const symbolic::Program& program = f.program;
+      return symbolic::interpret<double>(program, {{program.inputs.front().name, q}})
+          .at(program.outputs.front().name)
+          .at(joint);
+    }
+  }
   const backend::CoupledJointData& coupled = library.coupled[joint - library.joints.size()];
   double sum = coupled.offset;
   for (std::size_t k = 0; k < q.size(); ++k) sum += coupled.factors[k] * q[k];
@@ -134,6 +144,19 @@ TEST(PostureWithParameters, FollowsThem) {
   // The leg hangs: a longer thigh lowers the knee.
   EXPECT_NEAR(after.frames[3][2][3], before.frames[3][2][3] - 0.25, kRounding);
   EXPECT_EQ(after.masses[3], 3.5);
+}
+
+// In every position that the sliders give.
+TEST(PostureOfLoops, ClosesThem) {
+  const view::ViewedRobot robot = view::viewed(load_robot("five_bar"));
+  ASSERT_EQ(robot.loops.size(), 1U);
+  EXPECT_EQ(robot.loops[0].name, "tip");
+  EXPECT_EQ(robot.frames[robot.loops[0].frames[0]].name, "tool");
+  EXPECT_EQ(robot.frames[robot.loops[0].frames[1]].name, "right_end");
+  const view::Posture posture = view::posture(robot, {0.3, -0.2}, {});
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(
+        posture.frames[robot.loops[0].frames[0]][i][3], posture.frames[robot.loops[0].frames[1]][i][3], kRounding);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 
 namespace robcogen::test {
 
-inline const std::string kRobots[] = {"hyl",       "hyl_parametric",  "tree5", "scara",    "gripper", "iiwa14",
-                                      "quadruped", "quadruped_fixed", "wrist", "ball_leg", "humanoid"};
+inline const std::string kRobots[] = {"hyl",       "hyl_parametric",  "tree5", "scara",    "gripper",  "iiwa14",
+                                      "quadruped", "quadruped_fixed", "wrist", "ball_leg", "five_bar", "humanoid"};
 
 inline driver::Model load_robot(const std::string& name) {
   Diagnostics diagnostics;

@@ -123,6 +123,16 @@ void add_tips(Drawing& d) {
   }
 }
 
+// What closes a loop: a disc, or between frames that keep a distance a bar.
+void add_loop(Drawing& d, const ViewedLoop& loop) {
+  const auto [from, to] = loop.frames;
+  const Point a = origin(d.posture.frames[from]), b = origin(d.posture.frames[to]);
+  if (distance(a, b) > 1e-6 * d.length)
+    d.canvas.line(a, b, fmt::format("class=\"tip\" stroke-width=\"{:.1f}\"", d.width * 0.6));
+  for (const Point& end : {a, b})
+    d.canvas.disc(end, d.width * 0.5, "class=\"loop\" fill=\"#d08a2e\"", 0.012 * d.length);
+}
+
 void add_frame(Drawing& d, const Pose& pose, double size) {
   constexpr const char* kAxes[] = {"class=\"x\"", "class=\"y\"", "class=\"z\""};
   for (std::size_t a = 0; a < 3; ++a) d.canvas.line(origin(pose), along(pose, a, size), kAxes[a], 0.02 * d.length);
@@ -174,6 +184,7 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   const std::vector<JointData> joints = robot.library.all_joints();
   for (std::size_t j = 0; j < joints.size(); ++j)
     if (!robot.library.is_follower(j)) add_joint(d, joints[j], j);
+  for (const ViewedLoop& loop : robot.loops) add_loop(d, loop);
   add_frame(d, d.link(0), 0.12 * d.length);
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::user) add_frame(d, posture.frames[f], 0.06 * d.length);

@@ -134,14 +134,22 @@ Json data_of(
     frames.push_back({{"kind", word(frame.kind)}, {"name", frame.name}, {"index", frame.index}, {"link", frame.link}});
     if (frame.function >= 0) functions[frame.name] = library.functions[static_cast<std::size_t>(frame.function)].name;
   }
+  Json loops = Json::array();
+  for (const ViewedLoop& loop : robot.loops) loops.push_back({{"name", loop.name}, {"frames", loop.frames}});
   for (std::size_t k = 0; k < library.parameters.size(); ++k)
     parameters[library.parameters[k].name] = options.parameters[k];
   const std::size_t count = library.joints.size() - 2 * library.quaternions().size();
   const std::string about = fmt::format(
       "{} · {} joint{} · {}", library.model_file, count, count == 1 ? "" : "s",
       robot.floats ? "floating base, held here" : "fixed base");
-  return {{"about", about},   {"q", options.q},         {"parameters", parameters},
-          {"frames", frames}, {"functions", functions}, {"warnings", warnings_of(diagnostics, model.robot()->tree)}};
+  return {
+      {"about", about},
+      {"q", options.q},
+      {"parameters", parameters},
+      {"frames", frames},
+      {"functions", functions},
+      {"loops", loops},
+      {"warnings", warnings_of(diagnostics, model.robot()->tree)}};
 }
 
 }  // namespace

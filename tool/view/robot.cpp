@@ -35,7 +35,8 @@ driver::Model held(const driver::Model& model) {
 
 bool is_shown(const backend::Function& f) {
   return f.scope == "transforms::homogeneous" ||
-         (f.scope.empty() && (f.name == "gravity_forces" || f.name == "forward_dynamics"));
+         (f.scope.empty() &&
+          (f.name == "gravity_forces" || f.name == "forward_dynamics" || f.name == "joint_positions"));
 }
 
 backend::Function numbers(const std::string& name, symbolic::Program program, const std::string& what) {
@@ -101,13 +102,18 @@ ViewedRobot viewed(const driver::Model& model) {
   result.library = driver::library(robot, options);
   std::vector<backend::Function>& functions = result.library.functions;
   std::erase_if(functions, [](const backend::Function& f) { return !is_shown(f); });
-  if (!tree.parameters.empty()) {
+  if (!tree.parameters.empty())
     functions.push_back(numbers("numbers", algorithm::model_numbers(tree), "The numbers of links, joints and frames."));
-    if (!tree.couplings.empty())
-      functions.push_back(
-          numbers("coupling_numbers", algorithm::coupling_numbers(tree), "Factors and offset of each coupled joint."));
-  }
   result.frames = frames_of(tree, result.library);
+  for (const backend::LoopData& loop : result.library.loops) {
+    const auto place = [&](int frame) {
+      const std::string& name = result.library.frames[static_cast<std::size_t>(frame)].name;
+      const auto found = std::find_if(
+          result.frames.begin(), result.frames.end(), [&](const ViewedFrame& viewed) { return viewed.name == name; });
+      return static_cast<std::size_t>(found - result.frames.begin());
+    };
+    result.loops.push_back({loop.name, {place(loop.first_frame), place(loop.second_frame)}});
+  }
   result.floats = model.robot()->tree.floating_base;
   return result;
 }

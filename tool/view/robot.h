@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,21 @@ struct ViewedFrame {
   int function = -1;  // of Library::functions; -1: it is that of the base
 };
 
+// A joint that closes a loop, between two of ViewedRobot::frames.
+struct ViewedLoop {
+  std::string name;
+  std::array<std::size_t, 2> frames{};
+};
+
 // The robot with its base held, whether it floats or not: gravity acts along -z of the base.
 struct ViewedRobot {
   // Functions: homogeneous transforms base_X_frame; gravity_forces and forward_dynamics as far as the mass properties
-  // allow them; `numbers` and `coupling_numbers` of robots with parameters (algorithm/catalogue/model_numbers.h).
+  // allow them; joint_positions where joints follow others; `numbers` of robots with parameters
+  // (algorithm/catalogue/model_numbers.h).
   backend::Library library;
   std::vector<ViewedFrame> frames;  // of links, of joints, then those of the user
-  bool floats = false;              // in the document
+  std::vector<ViewedLoop> loops;
+  bool floats = false;  // in the document
 
   bool has_function(const std::string& name) const;
 };

@@ -305,6 +305,14 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
     if (show.axes)
       put(at, 0.012, () => paintArrow(context, view, at, add(at, scale(3.2 * sizes.bar, along)), colours.main, 2));
   });
+  // What closes loops: a ball, or between frames that keep a distance a rod.
+  for (const { frames } of robot.data.loops) {
+    const [from, to] = frames.map((f) => origin(posture.poses[f]));
+    const middle = scale(0.5, add(from, to)), ends = [from, to];
+    if (length(subtract(to, from)) > 1e-6 * sizes.around)
+      put(middle, 0, () => paintBar(context, view, { from, to }, 0.5 * sizes.bar, family(theme, "bar")));
+    for (const at of ends) put(at, 0.01, () => paintBall(context, view, at, 0.7 * sizes.bar, family(theme, "turn")));
+  }
   robot.data.frames.forEach((frame, f) => {
     const pose = posture.poses[f], isBase = frame.kind === "link" && frame.index === 0;
     const isOfLink = frame.kind === "link" && (show.links || frame.index === selected);

@@ -103,19 +103,11 @@ function carried(robot, masses) {
 
 const argumentsOf = (robot, state) => (robot.module.parameters ? [state.parameters, state.q] : [state.q]);
 
-// Coordinates of all joints, coupled ones too.
+// Coordinates of all joints, also of those that follow others.
 function positions(robot, state) {
-  const { coordinates } = state;
-  let coupled = robot.model.coupled_joints.map(({ factors, offset }) => ({ factors, offset }));
-  if (robot.module.coupling_numbers) {
-    const rows = robot.module.coupling_numbers(state.parameters);
-    coupled = coupled.map((_, c) => ({
-      factors: rows.slice(0, robot.dof).map((row) => row[c]),
-      offset: rows[robot.dof][c],
-    }));
-  }
-  const follow = ({ factors, offset }) => factors.reduce((sum, factor, k) => sum + factor * coordinates[k], offset);
-  return [...coordinates, ...coupled.map(follow)];
+  const count = robot.model.coupled_joints.length;
+  if (count === 0) return [...state.coordinates];
+  return [...state.coordinates, ...robot.module.joint_positions(...argumentsOf(robot, state)).slice(-count)];
 }
 
 // Poses of all frames in the base, masses, and the forces of gravity.
