@@ -8,12 +8,13 @@ import numpy as np
 
 import arm
 import ball_leg
+import five_bar
 import leg
 import walker
 
 ROBOTS = os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "robots")
 CONTACTS = {walker: ["--contacts", "fr_foot"]}
-MODELS = {arm: "iiwa14", leg: "hyl_parametric", walker: "geared_leg", ball_leg: "ball_leg"}
+MODELS = {arm: "iiwa14", leg: "hyl_parametric", walker: "geared_leg", ball_leg: "ball_leg", five_bar: "five_bar"}
 RANDOM = np.random.default_rng(5)
 
 
@@ -29,8 +30,10 @@ def scopes(module, prefix=""):
 
 
 def random_values(module, name, shape):
-    """Between -1 and 1; positions of spherical joints are unit quaternions."""
+    """Between -1 and 1, positions nearer to 0 where loops must close; those of spherical joints are unit quaternions."""
     values = RANDOM.uniform(-1, 1, shape)
+    if name == "q" and module is five_bar:
+        values *= 0.4
     for k, element in enumerate(module.position_names) if name == "q" else ():
         if element not in module.joint_names:
             values[..., k : k + 4] /= np.linalg.norm(values[..., k : k + 4], axis=-1, keepdims=True)

@@ -5,7 +5,7 @@ import unittest
 import hexapod
 import numpy as np
 
-from common import RANDOM, arm, ball_leg, evaluate, leg, random_values, scopes, walker
+from common import RANDOM, arm, ball_leg, evaluate, five_bar, leg, random_values, scopes, walker
 
 
 def shapes(function):
@@ -57,7 +57,7 @@ class Values(unittest.TestCase):
 
     def test_all_functions(self):
         count = 0
-        for module in (arm, leg, walker, ball_leg):
+        for module in (arm, leg, walker, ball_leg, five_bar):
             for name, function in scopes(module):
                 if name.startswith("inertia_factor"):
                     continue
@@ -66,6 +66,22 @@ class Values(unittest.TestCase):
                 self.compare(module, name, function, {}, *options)
                 count += 1
         self.assertGreater(count, 50)
+
+    def test_loops(self):
+        """The elbows follow: forward against inverse dynamics, many states against one, and the rate of the energy."""
+        q, qd, tau = 0.3 * RANDOM.uniform(-1, 1, (3, 7, five_bar.dof))
+        qdd = five_bar.forward_dynamics(q, qd, tau)
+        np.testing.assert_allclose(five_bar.inverse_dynamics(q, qd, qdd), tau, atol=1e-12)
+        np.testing.assert_allclose(qdd[3], five_bar.forward_dynamics(q[3], qd[3], tau[3]), rtol=1e-13)
+
+        def change(function):
+            step = 1e-6
+            return (function(q + step * qd, qd + step * qdd) - function(q - step * qd, qd - step * qdd)) / (2 * step)
+
+        energy = change(five_bar.kinetic_energy) + change(lambda q, _: five_bar.potential_energy(q))
+        rates = change(lambda q, _: five_bar.joint_positions(q))
+        damped = 0.002 * (rates[:, 2:] ** 2).sum(axis=1)
+        np.testing.assert_allclose(energy, (tau * qd).sum(axis=1) - damped, atol=1e-8)
 
     def test_contacts(self):
         """A foot that holds: its acceleration, J a + bias, is zero."""

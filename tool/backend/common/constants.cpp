@@ -1,5 +1,8 @@
 #include "backend/common/constants.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace robcogen::backend {
 namespace {
 
@@ -115,6 +118,12 @@ std::vector<ConstantList> constants(const Library& library) {
       list("links", library.links, link), list("frames", library.frames, frame), list("limbs", library.limbs, limb)};
 }
 
+bool has_closures(const Library& library) {
+  const auto& coupled = library.coupled;
+  const auto is_unknown = [](const CoupledJointData& c) { return std::isnan(c.offset); };
+  return !library.loops.empty() && std::any_of(coupled.begin(), coupled.end(), is_unknown);
+}
+
 std::vector<std::string> describe_constants(const Library& library) {
   std::vector<std::string> lines = {
       "Constants of the robot, in SI units. Indices count from 0; link 0 is the base, whose parent_joint is -1.",
@@ -131,7 +140,7 @@ std::vector<std::string> describe_constants(const Library& library) {
         "positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
         "three components, its angular velocities about the axes of the child. Factors multiply q without the scalar "
         "parts.");
-  if (!library.loops.empty())
+  if (has_closures(library))
     lines.push_back(
         "factors and offset are NaN of joints that follow through a loop: joint_positions gives their positions.");
   if (!library.parameters.empty())

@@ -27,6 +27,9 @@ struct ConstantList {
 // Joints, coupled joints, links, frames and limbs, in SI units; link 0 is the base, whose parent_joint is -1.
 std::vector<ConstantList> constants(const Library& library);
 
+// Whether joints follow through loops: by no factors, but by joint_positions.
+bool has_closures(const Library& library);
+
 // What the lists and their members are, one text each.
 std::vector<std::string> describe_constants(const Library& library);
 

@@ -1,6 +1,7 @@
 // The structs of constants and of parameters, and the overview of a package.
 #include <algorithm>
 
+#include "backend/common/constants.h"
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
 
@@ -173,7 +174,7 @@ std::string print_model(const Library& library) {
     text += comment(
         "  coupled_joints: the same of joints that follow the others, counted behind them; their positions are "
         "coupling_factors * q + coupling_offsets.");
-  if (!library.loops.empty())
+  if (has_closures(library))
     text += comment("  Those that follow through a loop have NaN there; joint_positions gives their positions.");
   if (!library.parameters.empty())
     text +=
