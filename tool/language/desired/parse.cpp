@@ -1,21 +1,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "language/common/content.h"
-#include "language/common/cursor.h"
 #include "language/desired/document.h"
+#include "language/desired/frame_parser.h"
 #include "language/desired/keywords.h"
+#include "language/desired/parse_pair.h"
 
 namespace robcogen::language::desired {
 namespace {
 
 // After an error in a section or a pair, the parser skips to the next one, or to the end of the block.
-class Parser {
+class Parser : private FrameParser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
+      : FrameParser(Cursor(tokenize_document(source, diagnostics), keywords(), diagnostics)),
+        source_(std::move(source)) {
     document_.source = source_;
   }
 
@@ -34,14 +37,10 @@ class Parser {
 
  private:
   std::shared_ptr<const Source> source_;
-  Cursor cursor_;
   Document document_;
   std::vector<Token> found_;  // the words that begin sections
   bool may_have_skipped_section_ = false;
-  std::size_t pair_begin_ = 0;  // of the present pair
-  bool pair_begins_line_ = false;
-  bool equals_is_reported_ = false;
-  int loop_ = Name::kNoLoop;  // the present one
+  bool is_in_braces_ = false;  // all of the sections, which is an error
 
   void header() {
     try {
@@ -49,20 +48,28 @@ class Parser {
         cursor_.unexpected("'Robot' or 'Model'", "at the beginning of a desired-transforms document");
       cursor_.take();
       document_.robot = name("the name of the robot");
+      brace_around_sections();
     } catch (const SyntaxError&) {
       cursor_.skip_until([&] { return at_section(); });
       if (cursor_.at_end()) throw;
     }
   }
 
-  // 'Contacts' is no reserved word: a frame may have this name.
-  bool at_section_word() const { return cursor_.at_any({"Frames", "Transforms", "Jacobians", "Contacts"}); }
-  bool at_section() const { return at_section_word() && cursor_.at("{", 1); }
+  // As around the elements of a robot document.
+  void brace_around_sections() {
+    const auto next = [&](std::string_view word) { return cursor_.at(word, 1); };
+    if (!cursor_.at("{") || std::none_of(kSections.begin(), kSections.end(), next)) return;
+    cursor_.error("unexpected-token", "unexpected '{' after the name of the robot").hint =
+        "the sections follow the name, without braces around them";
+    cursor_.take();
+    is_in_braces_ = true;
+  }
 
   void sections() {
     while (!cursor_.at_end()) {
       cursor_.begin_statement();
       try {
+        if (is_in_braces_ && cursor_.accept("}")) continue;
         if (!at_section_word()) unknown_section();
         const Token word = section_word();
         if (word.text == "Frames") {
@@ -115,11 +122,6 @@ class Parser {
     }
   }
 
-  Name name(std::string_view what) {
-    const Token token = cursor_.expect_name(what);
-    return {std::string(token.text), token.span};
-  }
-
   [[noreturn]] void missing_brace(std::string_view section, const Token& open) {
     cursor_
         .error(
@@ -128,33 +130,6 @@ class Parser {
         .notes.push_back({cursor_.place(open.span), "opened here"});
     throw SyntaxError{};
   }
-
-  // 'left' and 'right' are usual names of limbs: in their place they are no keywords.
-  bool at_side() const { return cursor_.at_any({"left", "right"}); }
-
-  Name instance() {
-    if (!at_side()) return name("the name of an instance of a part");
-    const Token side = cursor_.take();
-    return {std::string(side.text), side.span};
-  }
-
-  bool at_instance() const { return (cursor_.at_name() || at_side()) && cursor_.at(".", 1); }
-
-  // `foot`, or `leg.foot`.
-  Name frame(std::string_view what = "the name of a frame") {
-    Name result = at_instance() ? instance() : name(what);
-    result.loop = loop_;
-    if (!cursor_.accept(".")) return result;
-    result.instance = std::exchange(result.text, {});
-    result.instance_span = result.span;
-    const Name own = name(fmt::format("the name of a frame of '{}'", result.instance));
-    result.text = own.text;
-    result.span.end = own.span.end;
-    return result;
-  }
-
-  // 'for' and 'in' are no reserved words either: frames may have these names.
-  bool at_loop() const { return cursor_.at("for") && cursor_.at_name(1) && cursor_.at("in", 2); }
 
   // After an error, the body is read all the same.
   void instances(Loop& loop) {
@@ -239,118 +214,20 @@ class Parser {
     const std::size_t inside = cursor_.open_blocks();
     while (!cursor_.at("}")) {
       cursor_.begin_statement();
-      pair_begin_ = cursor_.peek().span.begin;
-      pair_begins_line_ = cursor_.begins_line();
-      equals_is_reported_ = false;
+      PairParser pair(*this);
       try {
         if (cursor_.at_end()) cursor_.unexpected("'}'", "");
         if (at_section()) missing_brace(section.text, open);
         if (at_loop())
           loop("a pair of frames", [&](const Token& inner) { pairs(section, inner, list); });
         else
-          list.push_back(pair());
+          list.push_back(pair.read());
       } catch (const SyntaxError&) {
-        skip_to_pair(inside);
+        pair.skip_to_next(inside);
         if (cursor_.at_end() || at_section()) throw;
       }
     }
     cursor_.take();
-  }
-
-  bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}) && !at_instance(); }
-  bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}) && !at_instance(); }
-  bool at_pair() const {
-    const std::size_t behind = at_instance() && cursor_.at_name(2) ? 3 : 1;
-    return at_left() || at_right() || at_loop() ||
-           ((cursor_.at_name() || behind == 3) && (cursor_.at("->", behind) || cursor_.at("<-", behind)));
-  }
-  // After an error in a pair that begins a line, the next pair begins one too.
-  bool at_next_pair() const {
-    return at_pair() && cursor_.peek().span.begin > pair_begin_ && (cursor_.begins_line() || !pair_begins_line_);
-  }
-  void skip_to_pair(std::size_t inside) {
-    cursor_.skip_until(
-        [&] { return (cursor_.at("}") && cursor_.open_blocks() <= inside) || at_next_pair() || at_section(); });
-  }
-
-  Pair pair() {
-    Pair pair;
-    const std::size_t begin = cursor_.peek().span.begin;
-    if (at_left() || at_right()) {
-      sides(pair);
-    } else {
-      arrow(pair);
-    }
-    pair.span = {begin, cursor_.previous().span.end};
-    return pair;
-  }
-
-  void sides(Pair& pair) {
-    const bool left_first = at_left();
-    const Name first = first_side();
-    cursor_.accept(",");
-    if (left_first ? !at_right() : !at_left()) wrong_second_side(left_first);
-    const Name second = side();
-    pair.left = left_first ? first : second;
-    pair.right = left_first ? second : first;
-  }
-
-  // After an error, the second side in the same line is not a pair of its own.
-  Name first_side() {
-    const bool left_first = at_left();
-    try {
-      return side();
-    } catch (const SyntaxError&) {
-      skip_to_pair(cursor_.open_blocks());
-      if (!pair_begins_line_ && (left_first ? at_right() : at_left())) side();
-      throw;
-    }
-  }
-
-  [[noreturn]] void wrong_second_side(bool left_first) {
-    const bool repeated = (at_left() || at_right()) && !cursor_.after_line_end();
-    try {
-      cursor_.unexpected(
-          left_first ? "'target', 'right' or 'right_frame'" : "'base', 'left' or 'left_frame'",
-          left_first ? "after the left frame" : "after the right frame");
-    } catch (const SyntaxError&) {
-      if (repeated) side();
-      throw;
-    }
-  }
-
-  // A missing '=' is reported once in a pair.
-  Name side() {
-    const Token word = cursor_.take();
-    try {
-      if (!equals_is_reported_ || cursor_.at("="))
-        cursor_.expect("=", fmt::format("after '{}'", word.text));
-      else
-        cursor_.accept(":");
-    } catch (const SyntaxError&) {
-      equals_is_reported_ = true;
-      cursor_.accept(":");
-      if (!cursor_.at_name() || cursor_.after_line_end()) throw;  // else only the '=' is missing
-    }
-    return frame();
-  }
-
-  // `A <- B` means A_X_B, `A -> B` means B_X_A.
-  void arrow(Pair& pair) {
-    if (cursor_.at(",")) {
-      if (!cursor_.is_faulty_here())
-        cursor_.error("unexpected-token", "unexpected ',' between pairs of frames").hint =
-            "pairs are separated by blanks only";
-      throw SyntaxError{};
-    }
-    if (cursor_.at_name() && cursor_.at("=", 1) && !suggest_keyword(cursor_.peek().text, {"base", "target"}).empty())
-      cursor_.unexpected("'base' or 'target'", "");
-    const Name first = frame("a pair of frames");
-    if (!cursor_.at_any({"->", "<-"})) cursor_.unexpected("'->' or '<-'", fmt::format("after '{}'", first.text));
-    const bool to_first = cursor_.take().text == "<-";
-    const Name second = frame();
-    pair.left = to_first ? first : second;
-    pair.right = to_first ? second : first;
   }
 };
 
