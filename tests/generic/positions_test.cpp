@@ -53,6 +53,24 @@ TEST(Positions, WaysLeadFromOneToTheOther) {
   }
 }
 
+// What other languages have, against the header: also where nothing moves, and close to half a turn.
+TEST(Positions, GeneratedFunctionsMoveThemAlike) {
+  std::mt19937_64 engine(7);
+  for (const double limit : {0.0, 1e-17, 1e-9, 1e-3, 1.0, 1.8}) {
+    for (int i = 0; i < 50; ++i) {
+      const Q from = random_positions(engine);
+      const Way way = random_way(engine, limit);
+      const Q to = integrate_positions<R>(from, way, 1.0);
+      EXPECT_LT((ball_leg::integrate_positions(from, way) - to).cwiseAbs().maxCoeff(), 1e-15);
+      EXPECT_LT((ball_leg::position_difference(from, to) - way).norm(), 1e-14 + 1e-13 * limit) << limit;
+      EXPECT_LT((ball_leg::position_difference(from, to) - position_difference<R>(from, to)).norm(), 1e-13);
+      Q other = to;
+      other.segment<4>(0) *= -1;
+      EXPECT_LT((ball_leg::position_difference(from, other) - way).norm(), 1e-14 + 1e-13 * limit) << limit;
+    }
+  }
+}
+
 // By matrices: the child turns about its own axes, exp([w]x).
 TEST(Positions, TurnsAreThoseOfTheChild) {
   std::mt19937_64 engine(2);

@@ -34,7 +34,7 @@ def random_values(module, name, shape):
     values = RANDOM.uniform(-1, 1, shape)
     if name == "q" and module is five_bar:
         values *= 0.4
-    for k, element in enumerate(module.position_names) if name == "q" else ():
+    for k, element in enumerate(module.position_names) if name in ("q", "q_from", "q_to") else ():
         if element not in module.joint_names:
             values[..., k : k + 4] /= np.linalg.norm(values[..., k : k + 4], axis=-1, keepdims=True)
     return values

@@ -48,6 +48,30 @@ std::string names_of_coupled(const KinematicTree& tree) {
   return names;
 }
 
+// Positions of robots with spherical joints are not added.
+void add_functions_of_quaternions(std::vector<RobotFunction>& list, const KinematicTree& tree) {
+  if (tree.spherical_joints().empty()) return;
+  list.push_back(
+      {"transforms",
+       "",
+       "integrate_positions",
+       {"Joint positions after one second at constant velocities qd, or after another time if qd is multiplied by it.",
+        "Spherical joints turn about a fixed axis, exactly; their quaternions get unit length."},
+       {},
+       {},
+       integrate_positions(tree, "integrate_positions")});
+  list.push_back(
+      {"transforms",
+       "",
+       "position_difference",
+       {"The constant velocities that lead from one position to another in one second: the inverse of "
+        "integrate_positions.",
+        "A spherical joint takes the shorter way, of at most half a turn."},
+       {},
+       {},
+       position_difference(tree, "position_difference")});
+}
+
 }  // namespace
 
 std::vector<RobotFunction> transforms_functions(const KinematicTree& tree, const model::DesiredTransforms& desired) {
@@ -81,6 +105,7 @@ std::vector<RobotFunction> transforms_functions(const KinematicTree& tree, const
          {},
          {},
          joint_positions(tree, "joint_positions")});
+  add_functions_of_quaternions(list, tree);
   return list;
 }
 

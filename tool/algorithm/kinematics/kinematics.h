@@ -84,4 +84,11 @@ std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model
 // Positions of all joints, coupled ones behind the others: q -> positions.
 symbolic::Program joint_positions(const model::KinematicTree& tree, const std::string& name);
 
+// Where q is after a second of constant velocities, of spherical joints too: q, qd -> positions, with quaternions of
+// unit length.
+symbolic::Program integrate_positions(const model::KinematicTree& tree, const std::string& name);
+
+// The velocities that lead from one position to another in a second, by the shorter way: q_from, q_to -> qd.
+symbolic::Program position_difference(const model::KinematicTree& tree, const std::string& name);
+
 }  // namespace robcogen::algorithm
