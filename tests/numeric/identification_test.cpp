@@ -74,11 +74,15 @@ int rank(Eigen::MatrixXd m) {
   return static_cast<int>(qr.rank());
 }
 
+// Under standard gravity with a fixed base, and under any.
 void expect_minimal(const KinematicTree& robot, std::uint64_t seed) {
-  const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f"), seed);
-  const Eigen::MatrixXd all = stacked(algorithm::regressor(robot, "f", algorithm::default_loads(robot)), seed);
-  EXPECT_EQ(Y.cols(), rank(all)) << "seed " << seed << "\n" << describe(robot);
-  EXPECT_EQ(Y.cols(), rank(Y)) << "seed " << seed << "\n" << describe(robot);
+  for (const Loads loads : {algorithm::default_loads(robot), Loads::gravity}) {
+    const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f", loads), seed);
+    const Eigen::MatrixXd all = stacked(algorithm::regressor(robot, "f", loads), seed);
+    EXPECT_EQ(Y.cols(), rank(all)) << "seed " << seed << "\n" << describe(robot);
+    EXPECT_EQ(Y.cols(), rank(Y)) << "seed " << seed << "\n" << describe(robot);
+    if (robot.floating_base) return;
+  }
 }
 
 TEST(BaseParameters, AreAsManyAsTheRankOfTheRegressor) {
@@ -106,7 +110,25 @@ TEST(BaseParameters, OfRobotsWithSphericalJoints) {
   }
   const KinematicTree leg = document("ball_leg");
   expect_minimal(leg, 1);
-  EXPECT_EQ(algorithm::base_parameter_names(leg).size(), 9U + 7U + 9U);
+  EXPECT_EQ(algorithm::base_parameter_names(leg, algorithm::default_loads(leg)).size(), 9U + 7U + 9U);
+}
+
+// Every second joint is helical, as far as it is not prismatic.
+KinematicTree with_screws(KinematicTree robot, std::uint64_t seed) {
+  for (std::size_t j = seed % 2; j < robot.joints.size(); j += 2) {
+    if (robot.joints[j].type == model::JointType::prismatic) continue;
+    robot.joints[j].type = model::JointType::helical;
+    robot.joints[j].pitch = model::Quantity(j % 4 < 2 ? 0.07 : -0.2);
+  }
+  return robot;
+}
+
+// All but the moment of inertia about its axis is felt of the child of a helical joint.
+TEST(BaseParameters, OfRobotsWithScrews) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    expect_minimal(with_screws(random_robot(seed, {.max_joints = 6}), seed), seed);
+    if (HasFailure()) return;
+  }
 }
 
 // Bodies that only slide, axes that are parallel to gravity or to each other, and what follows.
@@ -149,7 +171,8 @@ KinematicTree rx90() {
 TEST(BaseParameters, OfKnownRobots) {
   for (const auto& [robot, count] :
        {std::pair{document("puma560"), 36}, std::pair{document("iiwa14"), 43}, std::pair{rx90(), 36}}) {
-    EXPECT_EQ(algorithm::base_parameter_names(robot).size(), static_cast<std::size_t>(count)) << robot.name;
+    EXPECT_EQ(algorithm::base_parameter_names(robot, Loads::standard_gravity).size(), static_cast<std::size_t>(count))
+        << robot.name;
     expect_minimal(robot, 1);
   }
 }
@@ -158,7 +181,7 @@ TEST(BaseParameters, OfKnownRobots) {
 // (Khalil and Dombre 2002).
 TEST(BaseParameters, WithThoseOfDrives) {
   const KinematicTree robot = rx90();
-  const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f"), 1);
+  const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f", Loads::standard_gravity), 1);
   const Eigen::MatrixXd drives = stacked(algorithm::drive_regressor(robot, "f"), 1);
   Eigen::MatrixXd all(std::min(Y.rows(), drives.rows()), Y.cols() + 6);
   all.leftCols(Y.cols()) = Y.topRows(all.rows());
@@ -168,7 +191,7 @@ TEST(BaseParameters, WithThoseOfDrives) {
 
 // The first link of an arm on a vertical axis is felt by its moment of inertia about that axis alone.
 TEST(BaseParameters, SpeakOfLinks) {
-  const std::vector<std::string> names = algorithm::base_parameter_names(document("puma560"));
+  const std::vector<std::string> names = algorithm::base_parameter_names(document("puma560"), Loads::standard_gravity);
   EXPECT_EQ(names[0].rfind("link1_Izz", 0), 0U) << names[0];
 }
 
@@ -176,11 +199,12 @@ TEST(BaseParameters, SpeakOfLinks) {
 TEST(BaseParameters, AreIdentified) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const KinematicTree robot = random_robot(seed, {.max_joints = 6});
-    const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f"), seed);
-    const Eigen::MatrixXd all = stacked(algorithm::regressor(robot, "f", algorithm::default_loads(robot)), seed);
+    const Loads loads = algorithm::default_loads(robot);
+    const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f", loads), seed);
+    const Eigen::MatrixXd all = stacked(algorithm::regressor(robot, "f", loads), seed);
     const std::vector<double> pi = symbolic::interpret<double>(algorithm::inertial_parameters(robot, "f"), {}).at("pi");
     const Eigen::VectorXd tau = all.topRows(Y.rows()) * Eigen::Map<const Eigen::VectorXd>(pi.data(), all.cols());
-    const Eigen::VectorXd known = matrix(algorithm::base_parameters(robot, "f"), {{"inertial_parameters", pi}});
+    const Eigen::VectorXd known = matrix(algorithm::base_parameters(robot, "f", loads), {{"inertial_parameters", pi}});
     const Eigen::VectorXd found = Y.colPivHouseholderQr().solve(tau);
     EXPECT_LT((found - known).norm(), 1e-9 * (1 + known.norm())) << "seed " << seed << "\n" << describe(robot);
   }
@@ -193,7 +217,8 @@ reference::Checks checks_of(
     std::uint64_t seed,
     const std::vector<double>& parameters = {}) {
   const std::vector<std::string> steps = seed % 3 == 0 ? all_steps() : std::vector<std::string>{};
-  const InterpretedRobot subject(robot, {}, steps, parameters);
+  const InterpretedRobot subject(
+      robot, {}, steps, parameters, {}, {"regressor", "base_regressor", "energy_regressor", "slotine_li_regressor"});
   const reflection::Robot tables = subject.tables();
   reference::Checks checks;
   std::mt19937_64 engine(seed);
@@ -220,6 +245,49 @@ TEST(Regressors, OfRobotsWithDrives) {
     const KinematicTree robot = with_random_drives(random_robot(seed, {.max_joints = 6}), seed);
     const reference::Checks checks = checks_of(robot, seed);
     ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(robot);
+  }
+}
+
+TEST(Regressors, OfRobotsWithScrews) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    KinematicTree robot = random_robot(seed, {.max_joints = 6});
+    if (seed % 3 == 0) robot = with_random_drives(std::move(robot), seed);
+    robot = with_screws(std::move(robot), seed);
+    const reference::Checks checks = checks_of(robot, seed);
+    ASSERT_EQ(checks.failures(), 0) << "seed " << seed << "\n" << checks.failure_report() << describe(robot);
+  }
+}
+
+KinematicTree chain(int joints) {
+  std::string links, placements;
+  for (int i = 1; i <= joints; ++i) {
+    const std::string own = std::to_string(i), next = std::to_string(i + 1);
+    links += "link L" + own + " { id = " + own +
+             " inertia_params { mass = 1 CoM = (0.1, 0, 0) Ix = 1 Iy = 1 Iz = 1 Ixy = 0 Ixz = 0 Iyz = 0 } children { " +
+             (i < joints ? "L" + next + " via J" + next : "") + " } }\n";
+    placements += "r_joint J" + own + " { ref_frame { translation = (0.1, 0, 0) rotation = (PI/2.0, 0, 0) } }\n";
+  }
+  return robot_of("Robot chain {\nRobotBase base { children { L1 via J1 } }\n" + links + placements + "}\n", "chain");
+}
+
+// 40 joints: 16,000 elements.
+TEST(Regressors, HaveALargestSize) {
+  const std::vector<std::string> limited = {"regressor", "base_regressor", "slotine_li_regressor"};
+  for (const std::string& group : limited) {
+    EXPECT_EQ(algorithm::reason_of_absence(chain(40), group, algorithm::Reasons::all), "");
+    EXPECT_EQ(
+        algorithm::reason_of_absence(chain(41), group, algorithm::Reasons::all),
+        "with ten columns for each of so many links its matrix would have more than 16,000 elements, too many for the "
+        "stacks of threads");
+  }
+  EXPECT_EQ(algorithm::reason_of_absence(chain(41), "energy_regressor", algorithm::Reasons::all), "");
+}
+
+TEST(Regressors, OfLargeRobots) {
+  for (const std::string name : {"hexapod", "centaur", "humanoid"}) {
+    const reference::Checks checks = checks_of(document(name), 3);
+    EXPECT_GT(checks.size(), 8) << name;
+    EXPECT_EQ(checks.failures(), 0) << name << "\n" << checks.failure_report();
   }
 }
 

@@ -78,8 +78,8 @@ InterpretedRobot::InterpretedRobot(
   algorithm::Formulation formulation = algorithm::take_formulation(passes);
   formulation.frames = frames;
   const bool is_small = robot.joints.size() - 2 * robot.spherical_joints().size() <= kFewJoints;
-  for (const std::string& group : groups) {
-    if (!is_small && group.find("regressor") != std::string::npos) continue;
+  for (const std::string& group : groups.empty() ? algorithm::groups() : groups) {
+    if (groups.empty() && !is_small && group.find("regressor") != std::string::npos) continue;
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
       const std::string name = f.program.name;
       if (group == "jacobians")
@@ -100,6 +100,8 @@ symbolic::Arrays<double> InterpretedRobot::run(
   const std::string gravity_only = floating_ ? "" : "_gravity";
   std::string name = function;
   if (arguments.gravity != nullptr) name = function + gravity_only;
+  // Base parameters are others where gravity is an argument.
+  if (arguments.gravity != nullptr && programs_.contains(function + "_any_gravity")) name = function + "_any_gravity";
   if (arguments.external != nullptr) name = function + "_external";
   inputs["gravity"] = arguments.gravity != nullptr ? arguments.gravity->values() : std::vector<double>{0, 0, -9.81};
   if (arguments.external != nullptr) {
@@ -278,12 +280,14 @@ Vector<double> InterpretedRobot::drive_parameters() const {
   return vector(run("drive_parameters", {}, {}).at("pi"));
 }
 
-Matrix<double> InterpretedRobot::base_regressor(const State& m) const {
-  return matrix(run("base_regressor", {}, inputs_of(m)).at("Y"), rows());
+Matrix<double> InterpretedRobot::base_regressor(const State& m, const Arguments& arguments) const {
+  return matrix(run("base_regressor", arguments, inputs_of(m)).at("Y"), rows());
 }
 
-Vector<double> InterpretedRobot::base_parameters(const Vector<double>& inertial_parameters) const {
-  return vector(run("base_parameters", {}, {{"inertial_parameters", inertial_parameters.values()}}).at("beta"));
+Vector<double> InterpretedRobot::base_parameters(const Vector<double>& inertial_parameters, const Arguments& arguments)
+    const {
+  const symbolic::Arrays<double> inputs = {{"inertial_parameters", inertial_parameters.values()}};
+  return vector(run("base_parameters", arguments, inputs).at("beta"));
 }
 
 Matrix<double> InterpretedRobot::energy_regressor(const State& m, const Arguments& arguments) const {

@@ -29,15 +29,15 @@ class InterpretedRobot {
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces the functions of these groups, in these link frames, and optimises them by `steps`. Regressors, whose
-  // matrices are the largest, of robots with few joints only.
+  // Traces the functions of these groups, in these link frames, and optimises them by `steps`. Without groups: all, but
+  // regressors, whose matrices are the largest, of robots with few joints only.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
       const std::vector<std::string>& steps = all_steps(),
       std::vector<double> parameters = {},
       const algorithm::LinkFrames& frames = {},
-      const std::vector<std::string>& groups = algorithm::groups());
+      const std::vector<std::string>& groups = {});
 
   // The robot and its desired transforms and Jacobians; valid as long as this object.
   reflection::Robot tables() const { return tables_.robot(); }
@@ -76,8 +76,9 @@ class InterpretedRobot {
   reference::Matrix<double> drive_regressor(const State& m) const;
   Vector<double> inertial_parameters() const;
   Vector<double> drive_parameters() const;
-  reference::Matrix<double> base_regressor(const State& m) const;
-  Vector<double> base_parameters(const Vector<double>& inertial_parameters) const;
+  reference::Matrix<double> base_regressor(const State& m, const reference::Arguments& arguments) const;
+  Vector<double> base_parameters(const Vector<double>& inertial_parameters, const reference::Arguments& arguments)
+      const;
   reference::Matrix<double> energy_regressor(const State& m, const reference::Arguments& arguments) const;
   reference::Matrix<double> slotine_li_regressor(const State& m, const State& r, const reference::Arguments& arguments)
       const;

@@ -59,8 +59,10 @@ class RightRegressors {
   Vector<double> inertial_parameters() const { return inertial_parameters_of(robot_).cast<double>(); }
   Vector<double> drive_parameters() const { return drive_parameters_of(robot_, true).cast<double>(); }
   // All parameters as their own base.
-  Matrix<double> base_regressor(const Motion<double>& m) const { return regressor(m, {}); }
-  Vector<double> base_parameters(const Vector<double>& all) const { return all; }
+  Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const {
+    return regressor(m, arguments);
+  }
+  Vector<double> base_parameters(const Vector<double>& all, const Arguments&) const { return all; }
   Matrix<double> energy_regressor(const Motion<double>& m, const Arguments& arguments) const {
     return columns([&](const Robot& unit) {
       const Motion<Real> motion = cast<Real>(m);
@@ -162,9 +164,11 @@ TEST(IdentificationChecks, FindProductsOfInertiaOfTheWrongSign) {
       for (int k = 7; k < Y.cols(); k += 10) Y.set_block(0, k, -1.0 * Y.col(k));
       return Y;
     }
-    Matrix<double> base_regressor(const Motion<double>& m) const { return regressor(m, {}); }
+    Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const {
+      return regressor(m, arguments);
+    }
   };
-  expect_found<Wrong>({"regressor ", "regressor (gravity)", "base_regressor"});
+  expect_found<Wrong>({"regressor ", "regressor (gravity)", "base_regressor ", "base_regressor (gravity)"});
 }
 
 TEST(IdentificationChecks, FindParametersInAnotherOrder) {

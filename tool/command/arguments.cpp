@@ -267,7 +267,7 @@ Signature signature_of(
     Argument a = array_argument(array);
     const bool some_do_without = std::any_of(
         overloads.begin(), overloads.end(), [&](const symbolic::Program* p) { return !takes(*p, array.name); });
-    if (some_do_without)
+    if (some_do_without || (array.role == Role::gravity && !tree.floating_base))
       a.defaults = default_of(array);
     else if (array.role == Role::gravity)
       a.meaning += ", required because it says how the floating base is oriented";

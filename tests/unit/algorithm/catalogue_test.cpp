@@ -109,6 +109,12 @@ TEST(RobotPrograms, OfAFixedBase) {
           "regressor: q qd qdd -> Y 2x20", "regressor_gravity: q qd qdd gravity -> Y 2x20",
           "inertial_parameters: -> pi 20x1", "drive_regressor: q qd qdd -> Y 2x10", "drive_parameters: -> pi 10x1"}));
   EXPECT_EQ(
+      signatures(tree, "base_regressor"),
+      (List{
+          "base_regressor: q qd qdd -> Y 2x2", "base_parameters: inertial_parameters -> beta 2x1",
+          "base_regressor_any_gravity: q qd qdd gravity -> Y 2x6",
+          "base_parameters_any_gravity: inertial_parameters -> beta 6x1"}));
+  EXPECT_EQ(
       signatures(tree, "energy_regressor"),
       (List{"energy_regressor: q qd -> Y 2x20", "energy_regressor_gravity: q qd gravity -> Y 2x20"}));
   EXPECT_EQ(
@@ -177,6 +183,9 @@ TEST(RobotPrograms, OfAFloatingBase) {
       (List{
           "regressor: " + moving + " gravity -> Y 8x30", "inertial_parameters: -> pi 30x1",
           "drive_regressor: " + moving + " -> Y 8x10", "drive_parameters: -> pi 10x1"}));
+  EXPECT_EQ(
+      signatures(tree, "base_regressor"),
+      (List{"base_regressor: " + moving + " gravity -> Y 8x24", "base_parameters: inertial_parameters -> beta 24x1"}));
   EXPECT_EQ(signatures(tree, "energy_regressor"), (List{"energy_regressor: q qd base_velocity gravity -> Y 2x30"}));
   EXPECT_EQ(
       signatures(tree, "slotine_li_regressor"),

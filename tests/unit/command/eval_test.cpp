@@ -242,6 +242,14 @@ TEST_F(Eval, QuietLeavesErrorsOnly) {
   EXPECT_NE(run_tool(arguments + " --quiet", "{\"q\": [0]}").errors.find("error: "), std::string::npos);
 }
 
+// Also of functions that have it as an argument in all overloads.
+TEST_F(Eval, GravityMayBeLeftOutWithAFixedBase) {
+  json state = {{"q", {0.1}}, {"qd", {0.2}}, {"qdd", {0.3}}};
+  const json without = eval("base_regressor_any_gravity", state);
+  state["gravity"] = {0, 0, -9.81};
+  EXPECT_EQ(eval("base_regressor_any_gravity", state), without);
+}
+
 // With a floating base gravity says how the base is oriented.
 TEST(EvalOfFloatingBase, GravityIsRequired) {
   const std::string arguments = "eval " + quoted(robot("quadruped")) + " gravity_forces";

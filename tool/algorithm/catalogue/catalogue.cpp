@@ -102,9 +102,9 @@ bool has_many_pairs(const KinematicTree& tree) {
   return pairs_of_coordinates(tree) > kMany;
 }
 
-// A regressor of more elements, for eight states at once, would outgrow the stacks of threads.
+// Generated functions return their results, and more would be no object for the stack: 128 KB, Eigen's limit as well.
 bool has_many_elements(const KinematicTree& tree) {
-  constexpr int kMany = 4'000;
+  constexpr int kMany = 16'000;
   const int base = tree.floating_base ? 6 : 0, links = tree.link_count() - (base > 0 ? 0 : 1);
   return (base + tree.dof()) * 10 * links > kMany;
 }
@@ -134,8 +134,10 @@ constexpr std::array kRequirements = {
         "with so many joints its code would be too long"},
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
-        "with ten columns for each of so many links its matrix would outgrow the stacks of threads"},
-    Requirement{kNoLoops, [](const KinematicTree& tree) { return !tree.has_closures(); }, "joints follow through loops"}};
+        "with ten columns for each of so many links its matrix would have more than 16,000 elements, too many for the "
+        "stacks of threads"},
+    Requirement{
+        kNoLoops, [](const KinematicTree& tree) { return !tree.has_closures(); }, "joints follow through loops"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

@@ -78,27 +78,53 @@ std::vector<RobotFunction> regressor_functions(const KinematicTree& tree, Formul
   return list;
 }
 
-std::vector<RobotFunction> base_regressor_functions(const KinematicTree& tree, FormulationChoices& choices) {
-  const std::string group = "base_regressor";
+namespace {
+
+// The base parameters under these loads, and their regressor.
+void add_base_parameters(
+    std::vector<RobotFunction>& list,
+    const KinematicTree& tree,
+    const std::string& suffix,
+    Loads loads,
+    const std::string& of_gravity,
+    const RepresentativeLinks& representative) {
+  const std::string group = "base_regressor", regressor = group + suffix, parameters = "base_parameters" + suffix;
   std::vector<std::string> summary = {
-      "Regressor Y of base parameters, the combinations of inertial parameters that forces depend on: Y times "
-      "base_parameters(inertial_parameters) are the joint forces, but for what drives add (Khalil and Dombre 2002, "
-      "sec. 9.4; Wensing, Niemeyer and Slotine 2017).",
-      columns_of("base_regressor")};
+      "Regressor Y of base parameters, the combinations of inertial parameters that forces depend on: Y times " +
+          parameters +
+          "(inertial_parameters) are the joint forces, but for what drives add (Khalil and Dombre 2002, "
+          "sec. 9.4; Wensing, Niemeyer and Slotine 2017).",
+      columns_of(regressor)};
   add_rows(summary, tree);
-  summary.emplace_back(
-      tree.floating_base ? "`gravity` (m/s^2) is in base coordinates."
-                         : "Gravity is (0, 0, -9.81) m/s^2 in base coordinates: under other gravity forces may depend "
-                           "on more parameters.");
+  summary.push_back(of_gravity);
   if (!tree.couplings.empty())
     summary.emplace_back("The parameters are those of the joints as if none were coupled: some may be dependent.");
+  list.push_back(function(
+      group, base_regressor(tree, regressor, loads, representative), summary, base_parameter_names(tree, loads)));
+  list.push_back(function(
+      group, base_parameters(tree, parameters, loads),
+      {"Base parameters, which the columns of " + regressor + " multiply, from inertial parameters.", kParameters}));
+}
+
+}  // namespace
+
+std::vector<RobotFunction> base_regressor_functions(const KinematicTree& tree, FormulationChoices& choices) {
+  const RepresentativeLinks& representative = choices.representative_of_model();
   std::vector<RobotFunction> list;
-  list.push_back(function(
-      group, base_regressor(tree, "base_regressor", choices.representative_of_model()), summary,
-      base_parameter_names(tree)));
-  list.push_back(function(
-      group, base_parameters(tree, "base_parameters"),
-      {"Base parameters, which the columns of base_regressor multiply, from inertial parameters.", kParameters}));
+  if (tree.floating_base) {
+    add_base_parameters(list, tree, "", Loads::gravity, "`gravity` (m/s^2) is in base coordinates.", representative);
+    return list;
+  }
+  add_base_parameters(
+      list, tree, "", Loads::standard_gravity,
+      "Gravity is (0, 0, -9.81) m/s^2 in base coordinates: under other gravity forces may depend on more parameters, "
+      "those of base_regressor_any_gravity.",
+      representative);
+  add_base_parameters(
+      list, tree, "_any_gravity", Loads::gravity,
+      "`gravity` (m/s^2) is in base coordinates and may have any direction. Where all measurements have the same one, "
+      "some parameters may be dependent.",
+      representative);
   return list;
 }
 

@@ -82,7 +82,7 @@ std::string sum_of(
 
 }  // namespace
 
-Program base_parameters(const model::KinematicTree& tree, const std::string& name) {
+Program base_parameters(const model::KinematicTree& tree, const std::string& name, Loads loads) {
   Trace trace(tree);
   const std::vector<Expression> given = trace.input("inertial_parameters", Role::value, inertial_parameter_names(tree));
   const std::vector<Pose> at_rest = poses_at_rest(trace);
@@ -92,7 +92,7 @@ Program base_parameters(const model::KinematicTree& tree, const std::string& nam
   for (std::size_t k = 0; k < given.size(); ++k)
     numbers[first + k / kParametersOfLink][k % kParametersOfLink] = given[k];
   for (InertialNumbers& of_link : numbers) of_link = inertial_numbers(mass_properties(of_link), Moments::of_mass);
-  const auto combinations = identifiable_combinations(tree);
+  const auto combinations = identifiable_combinations(tree, loads);
   std::vector<std::vector<Expression>> by_link(tree.links.size());
   std::vector<int> from_leaves = tree.topological();
   std::reverse(from_leaves.begin(), from_leaves.end());
@@ -119,8 +119,8 @@ Program base_parameters(const model::KinematicTree& tree, const std::string& nam
   return trace.program(name);
 }
 
-std::vector<std::string> base_parameter_names(const model::KinematicTree& tree) {
-  const Program program = base_parameters(tree, "base_parameters");
+std::vector<std::string> base_parameter_names(const model::KinematicTree& tree, Loads loads) {
+  const Program program = base_parameters(tree, "base_parameters", loads);
   std::vector<double> values = parameter_values(tree);
   const auto rows = coefficients(program, values);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] += 0.1 + 0.05 / static_cast<double>(2 + i);
@@ -134,11 +134,11 @@ std::vector<std::string> base_parameter_names(const model::KinematicTree& tree) 
 Program base_regressor(
     const model::KinematicTree& tree,
     const std::string& name,
+    Loads loads,
     const RepresentativeLinks& representative) {
   Trace trace(tree);
-  const std::vector<LinkColumns> links =
-      regressor_columns(trace, default_loads(tree), representative, Moments::of_mass);
-  const auto combinations = identifiable_combinations(tree);
+  const std::vector<LinkColumns> links = regressor_columns(trace, loads, representative, Moments::of_mass);
+  const auto combinations = identifiable_combinations(tree, loads);
   std::vector<RegressorColumn> columns;
   for (std::size_t link = 0; link < at(tree.link_count()); ++link)
     for (const Combination& c : combinations[link]) columns.push_back(links[link][at(c.parameter)]);

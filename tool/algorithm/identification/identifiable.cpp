@@ -176,12 +176,17 @@ struct FeltLink {
   Functions felt, unchanged;
 };
 
-FeltLink felt_by_base(bool floating) {
+// A base that moves in no way, or in all.
+FeltLink felt_by_base(bool floating, Loads loads) {
   FeltLink base;
   for (std::size_t k = 0; k < 6; ++k)
     if (Twist unit{}; floating) unit[k] = 1, base.motions.add(unit);
   // Gravity acts as a base that accelerates.
-  if (!floating) base.motions.add(Twist{0, 0, 0, 0, 0, 1});
+  for (std::size_t axis = loads == Loads::standard_gravity ? 5 : 3; !floating && axis < 6; ++axis) {
+    Twist unit{};
+    unit[axis] = 1;
+    base.motions.add(unit);
+  }
   for (std::size_t k = 0; floating && k < kParametersOfLink; ++k) {
     Parameters unit{};
     unit[k] = 1;
@@ -285,10 +290,10 @@ std::vector<Combination> reduced(const Functions& felt, double unit) {
 
 using CombinationsOfLinks = std::vector<std::vector<Combination>>;
 
-CombinationsOfLinks combinations_for(const model::KinematicTree& tree, const std::vector<double>& values) {
+CombinationsOfLinks combinations_for(const model::KinematicTree& tree, Loads loads, const std::vector<double>& values) {
   const double unit = unit_of_length(tree, values);
   std::vector<FeltLink> links(tree.links.size());
-  links[0] = felt_by_base(tree.floating_base);
+  links[0] = felt_by_base(tree.floating_base, loads);
   for (const int j : tree.topological()) {
     const model::Joint& joint = tree.joints[at(j)];
     if (!joint.is_first()) continue;
@@ -313,7 +318,7 @@ bool are_equal(const std::vector<Combination>& a, const std::vector<Combination>
 // All that a link may be felt of, as if all motions were possible below.
 std::vector<Combination> most_of(const model::KinematicTree& tree, int link) {
   const int joint = tree.links[at(link)].parent_joint;
-  const FeltLink any = felt_by_base(true);
+  const FeltLink any = felt_by_base(true, Loads::gravity);
   if (joint < 0) return reduced(any.felt, 1);
   Matrix4 identity{};
   for (std::size_t i = 0; i < 4; ++i) identity[i][i] = 1;
@@ -322,13 +327,13 @@ std::vector<Combination> most_of(const model::KinematicTree& tree, int link) {
 
 }  // namespace
 
-CombinationsOfLinks identifiable_combinations(const model::KinematicTree& tree) {
+CombinationsOfLinks identifiable_combinations(const model::KinematicTree& tree, Loads loads) {
   std::vector<double> values = parameter_values(tree);
-  CombinationsOfLinks result = combinations_for(tree, values);
+  CombinationsOfLinks result = combinations_for(tree, loads, values);
   if (tree.parameters.empty()) return result;
   for (int trial = 1; trial <= 2; ++trial) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += 0.1 * trial + 0.05 / static_cast<double>(2 + i);
-    const CombinationsOfLinks other = combinations_for(tree, values);
+    const CombinationsOfLinks other = combinations_for(tree, loads, values);
     for (std::size_t link = 0; link < result.size(); ++link)
       if (!are_equal(result[link], other[link])) result[link] = most_of(tree, static_cast<int>(link));
   }

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "algorithm/dynamics/loads.h"
 #include "algorithm/identification/inertial_parameters.h"
 
 namespace robcogen::algorithm {
@@ -21,8 +22,9 @@ struct Combination {
   std::array<double, kParametersOfLink> coefficients{};
 };
 
-// By link, what is felt of it and of what the links beyond have left: empty for a fixed base. Gravity is along the z
-// axis of a fixed base. Where the answer depends on the values of parameters of the document, all that may be felt.
-std::vector<std::vector<Combination>> identifiable_combinations(const model::KinematicTree& tree);
+// By link, what is felt of it and of what the links beyond have left: empty for a fixed base. Standard gravity is along
+// the z axis of a fixed base; as an input it has any direction. Where the answer depends on the values of parameters of
+// the document, all that may be felt.
+std::vector<std::vector<Combination>> identifiable_combinations(const model::KinematicTree& tree, Loads loads);
 
 }  // namespace robcogen::algorithm

@@ -25,6 +25,9 @@ std::vector<BatchArray> batch_arrays(const symbolic::Program& program);
 // Whether the result of a function is one symmetric matrix, of which the lower triangle is available alone.
 bool is_symmetric(const Callable& callable);
 
+// Whether the results of a block of states would outgrow the stacks of threads: states are taken one by one then.
+bool takes_single_states(const Callable& callable);
+
 // A function that is compiled: of a symmetric matrix there is a second one, that writes the lower triangle alone.
 struct BatchKernel {
   const Callable* callable = nullptr;

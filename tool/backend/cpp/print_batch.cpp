@@ -23,9 +23,12 @@ std::vector<std::string> passed_on(const Callable& callable) {
 }
 
 // Declared in the interface, and defined where the processor is chosen.
-std::string chooser_declaration(const BatchKernel& kernel, const std::string& tail) {
+std::string chooser_declaration(
+    const BatchKernel& kernel,
+    const std::string& tail,
+    const std::string& level = "robcogen::batch::Level most") {
   std::vector<std::string> list = batch_parameters(kernel, "Scalar", true);
-  list.emplace_back("robcogen::batch::Level most");
+  list.push_back(level);
   return "template <class Scalar>\n" + declaration("void " + kernel.name(), list, tail);
 }
 
@@ -54,6 +57,28 @@ std::string chooser(const BatchKernel& kernel) {
     text += "  }\n";
   }
   return text + call(body("baseline"), arguments, 2) + "}\n";
+}
+
+// One state after the other, by the compiled kernel, which writes to the memory of the caller where it can.
+std::string over_single_states(const Api& api, const BatchKernel& kernel) {
+  const auto method = [](const std::string& name, int size) {
+    return "states.template " + name + "<" + std::to_string(size) + ">";
+  };
+  std::string buffers, store;
+  std::vector<std::string> arguments;
+  for (const BatchArray& a : batch_arrays(kernel.callable->function->program)) {
+    const std::string buffer = a.name + "_buffer", arrays = "(" + a.name + ", " + buffer + ")";
+    if (a.is_parameters) {
+      arguments.push_back(a.name);
+      continue;
+    }
+    buffers += "  Scalar " + buffer + "[" + std::to_string(std::max(a.size, 1)) + "];\n";
+    arguments.push_back((a.is_output ? "states.place" : method("load", a.size)) + arrays);
+    if (a.is_output) store += call(method("store_buffer", a.size), {buffer, a.name}, 4);
+  }
+  return chooser_declaration(kernel, " noexcept {", "robcogen::batch::Level") + buffers +
+         "  for (robcogen::batch::States<Scalar> states(n); states.is_left(); states.advance()) {\n" +
+         call("::" + api.space + "::kernel::" + kernel.callable->kernel, arguments, 4) + store + "  }\n}\n";
 }
 
 // What the library is compiled for: BATCH_LEVELS of robcogen_add_robot.
@@ -185,14 +210,19 @@ std::string print_batch(const Api& api, const std::string& path) {
 }
 
 std::string print_batch_choice(const Api& api, const std::string& path) {
-  std::vector<std::string> bodies, choosers;
+  std::vector<std::string> bodies, choosers, headers = {"\"robcogen/batch.h\"", "\"robcogen/version.h\""}, own;
   for (const BatchKernel& k : batch_kernels(api)) {
-    bodies.push_back(batch_body_declaration(k, " noexcept;"));
-    choosers.push_back(chooser(k) + "\n" + batch_instantiations(k, "", {"robcogen::batch::Level"}));
+    const bool is_in_blocks = !takes_single_states(*k.callable);
+    if (is_in_blocks) bodies.push_back(batch_body_declaration(k, " noexcept;"));
+    if (!is_in_blocks) own = {"\"" + kernels_path(folder(*api.library)) + "\""};
+    choosers.push_back(
+        (is_in_blocks ? chooser(k) : over_single_states(api, k)) + "\n" +
+        batch_instantiations(k, "", {"robcogen::batch::Level"}));
   }
+  if (!own.empty()) headers.insert(headers.begin() + 1, "\"robcogen/batch_states.h\"");
+  headers.insert(headers.begin(), own.begin(), own.end());
   return paragraphs(
-      {banner(*api.library, path, "the choice of a processor's bodies"),
-       includes({"\"robcogen/batch.h\"", "\"robcogen/version.h\""}), runtime_check(api),
+      {banner(*api.library, path, "the choice of a processor's bodies"), includes(headers), runtime_check(api),
        in_namespace(
            api.space + "::batch", paragraphs(
                                       {compiled_levels(), in_namespace("body", paragraphs(bodies)),

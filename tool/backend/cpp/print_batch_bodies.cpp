@@ -66,11 +66,18 @@ std::string definition(const Api& api, const BatchKernel& kernel, bool in_place)
          call("::" + api.space + kernels + kernel.callable->kernel, arguments, 4) + store + "  }\n}\n";
 }
 
+// Those that take blocks of states.
+std::vector<BatchKernel> in_blocks(const Api& api, const std::string& group) {
+  std::vector<BatchKernel> kernels = batch_kernels(callables_of(api, group));
+  std::erase_if(kernels, [](const BatchKernel& k) { return takes_single_states(*k.callable); });
+  return kernels;
+}
+
 }  // namespace
 
 std::string print_batch_bodies(const Api& api, const std::string& group, const std::string& path) {
   std::vector<std::string> bodies, in_columns;
-  for (const BatchKernel& k : batch_kernels(callables_of(api, group))) {
+  for (const BatchKernel& k : in_blocks(api, group)) {
     const std::optional<Kernel> in_place = kernel_in_place(*k.callable);
     bodies.push_back(definition(api, k, in_place.has_value()));
     if (in_place && !k.is_lower) in_columns.push_back(column_kernel(*in_place));
@@ -89,7 +96,7 @@ std::string print_batch_level(
     const std::string& level,
     const std::string& path) {
   std::vector<std::string> kernels;
-  for (const BatchKernel& k : batch_kernels(callables_of(api, group)))
+  for (const BatchKernel& k : in_blocks(api, group))
     kernels.push_back(batch_instantiations(k, "robcogen::batch::Level::" + level + ", "));
   const std::string text = paragraphs(
       {includes({"\"" + batch_path(folder(*api.library), group) + "\""}),

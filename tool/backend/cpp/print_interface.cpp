@@ -138,7 +138,7 @@ std::string declarations(const Api& api, const std::vector<Overload>& set) {
         if (said.insert(line).second) remark += comment(line);
     }
     text += (text.empty() || remark.empty() ? "" : "\n") + remark;
-    if (!o.takes_sines) text += columns_constant(api, *o.callable);
+    if (!o.takes_sines && !o.adds_standard_gravity) text += columns_constant(api, *o.callable);
     text += declaration(o.result + " " + o.callable->name, parameter_list(o), " noexcept;");
   }
   return text;

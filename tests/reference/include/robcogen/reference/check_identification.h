@@ -110,14 +110,16 @@ void check_regressor(const Subject& subject, const Case& c, Checks& checks) {
 template <class Subject>
 void check_base_regressor(const Subject& subject, const Case& c, Checks& checks) {
   const Undriven bare(c);
-  const Vector<Real> all = inertial_parameters_of(c.robot);
-  const Matrix<double> Y = subject.base_regressor(c.sample.motion);
-  const Vector<double> base = subject.base_parameters(all.cast<double>());
-  const Loads<Real> standard = overloads(c.sample)[0].loads;
-  Expected expected{
-      cut(c.floating, generalized_forces(bare.robot(), c.motion, standard)),
-      expected_forces(c, c.sample.motion, standard).terms};
-  check_product("base_regressor", c, Y, base.cast<Real>(), expected, checks);
+  const Vector<double> all = inertial_parameters_of(c.robot).cast<double>();
+  const Motion<double>& m = c.sample.motion;
+  for (const Overload& o : overloads(c.sample)) {
+    if (o.arguments.external != nullptr) continue;
+    const Expected expected{
+        cut(c.floating, generalized_forces(bare.robot(), c.motion, o.loads)), expected_forces(c, m, o.loads).terms};
+    check_product(
+        "base_regressor" + o.suffix, c, subject.base_regressor(m, o.arguments),
+        subject.base_parameters(all, o.arguments).template cast<Real>(), expected, checks);
+  }
 }
 
 template <class Subject>

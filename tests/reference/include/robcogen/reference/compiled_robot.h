@@ -231,20 +231,26 @@ class CompiledRobot {
   Vector<double> inertial_parameters() const { return vector(robot_.inertial_parameters()); }
   Vector<double> drive_parameters() const { return vector(robot_.drive_parameters()); }
 
-  // Under standard gravity.
-  Matrix<double> base_regressor(const State& m) const {
-    return of_motion(m, [&](const auto&... state) {
-      if constexpr (R::kFloatingBase) {
-        return robot_.base_regressor(state..., BasicGravity<Scalar>::standard());
-      } else {
-        return robot_.base_regressor(state...);
-      }
+  // With a fixed base, those of any gravity where it is an argument.
+  Matrix<double> base_regressor(const State& m, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) {
+      return of_motion(m, [&](const auto&... state) {
+        if constexpr (R::kFloatingBase || sizeof...(g) == 0) {
+          return robot_.base_regressor(state..., g...);
+        } else {
+          return robot_.base_regressor_any_gravity(state..., g...);
+        }
+      });
     });
   }
-  Vector<double> base_parameters(const Vector<double>& inertial_parameters) const {
+  Vector<double> base_parameters(const Vector<double>& inertial_parameters, [[maybe_unused]] const Arguments& arguments)
+      const {
     constexpr int kMoving = R::kLinkCount - (R::kFloatingBase ? 0 : 1);
     Eigen::Matrix<Scalar, 10 * kMoving, 1> all;
     for (int i = 0; i < inertial_parameters.rows(); ++i) all[i] = static_cast<Scalar>(inertial_parameters(i));
+    if constexpr (!R::kFloatingBase) {
+      if (arguments.gravity != nullptr) return vector(robot_.base_parameters_any_gravity(all));
+    }
     return vector(robot_.base_parameters(all));
   }
 

@@ -1,0 +1,48 @@
+// Parts of generated functions over many states whose results are so large that blocks of states would outgrow the
+// stacks of threads: one state after the other.
+#pragma once
+
+#include <cstddef>
+
+#include "robcogen/batch.h"
+
+namespace robcogen::batch {
+namespace {  // separate in each file, like lanes
+
+template <class Scalar>
+class States {
+ public:
+  explicit States(std::ptrdiff_t count) noexcept : count_(count) {}
+
+  bool is_left() const noexcept { return state_ < count_; }
+  void advance() noexcept { ++state_; }
+
+  // The elements of an argument: in the memory of the caller where they are contiguous there, else copied to the
+  // buffer.
+  template <int kElements>
+  const Scalar* load(const Strided<const Scalar>& from, Scalar* buffer) const noexcept {
+    const Scalar* data = from.data + state_ * from.state;
+    if (from.element == 1) return data;
+    for (int k = 0; k < kElements; ++k) buffer[k] = data[k * from.element];
+    return buffer;
+  }
+
+  // Where a kernel writes a result: to its place where that is contiguous, else to the buffer.
+  Scalar* place(const Strided<Scalar>& to, Scalar* buffer) const noexcept {
+    return to.element == 1 ? to.data + state_ * to.state : buffer;
+  }
+  // From the buffer, if it was written there.
+  template <int kElements>
+  void store_buffer(const Scalar* buffer, const Strided<Scalar>& to) const noexcept {
+    if (to.element == 1) return;
+    Scalar* data = to.data + state_ * to.state;
+    for (int k = 0; k < kElements; ++k) data[k * to.element] = buffer[k];
+  }
+
+ private:
+  std::ptrdiff_t state_ = 0;
+  std::ptrdiff_t count_;
+};
+
+}  // namespace
+}  // namespace robcogen::batch
