@@ -65,7 +65,8 @@ model::KinematicTree robot_with_drives_or_couplings(std::uint64_t seed) {
 }
 
 TEST(Derivatives, OfInverseDynamicsByBothWays) {
-  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+  constexpr std::uint64_t kMany = 2000;
+  for (std::uint64_t seed = 0; seed < kMany; ++seed) {
     const model::KinematicTree robot = robot_with_drives_or_couplings(seed);
     const Loads loads = seed % 2 == 0 ? Loads::gravity : Loads::gravity_and_external;
     const Program recursion = algorithm::inverse_dynamics_derivatives(robot, "f", loads);
@@ -141,6 +142,24 @@ TEST(Derivatives, OfForwardDynamicsInColumns) {
       expect_near(found.at(output.name), expected.at(output.name), "seed " + std::to_string(seed) + ": " + output.name);
   }
   EXPECT_GT(robots, kRobots / 2);
+}
+
+TEST(Derivatives, OfInverseDynamicsOfAFreeBaseInColumns) {
+  int robots = 0;
+  for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
+    const model::KinematicTree robot = robot_with_drives_or_couplings(seed);
+    if (!robot.floating_base || robot.inertia_defects.locked_base) continue;
+    ++robots;
+    const Loads loads = seed % 2 == 0 ? Loads::gravity : Loads::gravity_and_external;
+    const Program whole = algorithm::unactuated_base_inverse_dynamics_derivatives(robot, "f", loads);
+    const symbolic::SolvedColumns solved =
+        algorithm::unactuated_base_inverse_dynamics_derivatives_in_columns(robot, "f", loads);
+    const Arrays<double> state = random_inputs(whole, seed);
+    const Arrays<double> expected = symbolic::interpret(whole, state), found = solved_in_columns(solved, state);
+    for (const symbolic::OutputArray& output : whole.outputs)
+      expect_near(found.at(output.name), expected.at(output.name), "seed " + std::to_string(seed) + ": " + output.name);
+  }
+  EXPECT_GT(robots, kRobots / 4);
 }
 
 // Fourth-order central differences in long double of the first results, by element `k` of an input.

@@ -21,6 +21,16 @@ void add_base(std::vector<std::string>& summary, const std::string& rows, const 
       "changes in base coordinates.");
 }
 
+// What the inputs of a program say of its loads.
+Loads loads_of(const symbolic::Program& program) {
+  const auto has = [&](symbolic::Role role) {
+    return std::any_of(
+        program.inputs.begin(), program.inputs.end(), [&](const auto& input) { return input.role == role; });
+  };
+  if (has(symbolic::Role::link_wrenches)) return Loads::gravity_and_external;
+  return has(symbolic::Role::gravity) ? Loads::gravity : Loads::standard_gravity;
+}
+
 const char* const kColumns =
     "their partial derivatives: a column for each joint's position (d_q), velocity (d_qd) and acceleration (d_qdd";
 
@@ -77,6 +87,10 @@ std::vector<RobotFunction> inverse_dynamics_derivatives_functions(
           forces + "the spatial acceleration of the base that nothing holds, and " + kColumns + ")."};
       add_base(summary, "the base acceleration", "the base's velocity (d_base_velocity), and ");
       add("inverse_dynamics_derivatives", summary, unactuated_base_inverse_dynamics_derivatives);
+      if (solves_for_base_in_columns(tree))
+        for (RobotFunction& f : list)
+          f.solved = unactuated_base_inverse_dynamics_derivatives_in_columns(
+              tree, f.program.name, loads_of(f.program), formulation);
     }
     std::vector<std::string> summary = {forces + "the wrench on the base, and " + kColumns + ")."};
     add_base(
@@ -148,20 +162,6 @@ std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
   add_method(list, name, description(tree, formulation.frames));
   return list;
 }
-
-namespace {
-
-// What the inputs of a program say of its loads.
-Loads loads_of(const symbolic::Program& program) {
-  const auto has = [&](symbolic::Role role) {
-    return std::any_of(
-        program.inputs.begin(), program.inputs.end(), [&](const auto& input) { return input.role == role; });
-  };
-  if (has(symbolic::Role::link_wrenches)) return Loads::gravity_and_external;
-  return has(symbolic::Role::gravity) ? Loads::gravity : Loads::standard_gravity;
-}
-
-}  // namespace
 
 std::vector<RobotFunction> forward_dynamics_derivatives_functions(
     const KinematicTree& tree,

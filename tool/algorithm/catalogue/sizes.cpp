@@ -26,4 +26,11 @@ bool solves_in_columns(const model::KinematicTree& tree) {
   return operations_of_solutions(tree) > kMany;
 }
 
+bool solves_for_base_in_columns(const model::KinematicTree& tree) {
+  // A column takes a solution of six rows, and six products and sums a joint.
+  constexpr long kMany = 16'000;
+  const long joints = tree.dof();
+  return tree.floating_base && (3 * joints + 3) * (12 * joints + 72) > kMany;
+}
+
 }  // namespace robcogen::algorithm

@@ -15,4 +15,7 @@ long operations_of_solutions(const model::KinematicTree& tree);
 // Whether one after the other, without a loop, these would outgrow the caches for instructions.
 bool solves_in_columns(const model::KinematicTree& tree);
 
+// The same of the solutions for the acceleration of a base that nothing holds, in derivatives of inverse dynamics.
+bool solves_for_base_in_columns(const model::KinematicTree& tree);
+
 }  // namespace robcogen::algorithm

@@ -134,6 +134,13 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
     Loads loads,
     const Formulation& formulation = {});
 
+// The same for a loop over right-hand sides.
+symbolic::SolvedColumns unactuated_base_inverse_dynamics_derivatives_in_columns(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
 // Forward dynamics and its derivatives: q, qd, tau [, base_velocity] -> qdd [, base_acceleration], d_q, d_qd, d_tau [,
 // d_base_rotation, d_base_velocity], rows of the base acceleration first. d_tau: columns of H^-1.
 symbolic::Program forward_dynamics_derivatives(

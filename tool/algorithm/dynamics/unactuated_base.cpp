@@ -1,4 +1,7 @@
 // Inverse dynamics of a robot whose base nothing holds (Featherstone 2008, sec. 9.4).
+#include <algorithm>
+#include <utility>
+
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
@@ -6,6 +9,7 @@
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/spatial/couplings.h"
+#include "algorithm/spatial/describe.h"
 
 namespace robcogen::algorithm {
 
@@ -51,24 +55,33 @@ symbolic::Program unactuated_base_inverse_dynamics(
   return trace.program(name);
 }
 
-// With H_bb a + H_bj qdd + … = 0, where the derivatives of the base wrench are those of a given base acceleration:
-// da = -H_bb^-1 d(base wrench), d tau = d tau (given a) + H_jb da.
-symbolic::Program unactuated_base_inverse_dynamics_derivatives(
-    const model::KinematicTree& tree,
-    const std::string& name,
-    Loads loads,
-    const Formulation& formulation) {
-  Trace trace(tree);
-  StateInputs in(trace, {State::position, State::velocity, State::acceleration, State::base_velocity});
-  const LoadInputs load(trace, loads);
-  const TracedRobot robot(trace, in.q, formulation);
+namespace {
+
+const std::vector<std::string> kBaseNames = {"wx", "wy", "wz", "vx", "vy", "vz"};
+
+// What the derivatives of a free base follow from.
+struct HeldDerivatives {
+  Motion base_acceleration;
+  Forces forces;
+  ForceDerivatives d;    // of a given base acceleration
+  SquareMatrix inertia;  // of the whole robot: H_bb
+};
+
+HeldDerivatives held_derivatives(const TracedRobot& robot, StateInputs in, const LoadInputs& load) {
   const FreeRobot free = free_robot(robot, in, load);
   in.base_acceleration = free.acceleration;
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
   Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
-  add_passive_forces(trace, in, forces.tau);
+  add_passive_forces(robot.trace, in, forces.tau);
   ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
-  trace.section(robot.link_name(0), "base: derivatives of the acceleration");
+  robot.trace.section(robot.link_name(0), "base: derivatives of the acceleration");
+  return {free.acceleration, std::move(forces), std::move(d), matrix(rigid_body_inertia(free.composite[0]))};
+}
+
+// By what it changes: with H_bb a + H_bj qdd + … = 0, where the derivatives of the base wrench are those of a given
+// base acceleration, da = -H_bb^-1 d(base wrench), d tau = d tau (given a) + H_jb da.
+void release_base(HeldDerivatives& held) {
+  ForceDerivatives& d = held.d;
   std::vector<RightSide> right;
   std::vector<std::vector<Expression>*> columns;
   const auto add = [&](const std::string& by, Columns& block, std::size_t count) {
@@ -83,8 +96,7 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
   add("dqd", d.qd, d.qd.size());
   add("dqdd", d.qdd, d.qdd.size());
   add("dw", d.base_velocity, 3);
-  const SquareMatrix inertia = matrix(rigid_body_inertia(free.composite[0]));
-  const auto solutions = solve(inertia, std::move(right), {"wx", "wy", "wz", "vx", "vy", "vz"});
+  const auto solutions = solve(held.inertia, std::move(right), kBaseNames);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     std::vector<Expression>& column = *columns[c];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -92,17 +104,120 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
       for (std::size_t row = 6; row < column.size(); ++row) column[row] += d.base_acceleration[k][row] * column[k];
     }
   }
+}
+
+void write_outputs(Trace& trace, const StateInputs& in, const LoadInputs& load, HeldDerivatives& held) {
+  ForceDerivatives& d = held.d;
   // Rows 3 to 5 alone, whatever the robot: all its parts fall with the same acceleration.
   fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
-  trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
-  trace.output("base_acceleration", Role::base_acceleration, free.acceleration);
-  const int n = tree.dof(), rows = 6 + n;
+  trace.output("tau", Role::joint_force, by_coordinate(trace, held.forces.tau));
+  trace.output("base_acceleration", Role::base_acceleration, held.base_acceleration);
+  const int n = trace.tree.dof(), rows = 6 + n;
   trace.output("d_q", Role::matrix, rows, d.q);
   trace.output("d_qd", Role::matrix, rows, d.qd);
   trace.output("d_qdd", Role::matrix, rows, d.qdd);
   trace.output("d_base_rotation", Role::matrix, rows, d.base_rotation);
   trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
+}
+
+// Elements of L that the elimination in H_bb leaves: of the mass, in the last three rows, none by each other.
+std::vector<std::pair<int, int>> elements_of_base_factor() {
+  std::vector<std::pair<int, int>> elements;
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < std::min(row, 3); ++column) elements.emplace_back(row, column);
+  return elements;
+}
+
+// What columns are solved with: the factor of H_bb, and H_jb by columns.
+std::vector<Expression> base_factor(const HeldDerivatives& held) {
+  const LdlFactors factors = ldl_factors(held.inertia, kBaseNames);
+  std::vector<Expression> factor;
+  for (const auto& [row, column] : elements_of_base_factor()) factor.push_back(factors.l(row, column));
+  factor.insert(factor.end(), factors.inverse_d.begin(), factors.inverse_d.end());
+  for (std::size_t k = 0; k < 6; ++k)
+    factor.insert(factor.end(), held.d.base_acceleration[k].begin() + 6, held.d.base_acceleration[k].end());
+  return factor;
+}
+
+enum class BaseSolutions { written_out, in_columns };
+
+symbolic::Program free_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation,
+    BaseSolutions solutions) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::velocity, State::acceleration, State::base_velocity});
+  const LoadInputs load(trace, loads);
+  const TracedRobot robot(trace, in.q, formulation);
+  HeldDerivatives held = held_derivatives(robot, in, load);
+  std::vector<Expression> factor;
+  if (solutions == BaseSolutions::written_out)
+    release_base(held);
+  else
+    factor = base_factor(held);
+  write_outputs(trace, in, load, held);
+  if (!factor.empty()) trace.output("factor", Role::value, factor);
   return trace.program(name);
+}
+
+// What becomes of a column of derivatives with a given base acceleration.
+symbolic::Program released_column(const model::KinematicTree& tree, const std::string& name) {
+  const std::vector<std::pair<int, int>> elements = elements_of_base_factor();
+  const std::vector<std::string> names = coordinate_names(tree);
+  std::vector<std::string> labels;
+  for (const auto& [row, column] : elements) labels.push_back(kBaseNames[at(row)] + "_" + kBaseNames[at(column)]);
+  labels.insert(labels.end(), kBaseNames.begin(), kBaseNames.end());
+  for (const std::string& base : kBaseNames)
+    for (std::size_t row = 6; row < names.size(); ++row) labels.push_back(names[row] + "_" + base);
+  ProgramTrace trace;
+  const std::vector<Expression> given = trace.input("factor", Role::value, labels);
+  const std::vector<Expression> b = trace.input("b", Role::value, names);
+  LdlFactors factors{SquareMatrix(6), {}};
+  auto next = given.begin();
+  for (const auto& [row, column] : elements) factors.l(row, column) = *next++;
+  factors.inverse_d.assign(next, next + 6);
+  next += 6;
+  trace.section("solution", "one column of the solution");
+  std::vector<Expression> missing;
+  for (std::size_t k = 0; k < 6; ++k) missing.push_back(-b[k]);
+  std::vector<Expression> x = second_half(factors, first_half(factors, missing));
+  x.insert(x.end(), b.begin() + 6, b.end());
+  for (std::size_t k = 0; k < 6; ++k)
+    for (std::size_t row = 6; row < x.size(); ++row) x[row] += *next++ * x[k];
+  for (std::size_t k = 0; k < x.size(); ++k) describe(x[k], "x_" + names[k]);
+  trace.output("x", Role::value, x);
+  return trace.program(name);
+}
+
+}  // namespace
+
+symbolic::Program unactuated_base_inverse_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  return free_derivatives(tree, name, loads, formulation, BaseSolutions::written_out);
+}
+
+symbolic::SolvedColumns unactuated_base_inverse_dynamics_derivatives_in_columns(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  symbolic::SolvedColumns result{
+      free_derivatives(tree, name + "_right_sides", loads, formulation, BaseSolutions::in_columns),
+      released_column(tree, "inverse_dynamics_derivatives_column"),
+      {}};
+  const std::vector<symbolic::OutputArray>& outputs = result.right_sides.outputs;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const std::string& output = outputs[k].name;
+    if (output == "d_q" || output == "d_qd" || output == "d_qdd")
+      result.blocks.push_back({static_cast<int>(k), outputs[k].columns});
+    if (output == "d_base_velocity") result.blocks.push_back({static_cast<int>(k), 3});
+  }
+  return result;
 }
 
 }  // namespace robcogen::algorithm
