@@ -33,18 +33,32 @@ class ColumnSolver<kRows, kFactor, Scalar, true> {
 
   template <class Solve>
   void solve(Scalar* columns, int count, Solve solve_one) const noexcept {
-    const batch::Strided<const Scalar> from{columns, 1, kRows};
-    const batch::Strided<Scalar> to{columns, 1, kRows};
-    for (batch::Block<Scalar> block(count); block.is_left(); block.advance()) {
-      Value b[kRows], x[kRows];
-      block.template load<kRows>(from, b);
-      solve_one(factor_, static_cast<const Value*>(b), x);
-      block.template store<kRows>(x, to);
-    }
+    int c = 0;
+    for (; c + kSize <= count; c += kSize) solve_block(columns + c * kRows, solve_one);
+    if (c == count) return;
+    // The last ones fill no block.
+    Scalar block[kSize * kRows] = {};
+    Scalar* const last = columns + c * kRows;
+    const int numbers = (count - c) * kRows;
+    for (int k = 0; k < numbers; ++k) block[k] = last[k];
+    solve_block(block, solve_one);
+    for (int k = 0; k < numbers; ++k) last[k] = block[k];
   }
 
  private:
   using Value = NativeLanes<Scalar>;
+  static constexpr int kSize = batch::Block<Scalar>::kSize;
+
+  // As many columns as there are lanes.
+  template <class Solve>
+  void solve_block(Scalar* columns, Solve solve_one) const noexcept {
+    const batch::Block<Scalar> block(kSize);
+    Value b[kRows], x[kRows];
+    block.template load<kRows>(batch::Strided<const Scalar>{columns, 1, kRows}, b);
+    solve_one(factor_, static_cast<const Value*>(b), x);
+    block.template store<kRows>(x, batch::Strided<Scalar>{columns, 1, kRows});
+  }
+
   Value factor_[kFactor];
 };
 

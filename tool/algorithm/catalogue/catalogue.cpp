@@ -195,7 +195,7 @@ bool is_available(const KinematicTree& tree, const std::string& group) {
 }
 
 bool needs_loops(const KinematicTree& tree, const std::string& group) {
-  return group == "forward_dynamics_derivatives" && solves_in_columns(tree);
+  return group == "forward_dynamics_derivatives" && needs_columns(tree);
 }
 
 std::string reason_of_absence(const KinematicTree& tree, const std::string& group, Reasons reasons) {

@@ -21,8 +21,13 @@ long operations_of_solutions(const model::KinematicTree& tree) {
   return 4 * pairs_of_coordinates(tree) * (3 * tree.dof() + (tree.floating_base ? 3 : 0));
 }
 
-bool solves_in_columns(const model::KinematicTree& tree) {
+bool needs_columns(const model::KinematicTree& tree) {
   constexpr long kMany = 32'000;
+  return operations_of_solutions(tree) > kMany;
+}
+
+bool solves_in_columns(const model::KinematicTree& tree) {
+  constexpr long kMany = 12'000;
   return operations_of_solutions(tree) > kMany;
 }
 

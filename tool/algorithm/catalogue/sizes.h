@@ -13,6 +13,9 @@ long pairs_of_coordinates(const model::KinematicTree& tree);
 long operations_of_solutions(const model::KinematicTree& tree);
 
 // Whether one after the other, without a loop, these would outgrow the caches for instructions.
+bool needs_columns(const model::KinematicTree& tree);
+
+// Whether they are better in a loop, where a language has one: right-hand sides in lanes are then faster.
 bool solves_in_columns(const model::KinematicTree& tree);
 
 // The same of the solutions for the acceleration of a base that nothing holds, in derivatives of inverse dynamics.
