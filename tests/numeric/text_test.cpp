@@ -50,7 +50,7 @@ TEST(Text, LiteralsReadBackAsTheSameNumber) {
   for (int i = 0; i < robots(); ++i) {
     const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);
     for (const auto& [name, program] : programs_of(seed)) {
-      for (const Number& constant : program.constants) {
+      for (const symbolic::Constant& constant : program.constants) {
         const std::string text = print_double(constant.value());
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

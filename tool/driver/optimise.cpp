@@ -57,7 +57,7 @@ Functions separate_right_sides(Functions functions, const Passes& passes, const 
     outer.solved->solution = pass::run(std::move(outer.solved->solution), passes_of_solution);
     for (symbolic::OutputArray& array : outer.program.outputs)
       array.values.assign(array.values.size(), symbolic::Operand{});
-    outer.program.constants = {Number()};
+    outer.program.constants = {symbolic::Constant()};
     outer.program.statements.clear();
     functions.list[i].congruent.reset();
     functions.list[i].results.reset();

@@ -214,7 +214,7 @@ class Angles {
     const Node& n = node(e);
     Expression result;
     if (n.kind == Node::Kind::input) result = graph.input(n.a);
-    if (n.kind == Node::Kind::constant) result = graph.constant(graph_.number(n));
+    if (n.kind == Node::Kind::constant) result = graph.constant(graph_.constant_of(n));
     if (n.kind == Node::Kind::operation) {
       const Expression a = copy(graph, operand(n.a)), b = n.b < 0 ? Expression() : copy(graph, operand(n.b));
       result = symbolic::apply(n.op, n.a_negative ? -a : a, b);

@@ -198,7 +198,7 @@ class Rest {
  private:
   Expression read(const Operand& o) {
     if (const auto value = derived_.read(*half_.program, *half_.parameters, half_.values, o)) {
-      if (value->is_constant()) return graph_.constant(value->number());
+      if (value->is_constant()) return graph_.constant(value->constant());
       const Expression cached = graph_.input(half_.parameters->begin + derived_.place(*value));
       return value->negative() ? -cached : cached;
     }

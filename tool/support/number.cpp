@@ -169,21 +169,9 @@ std::optional<Number> Number::parse(const std::string& literal) {
   return n;
 }
 
-Number Number::among(double typical) const {
-  Number n = *this;
-  n.typical_.reset();
-  if (typical != value_ && std::isfinite(typical)) n.typical_ = typical;
-  return n;
-}
-
-Number Number::plain() const {
-  return among(value_);
-}
-
 Number operator-(const Number& a) {
   Number n = a;
   n.value_ = a.value_ == 0.0 ? 0.0 : -a.value_;
-  if (n.typical_) n.typical_ = -*n.typical_;
   if (n.ratio_) n.ratio_->num = -n.ratio_->num;
   return n;
 }
@@ -191,7 +179,6 @@ Number operator-(const Number& a) {
 Number operator+(const Number& a, const Number& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
-  if (a.typical_ || b.typical_) return (a.plain() + b.plain()).among(a.typical() + b.typical());
   Number n(a.value_ + b.value_);
   if (!a.ratio_ || !b.ratio_ || a.times_pi_ != b.times_pi_) return n;
   const Wide left = Wide(a.ratio_->num) * b.ratio_->den, right = Wide(b.ratio_->num) * a.ratio_->den;
@@ -206,7 +193,6 @@ Number operator-(const Number& a, const Number& b) {
 
 Number operator*(const Number& a, const Number& b) {
   if (a.is_zero() || b.is_zero()) return Number();
-  if (a.typical_ || b.typical_) return (a.plain() * b.plain()).among(a.typical() * b.typical());
   Number n(a.value_ * b.value_);
   if (!a.ratio_ || !b.ratio_ || (a.times_pi_ && b.times_pi_)) return n;
   const auto product = reduced(Wide(a.ratio_->num) * b.ratio_->num, Wide(a.ratio_->den) * b.ratio_->den);
@@ -216,7 +202,6 @@ Number operator*(const Number& a, const Number& b) {
 }
 
 Number operator/(const Number& a, const Number& b) {
-  if (a.typical_ || b.typical_) return (a.plain() / b.plain()).among(a.typical() / b.typical());
   Number n(a.value_ / b.value_);
   if (!a.ratio_ || !b.ratio_ || b.is_zero()) return n;
   if (b.times_pi_ && !a.times_pi_) return n;
@@ -253,7 +238,7 @@ Number sqrt(const Number& a) {
 }
 
 bool operator==(const Number& a, const Number& b) {
-  return a.value_ == b.value_ && a.ratio_ == b.ratio_ && a.times_pi_ == b.times_pi_ && a.typical_ == b.typical_;
+  return a.value_ == b.value_ && a.ratio_ == b.ratio_ && a.times_pi_ == b.times_pi_;
 }
 
 std::string print(const Number& n) {

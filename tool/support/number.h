@@ -29,15 +29,8 @@ class Number {
   // not a number, or is beyond the largest double. A literal below the smallest double is zero.
   static std::optional<Number> parse(const std::string& literal);
 
-  // The same value, with the value `typical` of the other members of its set. Folding compares both: the number is
-  // zero, one, or equal to another number only when both values are. Sums, products and quotients compute both values.
-  Number among(double typical) const;
-  double typical() const { return typical_.value_or(value_); }
-  // Without the typical value.
-  Number plain() const;
-
   double value() const { return value_; }
-  bool is_zero() const { return value_ == 0.0 && typical() == 0.0; }
+  bool is_zero() const { return value_ == 0.0; }
   bool is_pi_multiple() const { return ratio_.has_value() && times_pi_; }
   // The factor r of an exact `r` or `r * PI`; nullopt when only the double is known.
   const std::optional<Rational>& ratio() const { return ratio_; }
@@ -53,14 +46,13 @@ class Number {
   friend Number tan(const Number& a);
   friend Number sqrt(const Number& a);
 
-  // Same double, same exact form, same typical value.
+  // Same double, same exact form.
   friend bool operator==(const Number& a, const Number& b);
 
  private:
   double value_ = 0.0;
   std::optional<Rational> ratio_ = Rational{0, 1};
   bool times_pi_ = false;
-  std::optional<double> typical_;  // when it differs from the value
 };
 
 // How a document spells the number: `0.25`, `1.0/3.0`, `PI/2.0`, `-2.0 PI/3.0`. Reads back as the same double and,

@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
-#include "support/index.h"
-#include "symbolic/double_double.h"
+#include "symbolic/state_evaluator.h"
 
 namespace robcogen::symbolic {
 namespace {
 
-constexpr std::size_t kStates = 16;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A program may lose this many times as much as the plain one …
@@ -33,227 +29,6 @@ constexpr double kLostOfPivot = 1.0 / 16;
 
 // A state in which results cancel is compared with this share of their usual size.
 constexpr double kLeastScale = 0.25;
-
-// A value in all states.
-template <class Real>
-struct Batch {
-  std::array<Real, kStates> value;
-};
-template <>
-struct Batch<DoubleDouble> {
-  std::array<double, kStates> high, low;
-};
-
-template <class Real>
-Real get(const Batch<Real>& batch, std::size_t state) {
-  if constexpr (std::is_same_v<Real, DoubleDouble>)
-    return {batch.high[state], batch.low[state]};
-  else
-    return batch.value[state];
-}
-
-template <class Real>
-void set(Batch<Real>& batch, std::size_t state, const Real& value) {
-  if constexpr (std::is_same_v<Real, DoubleDouble>) {
-    batch.high[state] = value.high;
-    batch.low[state] = value.low;
-  } else {
-    batch.value[state] = value;
-  }
-}
-
-template <class Real>
-Real rounded(const DoubleDouble& x) {
-  if constexpr (std::is_same_v<Real, DoubleDouble>)
-    return x;
-  else
-    return static_cast<Real>(x.high);
-}
-
-DoubleDouble exact(std::int64_t n) {
-  constexpr std::int64_t kHalf = std::int64_t{1} << 32;
-  return two_sum(static_cast<double>(n / kHalf) * static_cast<double>(kHalf), static_cast<double>(n % kHalf));
-}
-
-// As in the generated code literals are doubles, which are what the results are judged by; multiples of PI are exact.
-template <class Real>
-Real literal_as(const Number& n) {
-  if constexpr (std::is_same_v<Real, DoubleDouble>) {
-    if (!n.is_pi_multiple()) return {n.value(), 0.0};
-    return kPiPair * (exact(n.ratio()->num) / exact(n.ratio()->den));
-  } else {
-    return static_cast<Real>(n.value());
-  }
-}
-
-// Numbers without pattern that are the same everywhere (splitmix64).
-std::uint64_t scrambled(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
-
-// Between -1 and 1, with few enough digits for a float.
-double number_of(const std::string& array, std::size_t element, std::size_t state) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : array) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  const std::uint64_t bits = scrambled(scrambled(hash + element) + state);
-  constexpr double kScale = 1 << 16;
-  return static_cast<double>(static_cast<std::int64_t>(bits >> 47) - (1 << 16)) / kScale;
-}
-
-// As numbers of a float, whose norm is one but for their rounding.
-std::array<double, 4> unit_quaternion(const std::string& array, std::size_t first, std::size_t state) {
-  std::array<double, 4> q{};
-  double square = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    q[i] = number_of(array, first + i, state) + (i == 0 ? 0.125 : 0.0);
-    square += q[i] * q[i];
-  }
-  for (double& e : q) e = static_cast<double>(static_cast<float>(e / std::sqrt(square)));
-  return q;
-}
-
-double input_of(
-    const InputArray& array,
-    std::size_t element,
-    std::size_t state,
-    const std::vector<double>& parameters) {
-  const double x = number_of(array.name, element, state);
-  for (const int first : array.quaternions)
-    if (const int i = static_cast<int>(element) - first; i >= 0 && i < 4)
-      return unit_quaternion(array.name, at(first), state)[at(i)];
-  switch (array.role) {
-    case Role::parameters:
-      return element < parameters.size() ? parameters[element] : 1.0 + 0.25 * x;
-    case Role::joint_position:
-      return 3.0 * x;
-    case Role::gravity:
-      return 10.0 * x;
-    case Role::inertia_factor:
-      return 0.125 * x;
-    case Role::inverse_diagonal:
-      return 1.0 + 0.5 * x;
-    case Role::contact_activity:
-      return x > -0.5 ? 1.0 : 0.0;
-    case Role::contact_compliance:
-      return 1.0 + 0.5 * x;
-    default:
-      return 2.0 * x;
-  }
-}
-
-// Runs programs in all states at once.
-template <class Real>
-class Evaluator {
- public:
-  using Values = Batch<Real>;
-
-  Evaluator(const Program& program, const std::vector<double>& parameters) : program_(program) {
-    for (const InputArray& array : program.inputs) {
-      for (std::size_t k = 0; k < array.elements.size(); ++k) {
-        Values& input = inputs_.emplace_back();
-        for (std::size_t s = 0; s < kStates; ++s)
-          set(input, s, rounded<Real>({input_of(array, k, s, parameters), 0.0}));
-      }
-    }
-    for (const Number& n : program.constants) {
-      Values& constant = constants_.emplace_back();
-      for (std::size_t s = 0; s < kStates; ++s) set(constant, s, literal_as<Real>(n));
-    }
-    first_.reserve(program.statements.size());
-    computed_.reserve(program.statements.size());
-    for (const Statement& statement : program.statements) run(statement);
-  }
-
-  Values read(const Operand& o, int lane = 0) const {
-    Values x = whole(o, lane);
-    if (o.negative)
-      for (std::size_t s = 0; s < kStates; ++s) set(x, s, -get(x, s));
-    return x;
-  }
-
- private:
-  const Program& program_;
-  std::vector<Values> inputs_, constants_;
-  std::vector<Values> computed_;    // lane by lane
-  std::vector<std::size_t> first_;  // lane of each statement
-
-  const Values& whole(const Operand& o, int lane) const {
-    const std::size_t i = at(o.index);
-    if (is_constant(o)) return constants_[i];
-    if (o.kind == Operand::Kind::input) return inputs_[i];
-    const int own = o.lane >= 0 ? o.lane : program_.statements[i].width > 1 ? lane : 0;
-    return computed_[first_[i] + at(own)];
-  }
-
-  void run(const Statement& s) {
-    first_.push_back(computed_.size());
-    if (s.op == Op::sum_lanes) {
-      Values sum = read(s.a, 0);
-      for (int lane = 1; lane < program_.statements[at(s.a.index)].width; ++lane)
-        sum = combined(Op::add, sum, read(s.a, lane));
-      computed_.push_back(sum);
-      return;
-    }
-    for (int lane = 0; lane < s.width; ++lane) {
-      if (s.op == Op::gather)
-        computed_.push_back(read(s.lanes[at(lane)]));
-      else if (is_binary(s.op))
-        computed_.push_back(combined(s.op, read(s.a, lane), read(s.b, lane)));
-      else
-        computed_.push_back(function(s.op, read(s.a, lane)));
-    }
-  }
-
-  template <class F>
-  static Values each(const Values& a, const Values& b, F f) {
-    Values result;
-    for (std::size_t s = 0; s < kStates; ++s) set(result, s, f(get(a, s), get(b, s)));
-    return result;
-  }
-
-  static Values combined(Op op, const Values& a, const Values& b) {
-    switch (op) {
-      case Op::add:
-        return each(a, b, [](const Real& x, const Real& y) { return x + y; });
-      case Op::subtract:
-        return each(a, b, [](const Real& x, const Real& y) { return x - y; });
-      case Op::multiply:
-        return each(a, b, [](const Real& x, const Real& y) { return x * y; });
-      case Op::divide:
-        return each(a, b, [](const Real& x, const Real& y) { return x / y; });
-      case Op::arc_tangent:
-        return each(a, b, [](const Real& x, const Real& y) {
-          using std::atan2;
-          return atan2(x, y);
-        });
-      default:
-        throw std::logic_error("not an operation on two numbers");
-    }
-  }
-
-  static Values function(Op op, const Values& a) {
-    using std::sqrt;
-    Values result;
-    for (std::size_t s = 0; s < kStates; ++s) {
-      const Real x = get(a, s);
-      if (op == Op::square_root) {
-        set(result, s, sqrt(x));
-        continue;
-      }
-      DoubleDouble angle;
-      if constexpr (std::is_same_v<Real, DoubleDouble>)
-        angle = x;
-      else
-        angle.high = static_cast<double>(x);
-      const SineCosine both = sine_cosine(angle);
-      set(result, s, rounded<Real>(op == Op::sine ? both.sine : both.cosine));
-    }
-    return result;
-  }
-};
 
 const OutputArray& output_of(const Program& program, const std::string& name) {
   const auto found = std::find_if(
@@ -274,7 +49,10 @@ struct Errors {
 };
 
 // The largest error of a pivot in float, relative to what it is in double, of all states.
-double error_of_pivots(const Program& program, const Evaluator<double>& in_double, const Evaluator<float>& in_float) {
+double error_of_pivots(
+    const Program& program,
+    const StateEvaluator<double>& in_double,
+    const StateEvaluator<float>& in_float) {
   double largest = 0.0;
   for (const Statement& s : program.statements) {
     if (s.op != Op::divide && s.op != Op::square_root) continue;
@@ -342,7 +120,8 @@ struct AccurateResults::Results {
   Errors of_plain;
 
   template <class Real>
-  std::vector<ArrayError> errors_of(const Program& program, const Evaluator<Real>& evaluator, double rounding) const {
+  std::vector<ArrayError> errors_of(const Program& program, const StateEvaluator<Real>& evaluator, double rounding)
+      const {
     std::vector<ArrayError> result;
     for (const Output& expected : outputs) {
       const OutputArray& found = output_of(program, expected.name);
@@ -364,8 +143,8 @@ struct AccurateResults::Results {
 
   Errors errors_of(const Program& program) const {
     constexpr double kOfDouble = 0x1p-53, kOfFloat = 0x1p-24;
-    const Evaluator<double> in_double(program, parameters);
-    const Evaluator<float> in_float(program, parameters);
+    const StateEvaluator<double> in_double(program, parameters);
+    const StateEvaluator<float> in_float(program, parameters);
     return {
         errors_of(program, in_double, kOfDouble), errors_of(program, in_float, kOfFloat),
         error_of_pivots(program, in_double, in_float)};
@@ -375,7 +154,7 @@ struct AccurateResults::Results {
 AccurateResults::AccurateResults(const Program& program, std::vector<double> parameters) {
   auto results = std::make_unique<Results>();
   results->parameters = std::move(parameters);
-  const Evaluator<DoubleDouble> evaluator(program, results->parameters);
+  const StateEvaluator<DoubleDouble> evaluator(program, results->parameters);
   for (const OutputArray& array : program.outputs) {
     Results::Output& output = results->outputs.emplace_back();
     output.name = array.name;

@@ -1,13 +1,9 @@
 #include "symbolic/expression.h"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "support/index.h"
-#include "support/unique_names.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -17,37 +13,16 @@ Graph* common_graph(const Expression& a, const Expression& b) {
   return a.graph() ? a.graph() : b.graph();
 }
 
-// Makes the names that statements have unique, and numbers the others by their sections' prefixes.
-void name_statements(Program& p) {
-  UniqueNames used;
-  for (const bool is_own : {true, false})
-    for (Statement& s : p.statements)
-      if (has_meaning(s) && s.named == is_own) s.name = used.add(s.name);
-  // Two numbered names are different anyway.
-  std::unordered_map<std::string, int> next_number;
-  std::vector<int*> next_of_section;
-  for (const Section& section : p.sections) next_of_section.push_back(&next_number[section.prefix]);
-  for (Statement& s : p.statements) {
-    if (has_meaning(s)) continue;
-    const auto section = at(s.section);
-    s.name = p.sections[section].prefix + "_t" + std::to_string((*next_of_section[section])++);
-    if (used.contains(s.name)) s.name = used.add(s.name);
-  }
-}
-
 }  // namespace
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Expression
 
 bool Expression::is_constant() const {
   return !graph_ || graph_->nodes()[at(node_)].kind == Node::Kind::constant;
 }
 
-Number Expression::number() const {
-  if (!graph_) return Number();
-  const Number& n = graph_->number(graph_->nodes()[at(node_)]);
-  return negative_ ? -n : n;
+Constant Expression::constant() const {
+  if (!graph_) return Constant();
+  const Constant& c = graph_->constant_of(graph_->nodes()[at(node_)]);
+  return negative_ ? -c : c;
 }
 
 Expression operator+(const Expression& a, const Expression& b) {
@@ -71,7 +46,7 @@ Expression operator/(const Expression& a, const Expression& b) {
   if (a.is_zero() || b.is_one()) return a;
   if ((-b).is_one()) return -a;
   Graph& g = *common_graph(a, b);
-  if (a.is_constant() && b.is_constant()) return g.constant(a.number() / b.number());
+  if (a.is_constant() && b.is_constant()) return g.constant(a.constant() / b.constant());
   const Expression quotient = g.operation(Op::divide, g.positive(a.node()), g.positive(b.node()));
   return a.negative() != b.negative() ? -quotient : quotient;
 }
@@ -111,158 +86,6 @@ Expression atan2(const Expression& sine, const Expression& cosine) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Graph: nodes
-
-Graph::Graph() : known_(1024) {
-  sections_.push_back({"", "t"});
-  constant(0.0);
-  constant(1.0);
-}
-
-std::uint32_t Graph::hash(const Key& k) {
-  std::uint64_t h = k.bits * 0x9e3779b97f4a7c15ULL ^ (k.kind + 0x7f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
-  h ^= h >> 29;
-  h *= 0x94d049bb133111ebULL;
-  return static_cast<std::uint32_t>(h ^ (h >> 32));
-}
-
-std::size_t Graph::slot(const Key& k, std::uint32_t hash) const {
-  const auto is_other = [&](const KnownNode& known) {
-    return known.node >= 0 && (known.hash != hash || !(key(nodes_[at(known.node)]) == k));
-  };
-  std::size_t place = hash & (known_.size() - 1);
-  while (is_other(known_[place])) place = (place + 1) & (known_.size() - 1);
-  return place;
-}
-
-// The nodes stand in the order of their making again.
-void Graph::grow() {
-  std::vector<std::uint32_t> hashes(nodes_.size());
-  for (const KnownNode& known : known_)
-    if (known.node >= 0) hashes[at(known.node)] = known.hash;
-  known_.assign(2 * known_.size(), {});
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    std::size_t place = hashes[i] & (known_.size() - 1);
-    while (known_[place].node >= 0) place = (place + 1) & (known_.size() - 1);
-    known_[place] = {hashes[i], static_cast<int>(i)};
-  }
-}
-
-Graph::Key Graph::key(const Node& n) const {
-  const auto kind = static_cast<std::uint64_t>(n.kind);
-  if (n.kind == Node::Kind::constant) {
-    const Number& value = number(n);
-    return {
-        std::bit_cast<std::uint64_t>(value.value()), kind * 64 + (value.is_pi_multiple() ? 1 : 0),
-        std::bit_cast<std::uint64_t>(value.typical())};
-  }
-  const std::uint64_t a = static_cast<std::uint32_t>(n.a);
-  const std::uint64_t b = static_cast<std::uint32_t>(n.b);
-  return {
-      a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0) + (n.b_negative ? 32 : 0)};
-}
-
-int Graph::intern(const Node& n) {
-  const Key wanted = key(n);
-  const std::uint32_t own = hash(wanted);
-  std::size_t place = slot(wanted, own);
-  if (known_[place].node >= 0) return known_[place].node;
-  if (2 * (nodes_.size() + 1) > known_.size()) {
-    grow();
-    place = slot(wanted, own);
-  }
-  known_[place] = {own, static_cast<int>(nodes_.size())};
-  nodes_.push_back(n);
-  section_of_.push_back(static_cast<int>(sections_.size()) - 1);
-  return known_[place].node;
-}
-
-Expression Graph::constant(const Number& value) {
-  if (std::isnan(value.value()) || std::isinf(value.value())) throw std::logic_error("a constant is not finite");
-  const bool negative = value.value() < 0 || (value.value() == 0.0 && value.typical() < 0);
-  const Number magnitude = value.is_zero() ? Number() : negative ? -value : value;
-  const std::size_t constants_before = constants_.size();
-  constants_.push_back(magnitude);
-  Node n;
-  n.a = static_cast<int>(constants_before);
-  const int node = intern(n);
-  if (nodes_[at(node)].a != n.a) constants_.pop_back();  // it was known
-  return Expression(this, node, negative);
-}
-
-Expression Graph::input(int element) {
-  Node n;
-  n.kind = Node::Kind::input;
-  n.a = element;
-  return positive(intern(n));
-}
-
-void Graph::rollback(std::size_t mark) {
-  while (nodes_.size() > mark) {
-    const Key last = key(nodes_.back());
-    known_[slot(last, hash(last))] = {};
-    nodes_.pop_back();
-    section_of_.pop_back();
-  }
-  names_.resize(std::min(names_.size(), mark));
-}
-
-int Graph::cost_since(std::size_t mark) const {
-  constexpr int kDivision = 8;
-  const auto is_product = [&](int node) {
-    const Node& n = nodes_[at(node)];
-    return n.kind == Node::Kind::operation && n.op == Op::multiply;
-  };
-  int cost = 0;
-  for (std::size_t i = mark; i < nodes_.size(); ++i) {
-    const Node& n = nodes_[i];
-    if (n.kind != Node::Kind::operation) continue;
-    const bool sum = n.op == Op::add || n.op == Op::subtract;
-    const bool swallows = sum && (is_product(n.a) || is_product(n.b));
-    cost += n.op == Op::divide || n.op == Op::square_root ? kDivision : swallows ? 1 : is_binary(n.op) ? 2 : 0;
-  }
-  return cost;
-}
-
-void Graph::begin_section(std::string title, std::string prefix) {
-  if (names_matter_) sections_.push_back({std::move(title), std::move(prefix)});
-}
-
-void Graph::name(const Expression& e, const std::string& name) {
-  set_name(e, name, true);
-}
-
-void Graph::describe(const Expression& e, const std::string& name) {
-  set_name(e, name, false);
-}
-
-void Graph::set_name(const Expression& e, const std::string& name, bool is_own) {
-  if (!e.graph() || !names_matter_) return;
-  const auto node = at(e.node());
-  if (nodes_[node].kind != Node::Kind::operation) return;
-  if (names_.size() <= node) names_.resize(node + 1);
-  NodeName& known = names_[node];
-  if (known.is_own || (!is_own && !known.text.empty())) return;
-  known.is_own = is_own;
-  // The node holds the value without its sign.
-  if (!e.negative())
-    known.text = name;
-  else
-    known.text = name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name + "_neg";
-}
-
-Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
-  Node n;
-  n.kind = Node::Kind::operation;
-  n.op = op;
-  n.a = a.node();
-  n.b = is_binary(op) ? b.node() : -1;
-  n.a_negative = op == Op::square_root && a.negative();
-  n.b_negative = op == Op::arc_tangent && b.negative();
-  return positive(intern(n));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
 // Graph: folding
 
 Graph::Scaled Graph::split_factor(int node) const {
@@ -274,8 +97,8 @@ Graph::Scaled Graph::split_factor(int node) const {
   return {1, node};
 }
 
-Number Graph::factor(const Expression& x, const Scaled& split) const {
-  const Number& value = number(nodes_[at(split.factor)]);
+Constant Graph::factor(const Expression& x, const Scaled& split) const {
+  const Constant& value = constant_of(nodes_[at(split.factor)]);
   return x.negative() ? -value : value;
 }
 
@@ -302,7 +125,7 @@ std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expressi
 }
 
 Expression Graph::add(Expression a, Expression b) {
-  if (a.is_constant() && b.is_constant()) return constant(a.number() + b.number());
+  if (a.is_constant() && b.is_constant()) return constant(a.constant() + b.constant());
   if (a.node() == b.node()) {
     if (a.negative() != b.negative()) return positive(0);
     return constant(2.0) * a;
@@ -336,7 +159,7 @@ Expression Graph::add(Expression a, Expression b) {
 }
 
 Expression Graph::multiply(Expression a, Expression b) {
-  if (a.is_constant() && b.is_constant()) return constant(a.number() * b.number());
+  if (a.is_constant() && b.is_constant()) return constant(a.constant() * b.constant());
   const bool negative = a.negative() != b.negative();
   if (a.node() == 1) return Expression(this, b.node(), negative);
   if (b.node() == 1) return Expression(this, a.node(), negative);
@@ -344,80 +167,11 @@ Expression Graph::multiply(Expression a, Expression b) {
   for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
     if (!scale.is_constant()) continue;
     const Scaled split = split_factor(product.node());
-    if (split.rest != product.node()) return constant(scale.number() * factor(product, split)) * positive(split.rest);
+    if (split.rest != product.node()) return constant(scale.constant() * factor(product, split)) * positive(split.rest);
   }
   if (a.node() > b.node()) std::swap(a, b);
   const Expression product = operation(Op::multiply, positive(a.node()), positive(b.node()));
   return negative ? -product : product;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Graph: the program
-
-Program Graph::program(
-    std::string name,
-    std::vector<InputArray> inputs,
-    std::vector<OutputArray> shapes,
-    const std::vector<std::vector<Expression>>& outputs) const {
-  std::vector<bool> reachable(nodes_.size(), false);
-  for (const auto& values : outputs)
-    for (const Expression& e : values) reachable[at(e.node())] = true;
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
-    if (!reachable[i] || nodes_[i].kind != Node::Kind::operation) continue;
-    reachable[at(nodes_[i].a)] = true;
-    if (nodes_[i].b >= 0) reachable[at(nodes_[i].b)] = true;
-  }
-
-  Program p;
-  p.name = std::move(name);
-  p.inputs = std::move(inputs);
-  p.outputs = std::move(shapes);
-
-  std::vector<int> new_section(sections_.size(), -1);
-  std::vector<Operand> operand_of(nodes_.size());
-  p.statements.reserve(static_cast<std::size_t>(std::count(reachable.begin(), reachable.end(), true)));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!reachable[i]) continue;
-    const Node& n = nodes_[i];
-    Operand& here = operand_of[i];
-    if (n.kind == Node::Kind::constant) {
-      here = {Operand::Kind::constant, static_cast<int>(p.constants.size()), false};
-      p.constants.push_back(number(n));
-    } else if (n.kind == Node::Kind::input) {
-      here = {Operand::Kind::input, n.a, false};
-    } else {
-      const auto section = at(section_of_[i]);
-      if (new_section[section] < 0) {
-        new_section[section] = static_cast<int>(p.sections.size());
-        p.sections.push_back(sections_[section]);
-      }
-      here = {Operand::Kind::statement, static_cast<int>(p.statements.size()), false};
-      Statement& s = p.statements.emplace_back();
-      s.op = n.op;
-      s.a = operand_of[at(n.a)];
-      s.a.negative = n.a_negative;
-      if (n.b >= 0) s.b = operand_of[at(n.b)];
-      s.b.negative = s.b.negative != n.b_negative;
-      s.section = new_section[section];
-      if (i < names_.size()) {
-        s.name = names_[i].text;
-        s.named = names_[i].is_own;
-        s.described = !s.named && !s.name.empty();
-      }
-    }
-  }
-  for (std::size_t k = 0; k < outputs.size(); ++k) {
-    OutputArray& array = p.outputs[k];
-    if (outputs[k].size() != at(array.rows * array.columns))
-      throw std::logic_error("output '" + array.name + "' has the wrong number of values");
-    for (const Expression& e : outputs[k]) {
-      Operand value = operand_of[at(e.node())];
-      value.negative = e.negative();
-      array.values.push_back(value);
-    }
-  }
-  if (names_matter_) name_statements(p);
-  return p;
 }
 
 }  // namespace robcogen::symbolic

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/number.h"
+#include "symbolic/constant.h"
 #include "symbolic/program.h"
 
 namespace robcogen::symbolic {
@@ -27,7 +28,8 @@ class Expression {
   bool is_zero() const { return node_ == 0; }
   bool is_one() const { return node_ == 1 && !negative_; }
   // The signed value of a constant.
-  Number number() const;
+  Constant constant() const;
+  Number number() const { return constant().number(); }
 
   Graph* graph() const { return graph_; }
   int node() const { return node_; }
@@ -77,8 +79,9 @@ class Graph {
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
-  Expression constant(const Number& value);
-  Expression constant(double value) { return constant(Number(value)); }
+  Expression constant(const Constant& value);
+  Expression constant(const Number& value) { return constant(Constant(value)); }
+  Expression constant(double value) { return constant(Constant(Number(value))); }
   Expression one() { return Expression(this, 1, false); }
   Expression input(int element);
   // An operand of a node.
@@ -107,7 +110,7 @@ class Graph {
   const std::string& subject() const { return sections_.back().prefix; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
-  const Number& number(const Node& n) const { return constants_[static_cast<std::size_t>(n.a)]; }
+  const Constant& constant_of(const Node& n) const { return constants_[static_cast<std::size_t>(n.a)]; }
 
   // The program that computes these outputs: reachable operations in the order of their making. `outputs[k]` supplies
   // the values of `shapes[k]`.
@@ -130,7 +133,7 @@ class Graph {
   struct Key {
     std::uint64_t bits;
     std::uint64_t kind;
-    std::uint64_t typical = 0;  // of a constant
+    std::uint64_t representative = 0;  // of a constant
     friend bool operator==(const Key&, const Key&) = default;
   };
 
@@ -157,7 +160,7 @@ class Graph {
   };
   Scaled split_factor(int node) const;
   // The signed factor of an expression that was split.
-  Number factor(const Expression& x, const Scaled& split) const;
+  Constant factor(const Expression& x, const Scaled& split) const;
   // The sine and the cosine of an arc tangent, or of a sum or difference with one in it.
   std::optional<std::array<Expression, 2>> known_sine_cosine(const Expression& angle);
   // The two terms of a sum or difference.
@@ -165,7 +168,7 @@ class Graph {
 
   bool names_matter_ = true;
   std::vector<Node> nodes_;
-  std::vector<Number> constants_;
+  std::vector<Constant> constants_;
   std::vector<int> section_of_;
   std::vector<NodeName> names_;  // up to the last node that has one
   std::vector<Section> sections_;

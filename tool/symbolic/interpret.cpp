@@ -47,7 +47,7 @@ Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs) {
   const std::vector<Real> input = flatten(program, inputs);
   std::vector<Real> constant;
   constant.reserve(program.constants.size());
-  for (const Number& n : program.constants) constant.push_back(value_of<Real>(n));
+  for (const Constant& c : program.constants) constant.push_back(value_of<Real>(c.number()));
   std::vector<Real> computed;      // lane by lane
   std::vector<std::size_t> start;  // of each statement's first lane
   computed.reserve(program.statements.size());

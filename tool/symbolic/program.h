@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "support/number.h"
+#include "symbolic/constant.h"
 
 namespace robcogen::symbolic {
 
@@ -148,7 +148,7 @@ struct Program {
   std::string name;
   std::vector<InputArray> inputs;
   std::vector<OutputArray> outputs;
-  std::vector<Number> constants;  // each non-negative, each once
+  std::vector<Constant> constants;  // each non-negative, each once
   std::vector<Section> sections;
   std::vector<Statement> statements;  // operands come before their users
 

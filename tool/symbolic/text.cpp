@@ -31,7 +31,7 @@ std::string print(const Program& p) {
       inputs.push_back(array.name + "[" + std::to_string(i) + "]");
   const auto text = [&](const Operand& o) {
     const auto i = static_cast<std::size_t>(o.index);
-    const std::string value = is_constant(o)                   ? print_constant(p.constants[i])
+    const std::string value = is_constant(o)                   ? print_constant(p.constants[i].number())
                               : o.kind == Operand::Kind::input ? inputs[i]
                                                                : p.statements[i].name;
     return (o.negative ? "-" : "") + value + (o.lane >= 0 ? "@" + std::to_string(o.lane) : "");

@@ -79,7 +79,7 @@ std::string verify(const Program& p) {
     if (s.section < 0 || s.section >= static_cast<int>(p.sections.size()))
       return "statement '" + s.name + "' is in no section";
   }
-  for (const Number& n : p.constants)
+  for (const Constant& n : p.constants)
     if (!(n.value() >= 0.0) || std::isinf(n.value())) return "a constant is negative or no number";
   for (const OutputArray& array : p.outputs) {
     if (array.rows < 0 || array.columns < 0 ||

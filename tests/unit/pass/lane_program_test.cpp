@@ -13,7 +13,7 @@ using symbolic::Op;
 
 Program with_lanes(const Program& p) {
   LaneBuilder builder(p);
-  const std::optional<LanePlan> plan = lane_plan(p, kLimbs, builder.number(Number()));
+  const std::optional<LanePlan> plan = lane_plan(p, kLimbs, builder.constant(Number()));
   EXPECT_TRUE(plan);
   return plan ? lane_program(p, *plan, plan_signs(*plan), builder) : p;
 }
@@ -30,7 +30,7 @@ TEST(LanePrograms, ComputeWhatTheLimbsDid) {
     SCOPED_TRACE(seed);
     const Program p = RandomLimbs(seed).make();
     LaneBuilder builder(p);
-    const std::optional<LanePlan> plan = lane_plan(p, kLimbs, builder.number(Number()));
+    const std::optional<LanePlan> plan = lane_plan(p, kLimbs, builder.constant(Number()));
     if (!plan) continue;
     const Program lanes = lane_program(p, *plan, plan_signs(*plan), builder);
     ASSERT_EQ(verify(lanes), "") << print(p) << print(lanes);

@@ -103,8 +103,8 @@ TEST(PlanSigns, SaveChanges) {
     SCOPED_TRACE(seed);
     const Program p = RandomLimbs(seed).mirrored();
     LaneBuilder builder(p), unplanned_builder(p);
-    const Operand zero = builder.number(Number());
-    ASSERT_EQ(unplanned_builder.number(Number()), zero);
+    const Operand zero = builder.constant(Number());
+    ASSERT_EQ(unplanned_builder.constant(Number()), zero);
     const std::optional<LanePlan> plan = lane_plan(p, kLimbs, zero);
     ASSERT_TRUE(plan);
     const std::vector<unsigned> no_signs(plan->packed_values.size(), 0U);

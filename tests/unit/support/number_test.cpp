@@ -207,30 +207,6 @@ TEST(Number, HasExactRootsOfSquares) {
   EXPECT_TRUE(std::isnan(sqrt(Number::rational(-1)).value()));
 }
 
-TEST(Number, AmongOthersIsZeroOnlyWhereTheyAre) {
-  const Number zero = Number().among(0.25), half = parse("0.5");
-  EXPECT_FALSE(zero.is_zero());
-  EXPECT_EQ(zero.value(), 0.0);
-  EXPECT_NE(zero, Number());
-  EXPECT_EQ(zero.plain(), Number());
-  // values are those of plain numbers, exact forms too; typical values are computed in the same way
-  EXPECT_EQ((half + zero).plain(), half);
-  EXPECT_EQ((half + zero).typical(), 0.75);
-  EXPECT_EQ((half * zero).plain(), Number());
-  EXPECT_EQ((half * zero).typical(), 0.125);
-  EXPECT_EQ((zero / half).typical(), 0.5);
-  EXPECT_EQ((-zero).typical(), -0.25);
-  EXPECT_EQ(-(-zero), zero);
-  // zero in both is zero
-  EXPECT_TRUE((zero - zero).is_zero());
-  EXPECT_TRUE((zero * Number()).is_zero());
-  // a sum that is zero among others that are not, and the other way about
-  EXPECT_FALSE((half.among(1.0) - half).is_zero());
-  EXPECT_FALSE((half.among(0.0) + Number()).is_zero());
-  // NaN is not a typical value
-  EXPECT_EQ(half / Number::rational(1).among(0.0), half);
-}
-
 TEST(Number, PrintsAsDocumentsSpellIt) {
   EXPECT_EQ(print(parse("0.25")), "0.25");
   EXPECT_EQ(print(Number::rational(-3)), "-3.0");

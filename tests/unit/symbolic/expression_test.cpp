@@ -83,16 +83,16 @@ TEST_F(ExpressionTest, AMultipleOfPiIsNotItsDouble) {
   EXPECT_FALSE(sin(nearest).is_zero());
 }
 
-TEST_F(ExpressionTest, NumbersAmongOthersFoldOnlyWhereTheseDo) {
-  const Expression zero = graph.constant(Number().among(0.25)), one = graph.constant(Number(1.0).among(2.0));
+TEST_F(ExpressionTest, ConstantsFoldOnlyWhereTheirRepresentativesDo) {
+  const Expression zero = graph.constant(Constant().folded_as(0.25)), one = graph.constant(Constant(Number(1.0)).folded_as(2.0));
   EXPECT_TRUE(zero.is_constant());
   EXPECT_FALSE(zero.is_zero());
   EXPECT_FALSE(one.is_one());
   EXPECT_NE(one * a, a);
   EXPECT_NE(a + zero * b, a);
-  EXPECT_EQ(graph.constant(Number().among(0.25)), zero);
-  EXPECT_EQ(graph.constant(Number().among(-0.25)), -zero);
-  EXPECT_NE(graph.constant(Number().among(0.5)), zero);
+  EXPECT_EQ(graph.constant(Constant().folded_as(0.25)), zero);
+  EXPECT_EQ(graph.constant(Constant().folded_as(-0.25)), -zero);
+  EXPECT_NE(graph.constant(Constant().folded_as(0.5)), zero);
   // constants fold to their values
   EXPECT_EQ((zero * one + graph.constant(3.0)).number().value(), 3.0);
   EXPECT_TRUE((zero * b - zero * b).is_zero());

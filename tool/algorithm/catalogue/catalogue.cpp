@@ -243,8 +243,9 @@ std::vector<symbolic::Program> plain_programs(
 }
 
 bool folds_like_others(const symbolic::Program& program) {
-  return std::any_of(
-      program.constants.begin(), program.constants.end(), [](const Number& n) { return n.typical() != n.value(); });
+  return std::any_of(program.constants.begin(), program.constants.end(), [](const symbolic::Constant& c) {
+    return !c.folds_as_itself();
+  });
 }
 
 std::vector<std::optional<symbolic::Program>> congruent_programs(

@@ -92,7 +92,7 @@ std::vector<Numbers> numbers_of(
 template <std::size_t n>
 void fold_like(Trace& trace, const std::array<double, n>& typical, const std::array<Expression*, n>& elements) {
   for (std::size_t i = 0; i < n; ++i)
-    if (std::isfinite(typical[i])) *elements[i] = trace.graph.constant(elements[i]->number().among(typical[i]));
+    if (std::isfinite(typical[i])) *elements[i] = trace.graph.constant(elements[i]->constant().folded_as(typical[i]));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 //
 // A centre of mass may be on the axis in one leg, a millimetre beside it in the others: zeros and ones of single limbs
 // fold while a program is traced, and limbs that could share the lanes of vectors compute by programs of different
-// shape. Where the numbers that the recursions see carry a representative number of their class (Number::among), only
-// those zeros and ones fold that all its limbs have.
+// shape. Where the numbers that the recursions see carry a representative number of their class (symbolic::Constant),
+// only those zeros and ones fold that all its limbs have.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@ namespace robcogen::algorithm {
 
 Trial::Trial(const symbolic::Program& program)
     : work(symbolic::work(program)), statements(static_cast<long>(program.statements.size())) {
-  for (const Number& n : program.constants) largest_constant = std::max(largest_constant, n.value());
+  for (const symbolic::Constant& n : program.constants) largest_constant = std::max(largest_constant, n.value());
 }
 
 Trial& Trials::in_frames(const LinkFrames& frames, const std::function<symbolic::Program()>& trace) {

@@ -52,8 +52,8 @@ class ArrangementBuilder {
     arranged_.spellings.resize(program.statements.size());
     arranged_.expressions.resize(program.statements.size());
     arranged_.stores.resize(program.statements.size());
-    for (const Number& constant : program.constants)
-      arranged_.constants.push_back(dialect.literal(constant, arranged_.texts));
+    for (const symbolic::Constant& constant : program.constants)
+      arranged_.constants.push_back(dialect.literal(constant.number(), arranged_.texts));
   }
 
   Arrangement run() {

@@ -12,6 +12,7 @@
 
 namespace robcogen::pass {
 
+using symbolic::Constant;
 using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
@@ -50,9 +51,9 @@ int LaneBuilder::width(const Operand& o) const {
   return is_statement(o) && o.lane < 0 ? made_[at(o.index)].statement.width : 1;
 }
 
-Operand LaneBuilder::number(const Number& value) {
-  const auto known = std::find_if(new_.constants.begin(), new_.constants.end(), [&](const Number& n) {
-    return n.value() == value.value() && n.is_pi_multiple() == value.is_pi_multiple();
+Operand LaneBuilder::constant(const Constant& value) {
+  const auto known = std::find_if(new_.constants.begin(), new_.constants.end(), [&](const Constant& c) {
+    return c.value() == value.value() && c.number().is_pi_multiple() == value.number().is_pi_multiple();
   });
   const auto index = static_cast<int>(known - new_.constants.begin());
   if (known == new_.constants.end()) new_.constants.push_back(value);
@@ -153,13 +154,13 @@ void LaneBuilder::fold_constants(std::vector<Operand>& terms) {
   using symbolic::is_constant;
   const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
   if (std::count_if(terms.begin(), terms.end(), is_constant) < 2) return;
-  Number sum;
+  Constant sum;
   for (const Operand& o : terms) {
     if (!is_constant(o)) continue;
-    const Number& n = new_.constants[at(o.index)];
-    sum = o.negative ? sum - n : sum + n;
+    const Constant& c = new_.constants[at(o.index)];
+    sum = o.negative ? sum - c : sum + c;
   }
-  *first = number(sum.value() < 0.0 ? -sum : sum);
+  *first = constant(sum.value() < 0.0 ? -sum : sum);
   first->negative = sum.value() < 0.0;
   terms.erase(std::remove_if(first + 1, terms.end(), is_constant), terms.end());
 }

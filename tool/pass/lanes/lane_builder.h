@@ -20,7 +20,7 @@ class LaneBuilder {
   void begin(const Tuple& lanes, int place);
 
   int width(const symbolic::Operand& o) const;
-  symbolic::Operand number(const Number& value);  // not negative
+  symbolic::Operand constant(const symbolic::Constant& value);  // not negative
   // Numbers in the lanes, some of them negated; a scalar where they are equal in all lanes.
   symbolic::Operand numbers(const Tuple& lanes, unsigned flips);
   symbolic::Operand gather(Tuple lanes);

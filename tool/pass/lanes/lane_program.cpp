@@ -111,7 +111,7 @@ class LaneProgramBuilder {
       if (known != flipped_.end()) {
         result = known->second;
       } else {
-        const Tuple ones(at(w.width), builder_.number(Number(1.0)));
+        const Tuple ones(at(w.width), builder_.constant(Number(1.0)));
         result = builder_.product(result, builder_.numbers(ones, change));
         flipped_.emplace(std::pair(packed_value, change), result);
       }

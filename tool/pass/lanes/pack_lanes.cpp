@@ -20,7 +20,7 @@ using symbolic::Statement;
 std::optional<Program> with_lanes(const Program& program, const std::vector<InputTuples>& classes) {
   if (program.has_lanes()) return std::nullopt;
   LaneBuilder builder(program);
-  const std::optional<LanePlan> plan = lane_plan(program, classes, builder.number(Number()));
+  const std::optional<LanePlan> plan = lane_plan(program, classes, builder.constant(symbolic::Constant()));
   if (!plan) return std::nullopt;
   return lane_program(program, *plan, plan_signs(*plan), builder);
 }
@@ -105,11 +105,11 @@ Program with_plain_numbers(const Program& program) {
   Program result = program;
   result.constants.clear();
   std::vector<int> place;
-  for (const Number& n : program.constants) {
-    const Number number = n.plain();
-    const auto known = std::find(result.constants.begin(), result.constants.end(), number);
+  for (const symbolic::Constant& c : program.constants) {
+    const symbolic::Constant plain = c.number();
+    const auto known = std::find(result.constants.begin(), result.constants.end(), plain);
     place.push_back(static_cast<int>(known - result.constants.begin()));
-    if (known == result.constants.end()) result.constants.push_back(number);
+    if (known == result.constants.end()) result.constants.push_back(plain);
   }
   const auto renumber = [&](Operand& o) {
     if (is_constant(o)) o.index = place[at(o.index)];

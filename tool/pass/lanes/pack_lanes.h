@@ -14,7 +14,7 @@ struct Packed {
   std::vector<bool> in_lanes;  // which of the classes share lanes
 };
 
-// The program with its constants as plain numbers (Number::plain), each once.
+// The program with its constants as plain numbers, which fold as themselves, each once.
 symbolic::Program with_plain_numbers(const symbolic::Program& program);
 
 // The program with lanes for those classes of limbs that make it clearly faster (symbolic::predicted_time); the program
