@@ -143,10 +143,7 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     tables.add_coupling(factors, coupling.is_linear() ? model::evaluate(coupling.offset, parameters) : kNone);
   }
   for (const model::Frame& frame : robot.frames()) {
-    const auto index = static_cast<std::size_t>(frame.index);
-    model::Placement placement;
-    if (frame.kind == model::Frame::Kind::joint) placement = robot.joints[index].placement;
-    if (frame.kind == model::Frame::Kind::user) placement = robot.user_frames[index].placement;
+    const model::Placement placement = robot.placement_of(frame);
     tables.add_frame(
         frame.name, robot.link_of(frame), values(placement.translation, parameters),
         values(placement.rotation, parameters));

@@ -205,6 +205,11 @@ int KinematicTree::link_of(const Frame& frame) const {
   return frame.index;
 }
 
+Placement KinematicTree::placement_of(const Frame& frame) const {
+  if (frame.kind == Frame::Kind::joint) return joints[at(frame.index)].placement;
+  return frame.kind == Frame::Kind::user ? user_frames[at(frame.index)].placement : Placement();
+}
+
 namespace {
 
 // Whether the link has a user frame of its own name.

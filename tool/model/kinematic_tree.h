@@ -210,6 +210,8 @@ class KinematicTree {
   std::optional<int> find_joint(const std::string& name) const;
   // The link that a frame moves with: a joint frame is fixed to the parent link of its joint.
   int link_of(const Frame& frame) const;
+  // In that link's frame.
+  Placement placement_of(const Frame& frame) const;
 };
 
 // All joints: those of coordinates, then coupled ones.

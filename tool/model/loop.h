@@ -18,9 +18,6 @@ enum class LoopType { point, hinge, slider, weld, distance };
 // In the order of the enumeration: the word of the language.
 inline constexpr std::array<std::string_view, 5> kLoopTypes = {"point", "hinge", "slider", "weld", "distance"};
 
-// Motions that the joint takes away.
-int constraints_of(LoopType type);
-
 // A frame of one end: it moves with the link.
 struct LoopEnd {
   std::string frame;

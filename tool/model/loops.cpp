@@ -10,26 +10,11 @@
 #include <tuple>
 
 #include "model/loop_plane.h"
-#include "model/name_index.h"
+#include "model/named_frame.h"
 #include "model/parallelogram.h"
 #include "support/index.h"
 
 namespace robcogen::model {
-
-int constraints_of(LoopType type) {
-  switch (type) {
-    case LoopType::point:
-      return 3;
-    case LoopType::hinge:
-    case LoopType::slider:
-      return 5;
-    case LoopType::weld:
-      return 6;
-    case LoopType::distance:
-      break;
-  }
-  return 1;
-}
 
 namespace {
 
@@ -94,12 +79,8 @@ class LoopResolution {
   void declare(const DescribedIndependent& named) {
     const auto joint = tree_.find_joint(named.joint);
     if (!joint) {
-      NameIndex names;
-      for (const Joint& known : tree_.joints) names.add(known.name);
-      Diagnostic& error =
-          diagnostics_.error("unknown-joint", named.place, fmt::format("joint '{}' is not declared", named.joint));
-      if (const auto similar = names.nearest_to(named.joint))
-        error.hint = fmt::format("did you mean '{}'?", names.name_of(*similar));
+      diagnostics_.error("unknown-joint", named.place, fmt::format("joint '{}' is not declared", named.joint)).hint =
+          did_you_mean(named.joint, names_of(tree_.joints));
       return;
     }
     const auto [earlier, is_new] = independent_.insert({*joint, named.place});
@@ -114,20 +95,9 @@ class LoopResolution {
   }
 
   std::optional<LoopEnd> end_of(const std::string& frame, const Place& place) {
-    const auto found = tree_.find_frame(frame);
-    if (!found) {
-      NameIndex names;
-      for (const Frame& known : tree_.frames()) names.add(known.name);
-      Diagnostic& error = diagnostics_.error(
-          "unknown-loop-frame", place, fmt::format("robot '{}' has no frame '{}'", tree_.name, frame));
-      if (const auto similar = names.nearest_to(frame))
-        error.hint = fmt::format("did you mean '{}'?", names.name_of(*similar));
-      return std::nullopt;
-    }
-    Placement placement;
-    if (found->kind == Frame::Kind::user) placement = tree_.user_frames[at(found->index)].placement;
-    if (found->kind == Frame::Kind::joint) placement = tree_.joints[at(found->index)].placement;
-    return LoopEnd{frame, tree_.link_of(*found), placement, {}};
+    const auto found = find_named_frame(tree_, frame, place, "unknown-loop-frame", diagnostics_);
+    if (!found) return std::nullopt;
+    return LoopEnd{frame, tree_.link_of(*found), tree_.placement_of(*found), {}};
   }
 
   std::vector<int> joints_to_base(int link) const {

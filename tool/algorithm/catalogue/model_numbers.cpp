@@ -48,13 +48,6 @@ void add_drive(Column column, const model::Joint& joint) {
   column.add(drive.rotor ? model::rotor_axis(joint) : std::array<Quantity, 3>());
 }
 
-const model::Placement& placement_of(const model::KinematicTree& tree, const model::Frame& frame) {
-  static const model::Placement none;
-  const auto index = static_cast<std::size_t>(frame.index);
-  if (frame.kind == model::Frame::Kind::joint) return tree.joints[index].placement;
-  return frame.kind == model::Frame::Kind::user ? tree.user_frames[index].placement : none;
-}
-
 }  // namespace
 
 symbolic::Program model_numbers(const model::KinematicTree& tree) {
@@ -76,7 +69,7 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
   }
   for (const model::Frame& frame : tree.frames()) {
     trace.section(frame.name, "frame " + frame.name);
-    add_placement({trace, frames}, placement_of(tree, frame));
+    add_placement({trace, frames}, tree.placement_of(frame));
   }
   const auto output = [&](const char* name, int rows, const std::vector<Expression>& values) {
     trace.output(name, Role::value, rows, static_cast<int>(values.size()) / rows, values);
