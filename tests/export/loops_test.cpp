@@ -159,6 +159,30 @@ TEST(Parallelograms, FollowJointsOfCouplingsAndOfOneAnother) {
   EXPECT_EQ(model::evaluate(tree.couplings[1].offset), -0.1);
 }
 
+// In a part, whose instances have one each, and printed as read.
+TEST(Actuators, OfPartsAreThoseOfEachInstance) {
+  const std::string text =
+      "Part Arm { root boom via lift "
+      "link boom { children {} frames { head { translation = (0.9, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } } } "
+      "link foot { children {} } "
+      "root foot via turn "
+      "r_joint lift { ref_frame { translation = (0.0, 0.0, 1.0) rotation = (PI/2.0, 0.0, 0.0) } } "
+      "r_joint turn { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } "
+      "actuators { cylinder { from = fr_foot to = head } } } "
+      "Robot Two { RobotBase trunk { children { Arm L at { translation = (0.0, 0.2, 0.0) rotation = (0.0, 0.0, 0.0) } "
+      "Arm R at { translation = (0.0, -0.2, 0.0) rotation = (0.0, 0.0, 0.0) } mirrored y } } }";
+  Diagnostics diagnostics;
+  const auto read = import::robot_document(std::make_shared<const Source>("two.kindsl", text), {}, diagnostics);
+  ASSERT_TRUE(read) << diagnostics.render();
+  const auto tree = import::kinematic_tree(read->document, diagnostics);
+  ASSERT_TRUE(tree) << diagnostics.render();
+  ASSERT_EQ(tree->actuators.size(), 2U);
+  EXPECT_EQ(tree->actuators[1].name, "R_cylinder");
+  const std::string printed = language::kinematics::print(exporting::kinematics_document(*tree));
+  EXPECT_NE(printed.find("L_cylinder { from = fr_L_foot to = L_head }"), std::string::npos) << printed;
+  EXPECT_EQ(tree_of(printed).actuators.size(), 2U);
+}
+
 // A leg with a loop, attached twice: its frames, its loop and what leads it have the prefix of the instance.
 TEST(Loops, OfPartsAreThoseOfEachInstance) {
   const std::string text =

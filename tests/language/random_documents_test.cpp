@@ -295,6 +295,14 @@ rc::Gen<kinematics::LoopJoint> loop_joint() {
   });
 }
 
+rc::Gen<kinematics::Actuator> actuator() {
+  using kinematics::Actuator;
+  return rc::gen::map(rc::gen::tuple(robot_name(), robot_name(), robot_name()), [](const auto& names) {
+    const auto& [name, from, to] = names;
+    return Actuator{name, {from, to}};
+  });
+}
+
 rc::Gen<kinematics::Document> robot() {
   using kinematics::Document, kinematics::Joint, kinematics::Link;
   const auto links = rc::gen::map(
@@ -312,6 +320,8 @@ rc::Gen<kinematics::Document> robot() {
       rc::gen::set(
           &Document::loop_joints,
           rc::gen::resize(3, rc::gen::container<std::vector<kinematics::LoopJoint>>(loop_joint()))),
+      rc::gen::set(
+          &Document::actuators, rc::gen::resize(3, rc::gen::container<std::vector<kinematics::Actuator>>(actuator()))),
       rc::gen::set(
           &Document::independents,
           rc::gen::resize(3, rc::gen::container<std::vector<kinematics::Name>>(robot_name()))));

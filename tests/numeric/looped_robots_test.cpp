@@ -152,6 +152,160 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
   }
 }
 
+// Wrenches on the links of a loop's ends, of a force (base axes) that the second frame pushes the first one with.
+void push(
+    const reflection::Robot& robot,
+    const std::vector<Matrix<Real>>& poses,
+    const reflection::Loop& loop,
+    const Vector<Real>& force,
+    std::vector<Vector<Real>>& wrenches) {
+  for (int e = 0; e < 2; ++e) {
+    const reflection::Frame& frame = robot.frames[loop.frames[e]];
+    const Matrix<Real> to_link = transpose(reference::rotation_of(poses[static_cast<std::size_t>(frame.link)]));
+    const Vector<Real> f = Real(e == 0 ? 1 : -1) * (to_link * force);
+    const Vector<Real> arm = {
+        static_cast<Real>(frame.translation[0]), static_cast<Real>(frame.translation[1]),
+        static_cast<Real>(frame.translation[2])};
+    Vector<Real>& wrench = wrenches[static_cast<std::size_t>(frame.link)];
+    wrench = wrench + reference::stacked(reference::cross(arm, f), f);
+  }
+}
+
+// The last link on the ways from the base to both ends.
+int last_common_link(const reflection::Robot& robot, const reflection::Loop& loop) {
+  const std::vector<int> first = reference::supporting_joints(robot, robot.frames[loop.frames[0]].link);
+  const std::vector<int> second = reference::supporting_joints(robot, robot.frames[loop.frames[1]].link);
+  int link = 0;
+  for (const int j : reference::outward_order(robot)) {
+    const auto supports = [&](const std::vector<int>& joints) {
+      return std::find(joints.begin(), joints.end(), j) != joints.end();
+    };
+    if (supports(first) && supports(second)) link = robot.joints[j].child;
+  }
+  return link;
+}
+
+// With the forces of its loops a tree with all joints free moves in the same way, and joints that follow need none.
+TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
+  constexpr double kSame = 1e-9;
+  for (int i = GetParam(); i < looped_count(); i += kShards) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    auto tree = looped(seed);
+    if (!tree) continue;
+    tree->floating_base = false;
+    tree->uses_passive_forces = false;
+    const InterpretedRobot robot(*tree, {}, {}, values_of(*tree), {}, {"inverse_dynamics"});
+    const reflection::Robot tables = robot.tables();
+    if (tree->has_linear_couplings()) continue;  // it is another constraint
+    std::mt19937_64 engine(seed);
+    reference::Sample sample;
+    const reference::AtLoops closed = draw(engine, tables, sample);
+    const reference::Motion<double>& m = sample.motion;
+    const std::vector<double> forces =
+        robot.run("loop_forces", {}, {{"q", m.q.values()}, {"qd", m.qd.values()}, {"qdd", m.qdd.values()}})
+            .at("forces");
+
+    const reflection::Robot free = reference::with_free_joints(tables);
+    reference::Motion<Real> all;
+    all.q = reference::joint_positions(closed.robot(), m.q.cast<Real>());
+    all.qd = reference::joint_rates(closed.robot(), m.qd.cast<Real>());
+    all.qdd = reference::joint_accelerations(closed.robot(), reference::cast<Real>(m));
+    const std::vector<Matrix<Real>> poses = reference::link_poses(free, all.q);
+    reference::Loads<Real> loads = reference::without_passive<Real>({0, 0, -9.81});
+    loads.external.assign(static_cast<std::size_t>(tables.links.size), Vector<Real>(6));
+    std::size_t next = 0;
+    for (const reflection::Loop& loop : tables.loops) {
+      const Matrix<Real> apart = reference::transform(free, all.q, loop.frames[0], loop.frames[1]);
+      const reflection::Frame& frame = tables.frames[loop.frames[0]];
+      Vector<Real> force(3);
+      if (loop.type == reflection::LoopType::distance) {
+        const Matrix<Real> axes = reference::rotation_of(poses[static_cast<std::size_t>(frame.link)]) *
+                                  reference::rotation_of(reference::placement<Real>(frame.translation, frame.rotation));
+        const Vector<Real> way = axes * reference::origin_of(apart);
+        force = Real(-forces.at(next)) / std::sqrt(dot(way, way)) * way;
+        next += 1;
+      } else {
+        const int link = last_common_link(tables, loop);
+        for (int k = 0; k < 3; ++k) force(k) = static_cast<Real>(forces.at(next + static_cast<std::size_t>(k)));
+        force = reference::rotation_of(poses[static_cast<std::size_t>(link)]) * force;
+        next += 3;
+      }
+      push(tables, poses, loop, force, loads.external);
+    }
+    EXPECT_EQ(next, forces.size());
+    const Vector<Real> tau = reference::inverse_dynamics_fully_actuated(free, all, loads).tau;
+    const Vector<double> wanted = robot.inverse_dynamics(m, {});
+    const Real size = 1 + reference::largest(tau);
+    for (int j = 0; j < tau.rows(); ++j)
+      EXPECT_NEAR(static_cast<double>(tau(j)), j < tables.dof() ? wanted(j) : 0.0, kSame * static_cast<double>(size))
+          << seed << " " << j << "\n"
+          << looped_document(seed);
+  }
+}
+
+// Where they are closed, and where they are not.
+TEST_P(LoopedRobots, TellHowTheirLoopsAreOpen) {
+  constexpr double kSame = 1e-11;
+  for (int i = GetParam(); i < looped_count(); i += kShards) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    const auto tree = looped(seed);
+    if (!tree) continue;
+    const InterpretedRobot robot(
+        *tree, {}, i % 2 == 0 ? all_steps() : std::vector<std::string>{}, values_of(*tree), {},
+        {"transforms", "jacobians"});
+    const reflection::Robot tables = robot.tables();
+    std::mt19937_64 engine(seed);
+    reference::Sample sample;
+    const reference::AtLoops closed = draw(engine, tables, sample);
+    const reference::Motion<double>& m = sample.motion;
+    const symbolic::Arrays<double> inputs = {{"q", m.q.values()}, {"qd", m.qd.values()}, {"qdd", m.qdd.values()}};
+    const auto expect_all = [&](const std::vector<double>& found, const Vector<Real>& wanted) {
+      ASSERT_EQ(static_cast<int>(found.size()), wanted.rows());
+      for (int k = 0; k < wanted.rows(); ++k)
+        EXPECT_NEAR(
+            found[static_cast<std::size_t>(k)], static_cast<double>(wanted(k)),
+            1e3 * kSame * (1 + static_cast<double>(reference::largest(wanted))))
+            << seed << " " << k;
+    };
+    expect_all(
+        robot.run("joint_velocities", {}, inputs).at("velocities"),
+        reference::joint_rates(closed.robot(), m.qd.cast<Real>()));
+    expect_all(
+        robot.run("joint_accelerations", {}, inputs).at("accelerations"),
+        reference::joint_accelerations(closed.robot(), reference::cast<Real>(m)));
+
+    const std::vector<double> positions = robot.run("joint_positions", {}, inputs).at("positions");
+    const std::vector<double> none = robot.run("loop_error", {}, {{"positions", positions}}).at("error");
+    for (const double e : none) EXPECT_NEAR(e, 0.0, 1e3 * kSame) << seed;
+
+    const Vector<double> open = reference::uniform_vector(engine, tables.joints.size, 2.0);
+    const reference::LoopRows rows = reference::loop_rows(tables, open.cast<Real>());
+    const std::vector<double> error = robot.run("loop_error", {}, {{"positions", open.values()}}).at("error");
+    const std::vector<double> K = robot.run("loop_jacobian", {}, {{"positions", open.values()}}).at("K");
+    ASSERT_EQ(K.size(), error.size() * static_cast<std::size_t>(tables.joints.size));
+    std::size_t row = 0;
+    for (int l = 0; l < tables.loops.size; ++l) {
+      const reflection::Loop& loop = tables.loops[l];
+      const bool is_distance = loop.type == reflection::LoopType::distance;
+      const int count = is_distance ? 1 : loop.type == reflection::LoopType::hinge ? 5 : 3;
+      for (int k = 0; k < count; ++k, ++row) {
+        // The reference has half the difference of the squares.
+        const int same = static_cast<int>(rows.error.rows()) / tables.loops.size * l + k;
+        const Real length = static_cast<Real>(loop.length);
+        const Real apart = is_distance ? std::sqrt(2 * rows.error(same) + length * length) : 1;
+        EXPECT_NEAR(error.at(row), static_cast<double>(is_distance ? apart - length : rows.error(same)), kSame * 10)
+            << seed;
+        for (int c = 0; c < tables.joints.size; ++c)
+          EXPECT_NEAR(
+              K[static_cast<std::size_t>(c) * error.size() + row], static_cast<double>(rows.columns(same, c) / apart),
+              kSame * 10)
+              << seed;
+      }
+    }
+    EXPECT_EQ(row, error.size());
+  }
+}
+
 TEST(LoopedDocuments, NearlyAllClose) {
   int closed = 0;
   for (int i = 0; i < looped_count(); ++i) closed += looped(static_cast<std::uint64_t>(i)) ? 1 : 0;

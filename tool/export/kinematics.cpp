@@ -59,6 +59,9 @@ class Writer {
       if (coupling.is_linear() && coupling.loop < 0) document.couplings.push_back(write(coupling));
     for (const model::LoopJoint& loop : tree_.loops) document.loop_joints.push_back(write(loop));
     document.independents = independents();
+    for (const model::Actuator& actuator : tree_.actuators)
+      document.actuators.push_back(
+          {{actuator.name, {}}, {kinematics::Name{actuator.frames[0], {}}, {actuator.frames[1], {}}}});
     return document;
   }
 

@@ -48,6 +48,11 @@ class Describer {
     for (const kinematics::LoopJoint& loop : document_.loop_joints) description.loops.push_back(describe(loop));
     for (const kinematics::Name& joint : document_.independents)
       description.independents.push_back({joint.text, place(joint.span)});
+    for (const kinematics::Actuator& actuator : document_.actuators) {
+      const auto& [from, to] = actuator.frames;
+      description.actuators.push_back(
+          {actuator.name.text, place(actuator.name.span), {from.text, to.text}, {place(from.span), place(to.span)}});
+    }
     description.parameters = reader_.parameters();
     for (const kinematics::Limb& limb : document_.limbs) description.limbs.push_back(describe(limb));
     reader_.report_accidents();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/actuators.h"
 #include "model/couplings.h"
 #include "model/description.h"
 #include "model/loops.h"
@@ -376,6 +377,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   }
   a.tree.couplings = resolve_couplings(description, a.joints, a.joints_repeat, diagnostics);
   if (diagnostics.error_count() == errors_before) resolve_loops(description, a.tree, diagnostics);
+  if (diagnostics.error_count() == errors_before) resolve_actuators(description, a.tree, diagnostics);
   check_link_ids(description, diagnostics);
   check_mass_properties(description, diagnostics);
   check_drives(description, diagnostics);

@@ -89,6 +89,13 @@ struct DescribedLoop {
   Quantity length = {};  // of LoopType::distance: m
 };
 
+struct DescribedActuator {
+  std::string name;
+  Place place;
+  std::array<std::string, 2> frames;
+  std::array<Place, 2> frame_places;
+};
+
 // A joint that is to be an independent coordinate.
 struct DescribedIndependent {
   std::string joint;
@@ -118,6 +125,7 @@ struct Description {
   std::vector<DescribedCoupling> couplings = {};
   std::vector<DescribedLoop> loops = {};
   std::vector<DescribedIndependent> independents = {};  // none: they are chosen
+  std::vector<DescribedActuator> actuators = {};
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};
 };

@@ -125,6 +125,13 @@ struct Limb {
   std::vector<Element> links, joints, frames;
 };
 
+// A linear actuator between the origins of two frames. Its force is positive where it pushes them apart.
+struct Actuator {
+  std::string name;
+  std::array<std::string, 2> frames;
+  Place place;
+};
+
 // Which frame a name denotes. `fr_<link>` (base too) and `fr_<joint>` exist implicitly.
 struct Frame {
   enum class Kind { link, joint, user };
@@ -163,6 +170,7 @@ class KinematicTree {
   std::vector<Coupling> couplings = {};  // of the other joints, in their order
   std::vector<LoopJoint> loops = {};
   std::vector<Closure> closures = {};  // an order in which they can be solved
+  std::vector<Actuator> actuators = {};
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
   std::vector<Limb> limbs = {};  // in the order of the document

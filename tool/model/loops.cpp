@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "model/loop_ends.h"
 #include "model/loop_plane.h"
 #include "model/named_frame.h"
 #include "model/parallelogram.h"
@@ -94,37 +95,19 @@ class LoopResolution {
     }
   }
 
-  std::optional<LoopEnd> end_of(const std::string& frame, const Place& place) {
-    const auto found = find_named_frame(tree_, frame, place, "unknown-loop-frame", diagnostics_);
-    if (!found) return std::nullopt;
-    return LoopEnd{frame, tree_.link_of(*found), tree_.placement_of(*found), {}};
-  }
-
-  std::vector<int> joints_to_base(int link) const {
-    std::vector<int> joints;
-    for (int j = tree_.links[at(link)].parent_joint; j >= 0; j = tree_.parent_joint_of(j)) joints.push_back(j);
-    std::reverse(joints.begin(), joints.end());
-    return joints;
-  }
-
   void declare(const DescribedLoop& described) {
     for (const LoopJoint& other : tree_.loops)
       if (other.name == described.name)
         diagnostics_.error("duplicate-loop", described.place, fmt::format("loop '{}' is declared twice", other.name))
             .notes.push_back({other.place, "first declared here"});
     LoopJoint loop = {described.name, described.type, {}, described.length, described.place};
-    for (std::size_t e = 0; e < 2; ++e) {
-      auto end = end_of(described.frames[e], described.frame_places[e]);
-      if (!end) return;
-      end->joints = joints_to_base(end->link);
-      loop.ends[e] = std::move(*end);
-    }
-    std::vector<int>&first = loop.ends[0].joints, &second = loop.ends[1].joints;
-    std::size_t common = 0;
-    while (common < first.size() && common < second.size() && first[common] == second[common]) ++common;
-    for (std::vector<int>* joints : {&first, &second})
-      joints->erase(joints->begin(), joints->begin() + static_cast<std::ptrdiff_t>(common));
-    if (first.empty() && second.empty()) {
+    std::array<std::optional<Frame>, 2> frames;
+    for (std::size_t e = 0; e < 2; ++e)
+      frames[e] =
+          find_named_frame(tree_, described.frames[e], described.frame_places[e], "unknown-loop-frame", diagnostics_);
+    if (!frames[0] || !frames[1]) return;
+    loop.ends = ends_between(tree_, *frames[0], *frames[1]);
+    if (loop.ends[0].joints.empty() && loop.ends[1].joints.empty()) {
       diagnostics_
           .error(
               "loop-on-one-link", described.place,

@@ -171,10 +171,15 @@ class RobotCollector : public Collector {
     for (const kinematics::Coupling& coupling : body.couplings) this->coupling(coupling, body.loops);
     for (const kinematics::LoopJoint& loop : body.loop_joints) {
       declare(loop.name, NameKind::loop, scope());
-      for (const kinematics::Name& frame : loop.frames) add_pieces(frame.span, names_.frame(scope_, frame.text));
+      frames(loop.frames);
       if (loop.distance) expression(loop.distance);
     }
+    for (const kinematics::Actuator& actuator : body.actuators) frames(actuator.frames);
     for (const kinematics::Name& joint : body.independents) add_pieces(joint.span, names_.element(scope_, joint.text));
+  }
+
+  void frames(const std::array<kinematics::Name, 2>& frames) {
+    for (const kinematics::Name& frame : frames) add_pieces(frame.span, names_.frame(scope_, frame.text));
   }
 
   void coupling(const kinematics::Coupling& coupling, const std::vector<kinematics::Loop>& loops) {

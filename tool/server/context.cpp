@@ -15,35 +15,16 @@ bool is_word_token(const Token& token) {
 // What a brace opens, from the tokens before it in its block.
 Context::Block opened(const std::vector<Token>& before, const Context& context) {
   static const std::set<std::string_view> alone = {
-      "inertia_params",
-      "inertia_properties",
-      "children",
-      "frames",
-      "ref_frame",
-      "couplings",
-      "loops",
-      "independent",
-      "friction",
-      "spring",
-      "rotor",
-      "limits",
-      "at",
-      "sense",
-      "Frames",
-      "Transforms",
-      "Jacobians",
-      "Contacts",
-      "slide",
-      "turn",
-      "turn_x",
-      "turn_z",
-      "slide_x",
+      "inertia_params", "inertia_properties", "children", "frames", "ref_frame", "couplings", "loops",  "independent",
+      "actuators",      "friction",           "spring",   "rotor",  "limits",    "at",        "sense",  "Frames",
+      "Transforms",     "Jacobians",          "Contacts", "slide",  "turn",      "turn_x",    "turn_z", "slide_x",
       "slide_y"};
   static const std::set<std::string_view> named = {"Robot",   "Part",         "RobotBase", "link",
                                                    "r_joint", "p_joint",      "h_joint",   "c_joint",
                                                    "u_joint", "planar_joint", "s_joint",   "Params"};
   const bool is_of_frames = context.block() == "frames";
   if (context.block() == "loops" && !before.empty()) return {"loop", std::string(before.back().text)};
+  if (context.block() == "actuators" && !before.empty()) return {"actuator", std::string(before.back().text)};
   if (!before.empty() && !is_of_frames && alone.contains(before.back().text))
     return {std::string(before.back().text), ""};
   // A name, `floating`, or the parameters of a part stand between.

@@ -27,8 +27,8 @@ std::vector<BlockWords> blocks_of_robots() {
   const Words joint = {"id", "ref_frame"};
   return {
       {"", {"Robot", "Part", "import"}},
-      {"Robot", Words{"RobotBase", "link", "couplings", "loops", "independent"} + joints},
-      {"Part", Words{"root", "link", "couplings", "loops", "independent"} + joints},
+      {"Robot", Words{"RobotBase", "link", "couplings", "loops", "independent", "actuators"} + joints},
+      {"Part", Words{"root", "link", "couplings", "loops", "independent", "actuators"} + joints},
       {"RobotBase", {"inertia_params", "children", "frames"}},
       {"link", {"id", "inertia_params", "children", "frames"}},
       {"inertia_params", inertia},
@@ -59,6 +59,8 @@ std::vector<BlockWords> blocks_of_robots() {
       {"loops", {}},
       {"loop", {"frames", "type", "distance"}},
       {"independent", {}},
+      {"actuators", {}},
+      {"actuator", {"from", "to"}},
       {"sense", {}}};
 }
 

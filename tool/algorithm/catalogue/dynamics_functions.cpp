@@ -27,6 +27,7 @@ std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree,
         {"Joint forces tau (N m, N) for joint accelerations qdd: recursive Newton-Euler (Featherstone 2008, ch. 5)."},
         [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
     add_method(list, "inverse_dynamics", description(tree, formulation.frames));
+    add_loop_forces(list, tree, choices);
     return list;
   }
   // It divides by the inertia of the robot as one body.
@@ -49,6 +50,7 @@ std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree,
       [&](const std::string& kernel, Loads loads) { return newton_euler(tree, kernel, loads, formulation); });
   if (has_free_base) add_method(list, "inverse_dynamics", description(tree, choices.unactuated_base().frames));
   add_method(list, "inverse_dynamics_fully_actuated", description(tree, formulation.frames));
+  add_loop_forces(list, tree, choices);
   return list;
 }
 

@@ -41,6 +41,16 @@ std::vector<RobotFunction> slotine_li_regressor_functions(
     const model::KinematicTree& tree,
     FormulationChoices& choices);
 
+// ---- Loops and actuators: added to groups where the robot has some.
+
+// To `transforms`, `jacobians` and `inverse_dynamics`.
+void add_joint_positions(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
+void add_actuator_lengths(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
+void add_lever_arms(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
+void add_loop_errors(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
+void add_loop_jacobian(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
+void add_loop_forces(std::vector<RobotFunction>& list, const model::KinematicTree& tree, FormulationChoices& choices);
+
 // ---- Contacts: of all contact frames that are desired, at least one.
 
 std::vector<RobotFunction> contacts_functions(

@@ -41,13 +41,6 @@ void add_for_jacobians(
   }
 }
 
-std::string names_of_coupled(const KinematicTree& tree) {
-  std::string names;
-  for (const model::Coupling& coupling : tree.couplings)
-    names += (names.empty() ? "" : ", ") + tree.joints[at(coupling.joint)].name;
-  return names;
-}
-
 // Positions of robots with spherical joints are not added.
 void add_functions_of_quaternions(std::vector<RobotFunction>& list, const KinematicTree& tree) {
   if (tree.spherical_joints().empty()) return;
@@ -95,16 +88,9 @@ std::vector<RobotFunction> transforms_functions(const KinematicTree& tree, const
         pair,
         transform_along(tree, paths[i], kind.form, kind.scope + "_" + name)};
   });
-  if (!tree.couplings.empty())
-    list.push_back(
-        {"transforms",
-         "",
-         "joint_positions",
-         {"Positions of all joints (rad, m): first those of q, then those of the joints that follow them: " +
-          names_of_coupled(tree) + "."},
-         {},
-         {},
-         joint_positions(tree, "joint_positions")});
+  add_joint_positions(list, tree);
+  add_actuator_lengths(list, tree);
+  add_loop_errors(list, tree);
   add_functions_of_quaternions(list, tree);
   return list;
 }
@@ -118,6 +104,8 @@ std::vector<RobotFunction> jacobians_functions(const KinematicTree& tree, const 
                left + " and in its axes; angular rows first (Siciliano et al. 2009, ch. 3).";
       },
       [&](const model::FramePair& pair, const std::string& name) { return geometric_jacobian(tree, pair, name); });
+  add_lever_arms(list, tree);
+  add_loop_jacobian(list, tree);
   return list;
 }
 

@@ -219,4 +219,12 @@ symbolic::Program potential_energy(
     Loads loads,
     const RepresentativeLinks& representative = {});
 
+// What the frames of loops push one another with: q, qd, qdd [, base_velocity, base_acceleration] [, gravity]
+// [, external] -> forces, by loop three of one in a plane, one of a distance (Trace::reactions).
+symbolic::Program loop_forces(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation);
+
 }  // namespace robcogen::algorithm

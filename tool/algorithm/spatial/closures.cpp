@@ -57,6 +57,19 @@ std::vector<Expression> TracedClosure::solved(const std::vector<Expression>& row
   return result;
 }
 
+std::vector<Expression> TracedClosure::reaction(std::vector<Expression>& forces) {
+  rates();
+  const std::string& name = trace_.tree.loops[at(closure_.loop)].name;
+  trace_.section(name, "loop " + name + ": reaction");
+  std::vector<Expression> lambda(inverse_.front().size());
+  for (std::size_t d = 0; d < inverse_.size(); ++d)
+    for (std::size_t row = 0; row < lambda.size(); ++row)
+      lambda[row] += inverse_[d][row] * forces[at(closure_.dependents[d])];
+  for (const Column& column : columns())
+    for (std::size_t row = 0; row < lambda.size(); ++row) forces[at(column.joint)] -= column.rows[row] * lambda[row];
+  return force_of(lambda);
+}
+
 std::vector<Expression> TracedClosure::accelerations(const std::vector<Expression>& qd) {
   rates();
   const std::string& name = trace_.tree.loops[at(closure_.loop)].name;

@@ -33,6 +33,10 @@ class TracedClosure {
   const std::vector<std::vector<RateShare>>& rates();
   // By dependent joint: what velocities of all joints, `qd`, add to its acceleration.
   std::vector<Expression> accelerations(const std::vector<Expression>& qd);
+  // What the second end pushes the first one with where motors and drives give `forces`, by joint, less than the motion
+  // needs, and none at the joints that follow: K_d' lambda = forces_d. Subtracts K' lambda. Of a plane (N, axes of the
+  // last link that carries both ends), or of a distance (N, positive where it pushes the ends apart).
+  std::vector<Expression> reaction(std::vector<Expression>& forces);
 
  protected:
   // A column of K: of a joint, a row or two.
@@ -46,6 +50,8 @@ class TracedClosure {
   virtual std::vector<Column> columns() = 0;
   // dK/dt qd.
   virtual std::vector<Expression> bias(const std::vector<Expression>& qd) = 0;
+  // The force whose work on unit motions of the rows is lambda.
+  virtual std::vector<Expression> force_of(const std::vector<Expression>& lambda) = 0;
 
   Trace& trace_;
   const model::Closure& closure_;

@@ -115,6 +115,11 @@ class DistanceClosure : public TracedClosure {
     const Vector3 apart = first.position - second.position;
     return {of_velocity + dot(apart, first.acceleration - second.acceleration)};
   }
+
+  // The row is that of half the square of the distance.
+  std::vector<Expression> force_of(const std::vector<Expression>& lambda) override {
+    return {trace_.lift(loop_.length) * lambda[0]};
+  }
 };
 
 }  // namespace

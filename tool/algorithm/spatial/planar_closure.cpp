@@ -237,6 +237,13 @@ class PlanarClosure : public TracedClosure {
     }
     return {total.x, total.y};
   }
+
+  std::vector<Expression> force_of(const std::vector<Expression>& lambda) override {
+    std::vector<Expression> force(3);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 2; ++k) force[i] += trace_.graph.constant(closure_.plane[k][i]) * lambda[k];
+    return force;
+  }
 };
 
 }  // namespace

@@ -143,6 +143,13 @@ const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {
   return known;
 }
 
+std::vector<std::vector<Expression>> Trace::reactions(std::vector<Expression> forces) {
+  std::vector<std::vector<Expression>> result(tree.loops.size());
+  // Loops that take joints of others as given come behind these.
+  for (std::size_t k = closures_.size(); k-- > 0;) result[at(tree.closures[k].loop)] = closures_[k]->reaction(forces);
+  return result;
+}
+
 Vector3 Trace::vector_input(const std::string& name, Role role) {
   const std::vector<Expression> v = input(name, role, kAxes);
   return {v[0], v[1], v[2]};

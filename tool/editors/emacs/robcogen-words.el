@@ -28,6 +28,7 @@
     "p_joint"))
 (defconst robcogen-kindsl-words
   '("Part"
+    "actuators"
     "armature"
     "as"
     "at"
@@ -42,6 +43,7 @@
     "for"
     "force"
     "friction"
+    "from"
     "h_joint"
     "hinge"
     "import"
@@ -69,6 +71,7 @@
     "slider"
     "spring"
     "stiffness"
+    "to"
     "turn"
     "turn_x"
     "turn_z"

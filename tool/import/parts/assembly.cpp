@@ -175,10 +175,12 @@ void name_after(Assembly& assembly, const std::string& instance) {
     coupling.joint.text = element_name(instance, coupling.joint.text);
     coupling.value = renamed(coupling.value, joints, instance);
   }
-  for (kinematics::LoopJoint& loop : assembly.body.loop_joints) {
-    loop.name.text = element_name(instance, loop.name.text);
-    for (kinematics::Name& frame : loop.frames) frame.text = frame_name(instance, frame.text);
-  }
+  const auto rename = [&](auto& between_frames) {
+    between_frames.name.text = element_name(instance, between_frames.name.text);
+    for (kinematics::Name& frame : between_frames.frames) frame.text = frame_name(instance, frame.text);
+  };
+  for (kinematics::LoopJoint& loop : assembly.body.loop_joints) rename(loop);
+  for (kinematics::Actuator& actuator : assembly.body.actuators) rename(actuator);
   for (kinematics::Name& joint : assembly.body.independents) joint.text = element_name(instance, joint.text);
   for (kinematics::Child& root : assembly.roots) {
     root.link.text = element_name(instance, root.link.text);

@@ -100,6 +100,7 @@ class Expander {
     std::move(added.joints.begin(), added.joints.end(), std::back_inserter(body.joints));
     std::move(added.couplings.begin(), added.couplings.end(), std::back_inserter(body.couplings));
     std::move(added.loop_joints.begin(), added.loop_joints.end(), std::back_inserter(body.loop_joints));
+    std::move(added.actuators.begin(), added.actuators.end(), std::back_inserter(body.actuators));
     std::move(added.independents.begin(), added.independents.end(), std::back_inserter(body.independents));
   }
 

@@ -43,6 +43,8 @@ class Rewriter {
       for (Name* name : {&loop.name, &loop.frames[0], &loop.frames[1], &loop.type}) shift(*name);
       if (loop.distance) loop.distance = rewritten(loop.distance);
     }
+    for (kinematics::Actuator& actuator : body.actuators)
+      for (Name* name : {&actuator.name, &actuator.frames[0], &actuator.frames[1]}) shift(*name);
     for (Name& joint : body.independents) shift(joint);
     is_coupling_ = true;
     for (kinematics::Coupling& coupling : body.couplings) {

@@ -168,6 +168,12 @@ struct LoopJoint {
   ExpressionPtr distance;  // m; or none
 };
 
+// A linear actuator between two frames, which it pushes apart.
+struct Actuator {
+  Name name;
+  std::array<Name, 2> frames;
+};
+
 // The words of types.
 inline const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
 
@@ -180,7 +186,8 @@ struct Body {
   std::vector<std::string> coupling_comments;  // before these blocks and in them
   std::vector<LoopJoint> loop_joints;          // of all blocks, in order
   std::vector<Name> independents;              // joints that are to be coordinates
-  std::vector<std::string> loop_comments;      // before the blocks of both and in them
+  std::vector<Actuator> actuators;             // of all blocks, in order
+  std::vector<std::string> loop_comments;      // before the blocks of these three and in them
   std::vector<std::string> trailing_comments;  // before the closing brace, and after that of a robot
 };
 

@@ -51,6 +51,10 @@ bool same(const Coupling& a, const Coupling& b) {
   return a.joint.text == b.joint.text && same(a.value, b.value) && a.instance == b.instance && a.loop == b.loop;
 }
 
+bool same(const Actuator& a, const Actuator& b) {
+  return same(a.name, b.name) && same(a.frames[0], b.frames[0]) && same(a.frames[1], b.frames[1]);
+}
+
 bool same(const LoopJoint& a, const LoopJoint& b) {
   return same(a.name, b.name) && same(a.frames[0], b.frames[0]) && same(a.frames[1], b.frames[1]) &&
          same(a.type, b.type) && same(a.distance, b.distance);
@@ -126,7 +130,8 @@ bool same(const Body& a, const Body& b) {
   return all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
          all_same(a.loops, b.loops) && a.coupling_comments == b.coupling_comments &&
          all_same(a.loop_joints, b.loop_joints) && all_same(a.independents, b.independents) &&
-         a.loop_comments == b.loop_comments && a.trailing_comments == b.trailing_comments;
+         all_same(a.actuators, b.actuators) && a.loop_comments == b.loop_comments &&
+         a.trailing_comments == b.trailing_comments;
 }
 
 bool same(const PartParameter& a, const PartParameter& b) {

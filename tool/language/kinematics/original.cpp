@@ -35,6 +35,7 @@ class Judge {
     if (!document_.couplings.empty()) refuse(document_.couplings.front().joint.span, "'couplings'");
     if (!document_.loop_joints.empty()) refuse(document_.loop_joints.front().name.span, "'loops'");
     if (!document_.independents.empty()) refuse(document_.independents.front().span, "'independent'");
+    if (!document_.actuators.empty()) refuse(document_.actuators.front().name.span, "'actuators'");
     return is_original_;
   }
 

@@ -133,6 +133,8 @@ class Parser : private BlockParser {
           couplings(*this, *body_);
         } else if (at_loops(cursor_)) {
           loops(*this, *body_);
+        } else if (at_actuators(cursor_)) {
+          actuators(*this, *body_);
         } else if (at_independent(cursor_)) {
           independent(*this, *body_);
         } else {
@@ -156,7 +158,7 @@ class Parser : private BlockParser {
           "unknown-element", fmt::format("expected {} or '}}', found {}", quoted(kElements), describe(token)));
       std::vector<std::string> words(kElements.begin(), kElements.end());
       words.insert(words.end(), kNewElements.begin(), kNewElements.end());
-      words.insert(words.end(), {std::string(kCouplings), "loops", "independent"});
+      words.insert(words.end(), {std::string(kCouplings), "loops", "independent", "actuators"});
       if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
       if (at_instance(cursor_)) d.hint = "a part stands in 'children' of the link that carries it";
     }

@@ -6,6 +6,7 @@ namespace robcogen::language::kinematics {
 namespace {
 
 const WordList kLoopItems = {"frames", "type", "distance"};
+const WordList kActuatorItems = {"from", "to"};
 
 void take_comments(BlockParser& parser, Body& body) {
   Cursor& cursor = parser.cursor();
@@ -61,10 +62,44 @@ void loop(BlockParser& parser, Body& body) {
   body.loop_joints.push_back(std::move(loop));
 }
 
+void actuator(BlockParser& parser, Body& body) {
+  Actuator actuator;
+  actuator.name = parser.name("the name of an actuator");
+  const std::string owner = fmt::format("actuator '{}'", actuator.name.text);
+  Words found;
+  const bool is_sound = parser.block(owner, kActuatorItems, [&] {
+    if (!parser.cursor().at_any(kActuatorItems)) parser.unknown_item(owner, kActuatorItems);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    actuator.frames[key.text == "from" ? 0 : 1] = parser.name("the name of a frame");
+  });
+  if (is_sound && parser.check_complete(owner, actuator.name.span, found, {"from", "to"}))
+    body.actuators.push_back(std::move(actuator));
+}
+
+// A block of elements that have a name and a block each.
+template <class Element>
+void named_blocks(BlockParser& parser, Body& body, Element element) {
+  Cursor& cursor = parser.cursor();
+  const Token word = cursor.take();
+  parser.block(
+      fmt::format("'{}'", word.text),
+      [&] {
+        return cursor.at_name() && cursor.at("{", 1) &&
+               !cursor.at_any({"couplings", "loops", "independent", "actuators"});
+      },
+      [&] { element(parser, body); });
+  take_comments(parser, body);
+}
+
 }  // namespace
 
 bool at_loops(const Cursor& cursor) {
   return cursor.at("loops") && cursor.at("{", 1);
+}
+
+bool at_actuators(const Cursor& cursor) {
+  return cursor.at("actuators") && cursor.at("{", 1);
 }
 
 bool at_independent(const Cursor& cursor) {
@@ -72,15 +107,11 @@ bool at_independent(const Cursor& cursor) {
 }
 
 void loops(BlockParser& parser, Body& body) {
-  Cursor& cursor = parser.cursor();
-  const Token word = cursor.take();
-  parser.block(
-      fmt::format("'{}'", word.text),
-      [&] {
-        return cursor.at_name() && cursor.at("{", 1) && !cursor.at_any({"couplings", "loops", "independent"});
-      },
-      [&] { loop(parser, body); });
-  take_comments(parser, body);
+  named_blocks(parser, body, loop);
+}
+
+void actuators(BlockParser& parser, Body& body) {
+  named_blocks(parser, body, actuator);
 }
 
 void independent(BlockParser& parser, Body& body) {

@@ -178,6 +178,12 @@ std::string loops(const Body& b) {
     for (std::size_t k = 0; k < b.independents.size(); ++k) out += (k > 0 ? ", " : "") + name(b.independents[k]);
     out += " }\n";
   }
+  if (!b.actuators.empty()) {
+    out += "    actuators {\n";
+    for (const Actuator& a : b.actuators)
+      out += "        " + name(a.name) + " { from = " + name(a.frames[0]) + " to = " + name(a.frames[1]) + " }\n";
+    out += "    }\n";
+  }
   return out.empty() ? "" : "\n" + out;
 }
 

@@ -1,0 +1,133 @@
+// Functions of joints that follow others, of loops, and of actuators between frames.
+#include "algorithm/catalogue/groups.h"
+#include "algorithm/catalogue/overloads.h"
+#include "algorithm/dynamics/dynamics.h"
+#include "algorithm/kinematics/actuators.h"
+#include "algorithm/kinematics/kinematics.h"
+#include "algorithm/kinematics/loop_functions.h"
+
+namespace robcogen::algorithm {
+
+using model::KinematicTree;
+
+namespace {
+
+RobotFunction function(
+    const std::string& group,
+    const std::string& name,
+    std::vector<std::string> summary,
+    symbolic::Program program) {
+  return {group, "", name, std::move(summary), {}, {}, std::move(program)};
+}
+
+std::string names_of_actuators(const KinematicTree& tree) {
+  std::string names;
+  for (const model::Actuator& actuator : tree.actuators) names += (names.empty() ? "" : ", ") + actuator.name;
+  return names;
+}
+
+// `bar (5 rows), rod (1)`.
+std::string rows_of_loops(const KinematicTree& tree) {
+  std::string text;
+  for (const model::LoopJoint& loop : tree.loops)
+    text += (text.empty() ? "" : ", ") + loop.name + " (" + std::to_string(rows_of(loop.type)) +
+            (text.empty() ? rows_of(loop.type) == 1 ? " row)" : " rows)" : ")");
+  return text;
+}
+
+std::string names_of_coupled(const KinematicTree& tree) {
+  std::string names;
+  for (const model::Coupling& coupling : tree.couplings)
+    names += (names.empty() ? "" : ", ") + tree.joints[at(coupling.joint)].name;
+  return names;
+}
+
+// Of loops that are parallelograms there are none: their joints follow by sums.
+std::string parts_of_forces(const KinematicTree& tree) {
+  std::vector<int> counts(tree.loops.size());
+  for (const model::Closure& closure : tree.closures)
+    counts[at(closure.loop)] = closure.method == model::Closure::Method::distance ? 1 : 3;
+  std::string text;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (counts[k] > 0) text += (text.empty() ? "" : ", ") + tree.loops[k].name + " (" + std::to_string(counts[k]) + ")";
+  return text;
+}
+
+}  // namespace
+
+void add_joint_positions(std::vector<RobotFunction>& list, const KinematicTree& tree) {
+  if (tree.couplings.empty()) return;
+  list.push_back(function(
+      "transforms", "joint_positions",
+      {"Positions of all joints (rad, m): first those of q, then those of the joints that follow them: " +
+       names_of_coupled(tree) + "."},
+      joint_positions(tree, "joint_positions")));
+}
+
+void add_actuator_lengths(std::vector<RobotFunction>& list, const KinematicTree& tree) {
+  if (tree.actuators.empty()) return;
+  list.push_back(function(
+      "transforms", "actuator_lengths",
+      {"Distances (m) between the two frames of each actuator: " + names_of_actuators(tree) + "."},
+      actuator_lengths(tree, "actuator_lengths")));
+}
+
+void add_lever_arms(std::vector<RobotFunction>& list, const KinematicTree& tree) {
+  if (tree.actuators.empty()) return;
+  const auto add = [&](const std::string& name, std::vector<std::string> summary, auto build) {
+    list.push_back(function("jacobians", name, std::move(summary), build(tree, name)));
+  };
+  add("actuator_velocities", {"Rates (m/s) of the lengths of actuators."}, actuator_velocities);
+  add("actuator_jacobian",
+      {"Derivatives of the lengths of actuators (rows) by coordinates (columns): lever arms (m), or numbers where a "
+       "joint slides."},
+      actuator_jacobian);
+  add("actuator_torques",
+      {"Joint forces (N m, N) of the forces of actuators (N, positive where they push their frames apart): the "
+       "transpose of the Jacobian of their lengths times these."},
+      actuator_torques);
+  if (drives_separate_coordinates(tree))
+    add("actuator_forces",
+        {"Forces (N) of actuators that give the joint forces tau of the coordinates that they move; not finite where a "
+         "lever arm is zero."},
+        actuator_forces);
+}
+
+void add_loop_errors(std::vector<RobotFunction>& list, const KinematicTree& tree) {
+  if (tree.loops.empty()) return;
+  const auto add = [&](const std::string& name, std::vector<std::string> summary, auto build) {
+    list.push_back(function("transforms", name, std::move(summary), build(tree, name)));
+  };
+  add("joint_velocities", {"Velocities of all joints (rad/s, m/s), in the order of joint_positions."},
+      joint_velocities);
+  add("joint_accelerations", {"Accelerations of all joints (rad/s^2, m/s^2), in the order of joint_positions."},
+      joint_accelerations);
+  add("loop_error",
+      {"How loops are open where all joints have these positions, in the order of joint_positions: " +
+           rows_of_loops(tree) + ".",
+       "Of each the position of its second frame in its first one (m); of a hinge also x and y of the second frame's z "
+       "axis in the first frame; of a distance by how much it is too long (m)."},
+      loop_error);
+}
+
+void add_loop_jacobian(std::vector<RobotFunction>& list, const KinematicTree& tree) {
+  if (tree.loops.empty()) return;
+  list.push_back(function(
+      "jacobians", "loop_jacobian", {"Derivative of loop_error by the positions of all joints."},
+      loop_jacobian(tree, "loop_jacobian")));
+}
+
+void add_loop_forces(std::vector<RobotFunction>& list, const KinematicTree& tree, FormulationChoices& choices) {
+  if (!tree.has_closures()) return;
+  const Formulation& formulation = choices.newton_euler();
+  add_overloads(
+      list, tree, "inverse_dynamics", "loop_forces",
+      {"Forces (N) with which the second frame of each loop pushes the first one in a motion, where joints that follow "
+       "have no motors: " +
+           parts_of_forces(tree) + ".",
+       "Of a loop in a plane along the axes of the last link that carries both frames, without what parallel joints "
+       "share across the plane; of a distance one number, positive where its rod is pressed."},
+      [&](const std::string& kernel, Loads loads) { return loop_forces(tree, kernel, loads, formulation); });
+}
+
+}  // namespace robcogen::algorithm
