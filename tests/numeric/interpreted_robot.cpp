@@ -82,7 +82,7 @@ InterpretedRobot::InterpretedRobot(
     if (groups.empty() && !is_small && group.find("regressor") != std::string::npos) continue;
     for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
       const std::string name = f.program.name;
-      if (group == "jacobians")
+      if (group == "jacobians" && symbolic::is_jacobian(f.program.outputs.front().role))
         tables_.add_jacobian(name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
       if (const auto quantity = frame_quantity(f.program.outputs.front().role))
         tables_.add_frame_function(

@@ -142,6 +142,10 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
           coupling.is_linear() ? model::evaluate(term.factor, parameters) : kNone;
     tables.add_coupling(factors, coupling.is_linear() ? model::evaluate(coupling.offset, parameters) : kNone);
   }
+  for (const int follower : robot.followers_in_q())
+    tables.add_follower(
+        static_cast<int>(std::find(order.begin(), order.end(), follower) - order.begin()),
+        model::evaluate(robot.coupling_of(follower)->offset));
   for (const model::Frame& frame : robot.frames()) {
     const model::Placement placement = robot.placement_of(frame);
     tables.add_frame(
@@ -149,9 +153,7 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
         values(placement.rotation, parameters));
   }
   for (const model::LoopJoint& loop : robot.loops) {
-    const auto type = loop.type == model::LoopType::distance ? reflection::LoopType::distance
-                      : loop.type == model::LoopType::hinge  ? reflection::LoopType::hinge
-                                                             : reflection::LoopType::point;
+    const auto type = static_cast<reflection::LoopType>(loop.type);
     const auto index = [&](std::size_t end) { return frame_index(robot, *robot.find_frame(loop.ends[end].frame)); };
     tables.add_loop(loop.name, type, index(0), index(1), model::evaluate(loop.length, parameters));
   }

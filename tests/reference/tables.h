@@ -70,6 +70,9 @@ class Tables {
     loops_.push_back({stored(name), type, {first, second}, length});
   }
 
+  // A coupled joint whose position is an element of q.
+  void add_follower(int joint, double assembled) { followers_.push_back({joint, assembled}); }
+
   // Returns the frame's index.
   int add_frame(const std::string& name, int link, const Triple& translation = {}, const Triple& rotation = {}) {
     frames_.push_back({stored(name), link, {}, {}});
@@ -108,6 +111,7 @@ class Tables {
     robot.couplings = view(couplings_);
     robot.contacts = view(contacts_);
     robot.loops = view(loops_);
+    robot.followers = view(followers_);
     return robot;
   }
 
@@ -131,6 +135,7 @@ class Tables {
   std::vector<reflection::Coupling> couplings_;
   std::vector<reflection::Contact> contacts_;
   std::vector<reflection::Loop> loops_;
+  std::vector<reflection::Follower> followers_;
   std::vector<reflection::Jacobian> jacobians_;
   std::vector<reflection::FrameFunction> frame_functions_;
 };

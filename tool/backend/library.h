@@ -121,6 +121,12 @@ struct LoopData {
   double length = 0.0;
 };
 
+// As reflection::Actuator.
+struct ActuatorData {
+  std::string name;
+  int from = 0, to = 0;  // into Library::frames
+};
+
 // In the order of the elements of inputs of role `parameters`.
 struct ParameterData {
   std::string name;
@@ -202,6 +208,13 @@ struct Library {
   std::vector<FrameData> frames;
   std::vector<LimbData> limbs = {};
   std::vector<LoopData> loops = {};
+  // Of the last elements of q, which follow the others through loops that no formulas close.
+  struct Follower {
+    int joint = 0;           // of all_joints()
+    double assembled = 0.0;  // its position where those of the coordinates are zero
+  };
+  std::vector<Follower> followers = {};
+  std::vector<ActuatorData> actuators = {};
   std::vector<ContactData> contacts = {};  // where the library has functions of them
   std::vector<ParameterData> parameters;   // constants above that depend on one without default are not a number
   std::vector<std::string> variables;      // with no robot: in the document's order of their first use
@@ -227,7 +240,9 @@ struct Library {
   bool has_batches = false;              // each function also over many states at once: C++, robots
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
 
-  bool has_spherical_joints() const { return !positions.empty(); }
+  // Whether the elements of q are others than those of qd.
+  bool has_own_positions() const { return !positions.empty(); }
+  bool has_spherical_joints() const { return !quaternions().empty(); }
   // Whether it is a component of a spherical joint behind the first one.
   bool is_follower(std::size_t joint) const {
     return joint > 0 && joint < joints.size() && joints[joint].type == JointType::spherical &&

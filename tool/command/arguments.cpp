@@ -8,6 +8,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "backend/common/meaning.h"
+#include "model/closed_positions.h"
 #include "support/diagnostics.h"
 
 namespace robcogen::command {
@@ -129,7 +130,9 @@ void normalise(const JsonValue& value, const Argument& a, std::vector<double>& n
 
 std::vector<double> vector_from(const JsonValue& value, const Argument& a) {
   std::vector<double> numbers;
-  append_numbers(value, a.name, a.length, shape_text(a), numbers);
+  const std::size_t least = a.length - static_cast<std::size_t>(a.followers);
+  const bool has_followers = !value.is_array() || value.values().size() != least;
+  append_numbers(value, a.name, has_followers ? a.length : least, shape_text(a), numbers);
   normalise(value, a, numbers);
   return numbers;
 }
@@ -215,7 +218,9 @@ Argument array_argument(const InputArray& array) {
   }
   std::string meaning = meaning_of(array.role);
   if (!array.quaternions.empty()) meaning += "; of spherical joints unit quaternions, scalar part first";
-  return {array.name, Shape::vector, std::move(meaning), array.elements, size, {}, array.quaternions};
+  if (array.followers > 0)
+    meaning += fmt::format("; the last {}, which follow through loops, may be left out", array.followers);
+  return {array.name, Shape::vector, std::move(meaning), array.elements, size, {}, array.quaternions, array.followers};
 }
 
 bool takes(const symbolic::Program& program, const std::string& name) {
@@ -253,7 +258,7 @@ Signature signature_of(
     const std::string& function,
     const std::vector<const symbolic::Program*>& overloads,
     const model::KinematicTree& tree) {
-  Signature signature = {function, {}};
+  Signature signature = {function, {}, &tree};
   // The last overload takes all arguments.
   for (const InputArray& array : overloads.back()->inputs) {
     if (array.role == Role::parameters) {
@@ -280,7 +285,7 @@ Signature signature_of(
     const std::string& function,
     const symbolic::Program& program,
     const model::CoordinateTransforms& document) {
-  Signature signature = {function, {}};
+  Signature signature = {function, {}, nullptr};
   for (const InputArray& array : program.inputs) {
     if (array.role == Role::parameters) {
       signature.arguments.push_back(parameters_argument(document.parameters));
@@ -310,6 +315,15 @@ symbolic::Arrays<double> arguments_from(const JsonValue& object, const Signature
     } else {
       for (const std::optional<double>& value : a.defaults) inputs[a.name].push_back(*value);
     }
+  }
+  for (const Argument& a : signature.arguments) {
+    if (a.followers == 0) continue;
+    std::vector<double>& q = inputs.at(a.name);
+    if (q.size() == a.length) continue;
+    const auto parameters = inputs.find("parameters");
+    const std::vector<double> followers = model::closed_followers(
+        *signature.tree, q, parameters == inputs.end() ? std::vector<double>() : parameters->second);
+    q.insert(q.end(), followers.begin(), followers.end());
   }
   return inputs;
 }

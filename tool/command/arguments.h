@@ -28,6 +28,7 @@ struct Argument {
   // not at all.
   std::vector<std::optional<double>> defaults;
   std::vector<int> quaternions = {};  // of a vector: where four numbers begin that are a unit quaternion
+  int followers = 0;                  // of a vector: its last numbers, which follow the others and may be left out
 
   bool is_required() const;
 };
@@ -36,6 +37,7 @@ struct Argument {
 struct Signature {
   std::string function;
   std::vector<Argument> arguments;
+  const model::KinematicTree* tree = nullptr;  // of a robot, which outlives this
 };
 
 // For a function of a robot, from all its overloads: arguments that only some of them take have a default.
@@ -48,7 +50,8 @@ Signature signature_of(
     const symbolic::Program& program,
     const model::CoordinateTransforms& document);
 
-// The inputs of the function from an object of arguments. Quaternions whose norm is within 1e-6 of one are normalised.
+// The inputs of the function from an object of arguments. Quaternions whose norm is within 1e-6 of one are normalised;
+// followers that are left out are where their loops close.
 // Throws the Failure of refuse_input for an unknown or missing argument, for a wrong shape, and for other quaternions.
 symbolic::Arrays<double> arguments_from(const JsonValue& object, const Signature& signature);
 

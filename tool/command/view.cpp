@@ -8,6 +8,7 @@
 #include "command/output.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
+#include "model/closed_positions.h"
 #include "support/files.h"
 #include "view/drawing.h"
 #include "view/page.h"
@@ -66,21 +67,6 @@ void normalise(const std::vector<std::string>& names, std::size_t first, std::ve
   for (std::size_t k = first; k < first + 4; ++k) q[k] /= norm;
 }
 
-// Zero, or the limit that is nearest to it; of spherical joints no turn.
-std::vector<double> positions(const ViewOptions& options, const view::ViewedRobot& robot) {
-  const std::vector<std::string> names = robot.library.position_names();
-  std::vector<double> values;
-  for (std::size_t j = 0; j < robot.library.joints.size(); ++j) {
-    const backend::JointData& joint = robot.library.joints[j];
-    if (joint.type == backend::JointType::spherical && !robot.library.is_follower(j)) values.push_back(1.0);
-    values.push_back(
-        joint.limits.lower <= joint.limits.upper ? std::clamp(0.0, joint.limits.lower, joint.limits.upper) : 0.0);
-  }
-  assign("--q", options.q, names, values);
-  for (const int first : robot.library.quaternions()) normalise(names, static_cast<std::size_t>(first), values);
-  return values;
-}
-
 std::vector<double> parameters(const ViewOptions& options, const view::ViewedRobot& robot) {
   std::vector<std::string> names;
   std::vector<double> values;
@@ -96,6 +82,27 @@ std::vector<double> parameters(const ViewOptions& options, const view::ViewedRob
     refuse(
         "--parameters", fmt::format("these parameters have no value: {}", fmt::join(missing, ", ")),
         fmt::format("--parameters {}=1.0", fmt::join(missing, "=1.0,")));
+  return values;
+}
+
+// Zero, or the limit that is nearest to it; of spherical joints no turn. Joints that follow are where loops close.
+std::vector<double> positions(
+    const ViewOptions& options,
+    const view::ViewedRobot& robot,
+    const model::KinematicTree& tree) {
+  std::vector<std::string> names = robot.library.position_names();
+  names.resize(names.size() - robot.library.followers.size());
+  std::vector<double> values;
+  for (std::size_t j = 0; j < robot.library.joints.size(); ++j) {
+    const backend::JointData& joint = robot.library.joints[j];
+    if (joint.type == backend::JointType::spherical && !robot.library.is_follower(j)) values.push_back(1.0);
+    values.push_back(
+        joint.limits.lower <= joint.limits.upper ? std::clamp(0.0, joint.limits.lower, joint.limits.upper) : 0.0);
+  }
+  assign("--q", options.q, names, values);
+  for (const int first : robot.library.quaternions()) normalise(names, static_cast<std::size_t>(first), values);
+  for (const double position : model::closed_followers(tree, values, parameters(options, robot)))
+    values.push_back(position);
   return values;
 }
 
@@ -135,7 +142,8 @@ Status draw(const ViewOptions& options) {
     pattern = view::inertia_pattern(*model);
     drawing.pattern = &pattern;
   }
-  const view::Posture posture = view::posture(robot, positions(options, robot), parameters(options, robot));
+  const view::Posture posture =
+      view::posture(robot, positions(options, robot, model->robot()->tree), parameters(options, robot));
   return write(options, *model, view::draw(robot, posture, drawing));
 }
 
@@ -145,7 +153,7 @@ Status view(const ViewOptions& options) {
   const std::optional<driver::Model> model = options.model.load({}, diagnostics);
   if (!model) return wrong_input;
   const view::ViewedRobot robot = view::viewed(*model);
-  const view::PageOptions page = {positions(options, robot), parameters(options, robot)};
+  const view::PageOptions page = {positions(options, robot, model->robot()->tree), parameters(options, robot)};
   return write(options, *model, view::page(*model, robot, diagnostics, page));
 }
 

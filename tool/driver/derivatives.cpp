@@ -61,6 +61,14 @@ void require_inputs(const Derivative& derivative, const std::vector<const Progra
             is_result ? "a result, not" : "not", derivative.function, arguments),
         is_result ? "" : did_you_mean(input, known));
   }
+  for (const Program* program : all)
+    for (const symbolic::InputArray& array : program->inputs)
+      if (array.followers > 0 && std::count(derivative.inputs.begin(), derivative.inputs.end(), array.name) > 0)
+        refuse(
+            derivative, fmt::format(
+                            "the last elements of '{}' follow the others through loops that no formulas close "
+                            "[derivative-by-followers]",
+                            array.name));
   const bool together =
       std::any_of(all.begin(), all.end(), [&](const Program* program) { return takes_all(*program, derivative); });
   if (!together) refuse(derivative, fmt::format("no form of {} takes these together", derivative.function));

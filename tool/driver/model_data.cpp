@@ -105,13 +105,18 @@ class Constants {
   }
 
   backend::LoopData of(const model::LoopJoint& loop, const std::vector<backend::FrameData>& frames) const {
-    const auto index_of = [&](const std::string& name) {
-      const auto found = std::find_if(frames.begin(), frames.end(), [&](const auto& f) { return f.name == name; });
-      return static_cast<int>(found - frames.begin());
-    };
     return {
-        loop.name, std::string(model::kLoopTypes[at(static_cast<int>(loop.type))]), index_of(loop.ends[0].frame),
-        index_of(loop.ends[1].frame), value(loop.length)};
+        loop.name, std::string(model::kLoopTypes[at(static_cast<int>(loop.type))]),
+        index_of(loop.ends[0].frame, frames), index_of(loop.ends[1].frame, frames), value(loop.length)};
+  }
+
+  backend::ActuatorData of(const model::Actuator& actuator, const std::vector<backend::FrameData>& frames) const {
+    return {actuator.name, index_of(actuator.frames[0], frames), index_of(actuator.frames[1], frames)};
+  }
+
+  static int index_of(const std::string& name, const std::vector<backend::FrameData>& frames) {
+    const auto found = std::find_if(frames.begin(), frames.end(), [&](const auto& f) { return f.name == name; });
+    return static_cast<int>(found - frames.begin());
   }
 
   backend::FrameData of(const model::Frame& frame) const {
@@ -162,7 +167,13 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   for (const model::Link& link : tree.links)
     if (!link.is_repeated) library.links.push_back(constants.of(link));
   for (const int j : tree.coordinates()) library.joints.push_back(constants.of_joint(j));
-  if (!tree.spherical_joints().empty()) library.positions = model::position_names(tree);
+  if (tree.position_count() != tree.dof()) library.positions = model::position_names(tree);
+  const std::vector<int> order = model::independent_joints_first(tree);
+  for (const int joint : tree.followers_in_q()) {
+    const auto place = std::find(order.begin(), order.end(), joint);
+    library.followers.push_back(
+        {static_cast<int>(place - order.begin()), model::evaluate(tree.coupling_of(joint)->offset)});
+  }
   for (const model::Coupling& coupling : tree.couplings) library.coupled.push_back(constants.of(coupling));
   const std::vector<backend::JointData> joints = library.all_joints();
   // Of a spherical joint the first component.
@@ -170,6 +181,7 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
   library.limbs = limbs_of(tree, library);
   for (const model::LoopJoint& loop : tree.loops) library.loops.push_back(constants.of(loop, library.frames));
+  for (const model::Actuator& a : tree.actuators) library.actuators.push_back(constants.of(a, library.frames));
   for (const model::Parameter& p : tree.parameters) {
     backend::ParameterData data = {p.name};
     if (p.default_value) data.default_value = *p.default_value;

@@ -150,8 +150,8 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
     functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
   if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
-  // Of quaternions there are no sines.
-  if (features.takes_sines && robot->tree.spherical_joints().empty())
+  // Of quaternions there are no sines, and joints that follow are no coordinates.
+  if (features.takes_sines && robot->tree.position_count() == robot->tree.dof())
     functions = split_angles(*robot, std::move(functions));
   return functions;
 }

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <random>
 
-#include "model/loop_geometry.h"
+#include "model/loop_cluster.h"
 #include "model/plausibility.h"
 #include "support/index.h"
 
@@ -238,15 +238,23 @@ void add_rates_of_loops(
     std::vector<std::vector<std::pair<std::size_t, double>>>& G) {
   OrdinaryNumbers numbers;
   const std::vector<double> q = numbers.next(tree.joints.size());
+  const auto add = [&](int follower, int joint, double rate) {
+    if (rate == 0.0) return;
+    for (const auto& [coordinate, factor] : G[at(joint)]) G[at(follower)].emplace_back(coordinate, rate * factor);
+  };
   for (const Closure& closure : tree.closures) {
-    const LoopJoint& loop = tree.loops[at(closure.loop)];
+    if (closure.method == Closure::Method::iterative) {
+      const LoopCluster cluster(tree, closure.loops, parameters);
+      const auto rates = cluster.rates(q, closure.dependents);
+      for (std::size_t d = 0; d < rates.size(); ++d)
+        for (std::size_t k = 0; k < rates[d].size(); ++k) add(closure.dependents[d], cluster.joints()[k], rates[d][k]);
+      continue;
+    }
+    const LoopJoint& loop = tree.loops[at(closure.loop())];
     const LoopPosture now = posture(tree, loop, q, parameters);
     const auto rates = rate_factors(closure, now, error_of(closure, now, evaluate(loop.length, parameters)));
     for (std::size_t d = 0; d < rates.size(); ++d)
-      for (std::size_t k = 0; k < now.screws.size(); ++k)
-        if (rates[d][k] != 0.0)
-          for (const auto& [coordinate, factor] : G[at(now.screws[k].joint)])
-            G[at(closure.dependents[d])].emplace_back(coordinate, rates[d][k] * factor);
+      for (std::size_t k = 0; k < now.screws.size(); ++k) add(closure.dependents[d], now.screws[k].joint, rates[d][k]);
   }
 }
 

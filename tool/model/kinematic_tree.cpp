@@ -114,6 +114,7 @@ std::vector<std::string> position_names(const KinematicTree& tree) {
     if (!own.spherical.empty() && own.is_first()) names.push_back(own.spherical + kQuaternionSuffixes[0]);
     names.push_back(own.name);
   }
+  for (const int joint : tree.followers_in_q()) names.push_back(tree.joints[at(joint)].name);
   return names;
 }
 
@@ -135,6 +136,14 @@ std::vector<int> KinematicTree::spherical_joints() const {
   return first;
 }
 
+std::vector<int> KinematicTree::followers_in_q() const {
+  std::vector<int> followers;
+  for (const Coupling& coupling : couplings)
+    if (coupling.closure >= 0 && closures[at(coupling.closure)].method == Closure::Method::iterative)
+      followers.push_back(coupling.joint);
+  return followers;
+}
+
 std::vector<int> KinematicTree::position_elements() const {
   std::vector<int> elements(joints.size(), -1);
   int next = 0;
@@ -143,6 +152,7 @@ std::vector<int> KinematicTree::position_elements() const {
     if (!own.spherical.empty() && own.is_first()) ++next;
     elements[at(joint)] = next++;
   }
+  for (const int joint : followers_in_q()) elements[at(joint)] = next++;
   return elements;
 }
 

@@ -182,10 +182,12 @@ class KinematicTree {
   int first_component_of(int joint) const;
   // First components of spherical joints.
   std::vector<int> spherical_joints() const;
+  // Joints that follow through loops that no formulas close: their positions are elements of q.
+  std::vector<int> followers_in_q() const;
   // Elements of q: coordinates, but four of a spherical joint: w, x, y, z of the unit quaternion that rotates
-  // coordinates of the child to those of the joint frame.
-  int position_count() const { return dof() + static_cast<int>(spherical_joints().size()); }
-  // By joint: its element of q; -1 for a coupled joint. The scalar part of a quaternion is in front of its first
+  // coordinates of the child to those of the joint frame. Behind them followers_in_q().
+  int position_count() const { return dof() + static_cast<int>(spherical_joints().size() + followers_in_q().size()); }
+  // By joint: its element of q; -1 for other coupled joints. The scalar part of a quaternion is in front of its first
   // component.
   std::vector<int> position_elements() const;
   // The links of the document: those whose frame is not repeated.

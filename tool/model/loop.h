@@ -40,11 +40,14 @@ struct LoopShare {
   double factor = 0.0;
 };
 
-// How dependent joints follow the others of a loop, in closed form.
+// How dependent joints follow the others of a loop.
 struct Closure {
-  // planar: all axes are parallel, and two joints follow by the sides of a triangle. distance: one joint follows.
-  enum class Method { planar, distance };
-  int loop = -1;
+  // In closed form, of one loop. planar: all axes are parallel, and two joints follow by the sides of a triangle.
+  // distance: one joint follows.
+  // iterative: of any loops together. The positions of joints that follow are elements of q, behind all others, and
+  // Newton's method finds them from there.
+  enum class Method { planar, distance, iterative };
+  std::vector<int> loops;
   Method method = Method::planar;
   std::vector<int> dependents;  // joints
   double branch = 1.0;          // the sign of the square root: how the loop is assembled
@@ -54,6 +57,9 @@ struct Closure {
   std::array<std::vector<int>, 2> senses = {};
   // Of a parallelogram, by dependent joint: it follows by their sum.
   std::vector<std::vector<LoopShare>> shares = {};
+
+  // The only one, or the first of those that are closed together.
+  int loop() const { return loops.front(); }
 };
 
 }  // namespace robcogen::model

@@ -113,13 +113,13 @@ LoopPosture posture(
     for (const int j : loop.ends[e].joints) {
       const Joint& joint = tree.joints[at(j)];
       const NumericPose placed = behind(pose, joint.placement, parameters);
-      const bool slides = !slide_of(joint).is_zero();
-      result.screws.push_back({j, static_cast<int>(e), turns(joint.type), slides, placed.axes[2], placed.origin});
+      const double slide = evaluate(slide_of(joint), parameters);
+      result.screws.push_back({j, static_cast<int>(e), turns(joint.type), slide, placed.axes[2], placed.origin});
       pose = behind_joint(placed, joint, q[at(j)], parameters);
     }
     const NumericPose end = behind(pose, loop.ends[e].placement, parameters);
     result.points[e] = end.origin;
-    result.directions[e] = end.axes[2];
+    result.axes[e] = end.axes;
   }
   return result;
 }
@@ -149,7 +149,7 @@ double close(
     const Closure& closure,
     std::vector<double>& q,
     const std::vector<double>& parameters) {
-  const LoopJoint& loop = tree.loops[at(closure.loop)];
+  const LoopJoint& loop = tree.loops[at(closure.loop())];
   const double length = evaluate(loop.length, parameters);
   constexpr int kSteps = 60;
   constexpr double kLargestStep = 0.5;  // rad, m: towards the solution that is next

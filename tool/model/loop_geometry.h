@@ -20,15 +20,15 @@ struct LoopScrew {
   int joint = -1;
   int end = 0;
   bool turns = true;
-  bool slides = false;
-  Numbers3 axis{};    // unit
-  Numbers3 origin{};  // on the axis
+  double slide = 0.0;  // m a unit of its position
+  Numbers3 axis{};     // unit
+  Numbers3 origin{};   // on the axis
 };
 
 struct LoopPosture {
-  std::vector<LoopScrew> screws;         // of the joints of the first end, then of the second
-  std::array<Numbers3, 2> points{};      // origins of the ends' frames
-  std::array<Numbers3, 2> directions{};  // their z axes
+  std::vector<LoopScrew> screws;                  // of the joints of the first end, then of the second
+  std::array<Numbers3, 2> points{};               // origins of the ends' frames
+  std::array<std::array<Numbers3, 3>, 2> axes{};  // their x, y and z axes
 };
 
 // At these positions, by joint.

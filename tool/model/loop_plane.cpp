@@ -16,10 +16,18 @@ constexpr double kMeantParallel = 1e-3;
 // Of the size of a loop.
 constexpr double kSamePlane = 1e-9;
 
-std::string off_plane(const std::string& what, double off) {
-  if (off > kMeantParallel) return fmt::format("the axis of '{}' is in another direction", what);
-  return fmt::format(
-      "the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off);
+// Why a loop does not move in a plane; the text is empty where it does.
+struct Reason {
+  std::string text;
+  bool is_rounding = false;  // it is meant to
+};
+
+Reason off_plane(const std::string& what, double off) {
+  if (off > kMeantParallel) return {fmt::format("the axis of '{}' is in another direction", what)};
+  return {
+      fmt::format(
+          "the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off),
+      true};
 }
 
 double off_normal(const LoopScrew& screw, const Numbers3& normal) {
@@ -27,7 +35,7 @@ double off_normal(const LoopScrew& screw, const Numbers3& normal) {
 }
 
 // Why the joints of a loop do not move its links in the plane of this normal; empty where they do.
-std::string reason_against(
+Reason reason_against(
     const KinematicTree& tree,
     const LoopJoint& loop,
     const LoopPosture& posture,
@@ -35,18 +43,18 @@ std::string reason_against(
   for (const LoopScrew& screw : posture.screws) {
     const Joint& joint = tree.joints[at(screw.joint)];
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
-      return fmt::format("joint '{}' neither turns nor slides alone", joint.name);
+      return {fmt::format("joint '{}' neither turns nor slides alone", joint.name)};
     const double off = off_normal(screw, normal);
     if (off > kParallel) return off_plane(joint.name, off);
   }
   for (std::size_t e = 0; loop.type == LoopType::hinge && e < 2; ++e) {
-    const double off = norm(cross(posture.directions[e], normal));
+    const double off = norm(cross(posture.axes[e][2], normal));
     if (off > kMeantParallel)
-      return fmt::format(
-          "the z axis of '{}', about which the hinge turns, is not parallel to its joints", loop.ends[e].frame);
+      return {fmt::format(
+          "the z axis of '{}', about which the hinge turns, is not parallel to its joints", loop.ends[e].frame)};
     if (off > kParallel) return off_plane(loop.ends[e].frame, off);
   }
-  return "";
+  return {};
 }
 
 double gap_along(const LoopPosture& posture, const Numbers3& normal) {
@@ -85,29 +93,23 @@ PlaneFault find_plane(
     const LoopJoint& loop,
     const std::vector<double>& parameters,
     Closure& closure) {
-  if (loop.type != LoopType::point && loop.type != LoopType::hinge)
-    return {
-        "loop-unsupported",
-        fmt::format("loop '{}': '{}' is not served yet", loop.name, kLoopTypes[static_cast<std::size_t>(loop.type)]),
-        "write it as a 'hinge', a 'point' or a 'distance'"};
   const std::vector<double> zeros(tree.joints.size());
   const LoopPosture start = posture(tree, loop, zeros, parameters);
   const auto turning =
       std::find_if(start.screws.begin(), start.screws.end(), [](const LoopScrew& screw) { return screw.turns; });
   const bool turns = turning != start.screws.end();
-  const std::string reason =
-      turns ? reason_against(tree, loop, start, turning->axis) : std::string("none of its joints turns");
-  if (!reason.empty())
+  const Reason reason = turns ? reason_against(tree, loop, start, turning->axis) : Reason{"none of its joints turns"};
+  if (!reason.text.empty())
     return {
-        "loop-not-planar", fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason),
-        "served are loops in a plane, and distances between two frames"};
+        "loop-not-planar", fmt::format("loop '{}' does not move in a plane: {}", loop.name, reason.text), "",
+        !reason.is_rounding};
   const Numbers3 normal = turning->axis;
   if (const double gap = gap_along(start, normal); gap > 0.0)
     return open_loop(loop, gap, " along the axes of its joints");
   std::vector<double> others = parameters;
   for (std::size_t k = 0; k < others.size(); ++k) others[k] += 0.05 + 0.01 * static_cast<double>(k);
   const LoopPosture moved = posture(tree, loop, zeros, others);
-  if (!reason_against(tree, loop, moved, normal).empty() || gap_along(moved, normal) > 0.0)
+  if (!reason_against(tree, loop, moved, normal).text.empty() || gap_along(moved, normal) > 0.0)
     return {
         "loop-plane-of-parameters", fmt::format("the plane in which loop '{}' moves depends on parameters", loop.name),
         "parameters may be lengths in the plane, and angles about the axes of the joints"};

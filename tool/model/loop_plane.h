@@ -10,6 +10,7 @@ namespace robcogen::model {
 // What is wrong with a loop that should move in a plane: a message without its place; all empty where nothing is.
 struct PlaneFault {
   std::string code, message, hint;
+  bool is_in_space = false;  // not a mistake: the loop is not meant to move in a plane
 };
 
 // Sets the plane and the senses of a closure of a point or a hinge. `parameters` are values of the tree's.

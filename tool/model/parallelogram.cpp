@@ -187,7 +187,7 @@ void couple_parallelograms(KinematicTree& tree) {
       continue;
     }
     for (Coupling& coupling : couplings) {
-      coupling.loop = closure.loop;
+      coupling.loop = closure.loop();
       const auto place = std::lower_bound(
           tree.couplings.begin(), tree.couplings.end(), coupling.joint,
           [](const Coupling& c, int joint) { return c.joint < joint; });

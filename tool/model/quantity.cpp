@@ -271,6 +271,33 @@ class Printer {
 
 }  // namespace
 
+namespace {
+
+bool has_right(Quantity::Op op) {
+  return op == Quantity::Op::add || op == Quantity::Op::subtract || op == Quantity::Op::multiply ||
+         op == Quantity::Op::divide;
+}
+
+}  // namespace
+
+std::vector<int> parameters_of(const Quantity& q) {
+  switch (q.op()) {
+    case Quantity::Op::constant:
+    case Quantity::Op::variable:
+      return {};
+    case Quantity::Op::parameter:
+      return {q.index()};
+    default:
+      break;
+  }
+  std::vector<int> result = parameters_of(q.left());
+  if (has_right(q.op())) {
+    const std::vector<int> more = parameters_of(q.right());
+    result.insert(result.end(), more.begin(), more.end());
+  }
+  return result;
+}
+
 std::string print(
     const Quantity& q,
     const std::vector<Parameter>& parameters,

@@ -89,6 +89,9 @@ class Quantity {
 // Numerical value; parameters and variables are looked up by index.
 double evaluate(const Quantity& q, std::span<const double> parameters = {}, std::span<const double> variables = {});
 
+// Indices of the parameters that a quantity depends on.
+std::vector<int> parameters_of(const Quantity& q);
+
 // Text in the documents' syntax.
 std::string print(
     const Quantity& q,

@@ -1,6 +1,7 @@
 // What a name or a number is, in numbers of the robot at q = 0.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -106,7 +107,7 @@ class RobotText {
       text += fmt::format("{} `{}` of link `{}`", std::exchange(separator, " and"), end.frame, link);
     }
     for (const model::Closure& closure : tree_.closures) {
-      if (closure.loop != static_cast<int>(l)) continue;
+      if (std::find(closure.loops.begin(), closure.loops.end(), static_cast<int>(l)) == closure.loops.end()) continue;
       for (const int j : closure.dependents)
         text += fmt::format("\n- `{}` follows", tree_.joints[static_cast<std::size_t>(j)].declared_name());
     }

@@ -128,6 +128,7 @@ struct InputArray {
   Role role = Role::value;
   std::vector<std::string> elements;  // a label for each element: the joint's name, `wx`, …
   std::vector<int> quaternions = {};  // the elements that begin unit quaternions: w, x, y, z
+  int followers = 0;                  // the last elements, which follow the others: of joint positions
 };
 
 struct OutputArray {

@@ -4,7 +4,9 @@
 // coordinates of the child to those of the joint frame, and its velocity is the angular velocity (rad/s) of the child
 // with respect to the parent, in axes of the child. All other positions are numbers (rad, m), one for each element of
 // qd. A robot with spherical joints has a type JointPositions of its own, and lists the elements of q at which its
-// quaternions begin: kQuaternions. With all other robots these are vectors of the same type, and they are added.
+// quaternions begin: kQuaternions. A robot with loops that no formulas close has that type, too: the last elements of
+// q, its followers, are joints whose positions close_loops finds. With all other robots these are vectors of the same
+// type, and they are added.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,6 +23,14 @@ template <class R, class = void>
 struct Of {
   using Type = typename R::JointState;
   static constexpr std::array<int, 0> kQuaternions = {};
+};
+template <class R, class = void>
+struct FollowersOf {
+  static constexpr std::array<double, 0> kAssembled = {};
+};
+template <class R>
+struct FollowersOf<R, std::void_t<decltype(R::kAssembledFollowers)>> {
+  static constexpr auto kAssembled = R::kAssembledFollowers;
 };
 template <class R>
 struct Of<R, std::void_t<typename R::JointPositions>> {
@@ -39,14 +49,19 @@ inline constexpr int kPositionCount = JointPositions<R>::SizeAtCompileTime;
 template <class R>
 inline constexpr auto kQuaternions = positions::Of<R>::kQuaternions;
 
+// The number of the last elements of q, which follow the others through loops that no formulas close.
+template <class R>
+inline constexpr int kFollowerCount = static_cast<int>(positions::FollowersOf<R>::kAssembled.size());
+
 namespace positions {
 
-// Calls quaternion(first of q, first of qd) for each, and number(of q, of qd) for all other elements.
+// Calls quaternion(first of q, first of qd) for each, and number(of q, of qd) for all other elements but
+// followers.
 template <class R, class Quaternion, class Number>
 void visit(const Quaternion& quaternion, const Number& number) noexcept {
   int velocity = 0;
   std::size_t next = 0;
-  for (int k = 0; k < kPositionCount<R>;) {
+  for (int k = 0; k < kPositionCount<R> - kFollowerCount<R>;) {
     if (next < kQuaternions<R>.size() && kQuaternions<R>[next] == k) {
       quaternion(k, velocity);
       k += 4;
@@ -73,11 +88,14 @@ void set_quaternion(Vector& q, int k, const Quaternion& value) noexcept {
 
 }  // namespace positions
 
-// Zero, and of spherical joints the frames of child and joint coincide.
+// Zero, and of spherical joints the frames of child and joint coincide; followers where their loops close.
 template <class R>
 JointPositions<R> neutral_positions() noexcept {
   JointPositions<R> q = JointPositions<R>::Zero();
   for (const int k : kQuaternions<R>) q[k] = 1;
+  constexpr auto assembled = positions::FollowersOf<R>::kAssembled;
+  for (std::size_t k = 0; k < assembled.size(); ++k)
+    q[kPositionCount<R> - kFollowerCount<R> + static_cast<int>(k)] = static_cast<typename R::Scalar>(assembled[k]);
   return q;
 }
 
@@ -89,7 +107,7 @@ JointPositions<R> normalised_positions(JointPositions<R> q) noexcept {
 }
 
 // Where q is after `duration` (s) with constant velocities qd: spherical joints turn about a fixed axis, exactly.
-// Quaternions keep unit length.
+// Quaternions keep unit length. Of robots without followers.
 template <class R>
 JointPositions<R> integrate_positions(
     const JointPositions<R>& q,
@@ -97,6 +115,7 @@ JointPositions<R> integrate_positions(
     typename R::Scalar duration) noexcept {
   using Scalar = typename R::Scalar;
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+  static_assert(kFollowerCount<R> == 0, "move the coordinates of q, then call close_loops: it moves the others");
   JointPositions<R> result;
   positions::visit<R>(
       [&](int k, int velocity) {
@@ -132,9 +151,10 @@ typename R::JointState position_difference(const JointPositions<R>& from, const 
   return way;
 }
 
-// dq/dt at velocities qd: of a quaternion Q (0, w) / 2, which is not of unit length.
+// dq/dt at velocities qd: of a quaternion Q (0, w) / 2, which is not of unit length. Of robots without followers.
 template <class R>
 JointPositions<R> position_rates(const JointPositions<R>& q, const typename R::JointState& qd) noexcept {
+  static_assert(kFollowerCount<R> == 0, "joint_velocities has the rates of joints that follow through loops");
   using Scalar = typename R::Scalar;
   JointPositions<R> result;
   positions::visit<R>(

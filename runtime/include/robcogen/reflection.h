@@ -262,15 +262,27 @@ struct Contact {
   bool is_surface;
 };
 
-enum class LoopType { point, hinge, distance };
+enum class LoopType { point, hinge, slider, weld, distance };
 
-// What stays the same between two frames: that their origins coincide; these and their z axes; or the distance of their
-// origins.
+// What stays the same between two frames: that their origins coincide; these and their z axes; all but how far one
+// slides along the z axes; all; or the distance of their origins.
 struct Loop {
   const char* name;
   LoopType type;
   int frames[2];
   double length;  // of a distance (m); not a number where it depends on parameters without defaults
+};
+
+// A linear actuator between the origins of two frames.
+struct Actuator {
+  const char* name;
+  int frames[2];
+};
+
+// A coupled joint whose position is an element of q: it follows through loops that no formulas close.
+struct Follower {
+  int joint;
+  double assembled;  // its position where those of the coordinates are zero
 };
 
 struct Robot {
@@ -303,10 +315,12 @@ struct Robot {
   Limbs limbs = {};
   // Where there are some, couplings whose factors are not numbers follow through these.
   Table<Loop> loops = {nullptr, 0};
+  Table<Actuator> actuators = {nullptr, 0};
+  Table<Follower> followers = {nullptr, 0};  // the last elements of q, in order
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
-  // Elements of q: those of qd, and the scalar part of the quaternion of each spherical joint.
-  constexpr int position_count() const { return dof() + quaternions_up_to(dof() - 1); }
+  // Elements of q: those of qd, the scalar part of the quaternion of each spherical joint, and followers.
+  constexpr int position_count() const { return dof() + quaternions_up_to(dof() - 1) + followers.size; }
   // The element of q that belongs to an element of qd; of a component of a spherical joint that of the vector part of
   // its quaternion, whose scalar part is in front of the first one.
   constexpr int position_of(int joint) const { return joint + quaternions_up_to(joint); }

@@ -41,9 +41,9 @@ void add_for_jacobians(
   }
 }
 
-// Positions of robots with spherical joints are not added.
+// Positions of robots with spherical joints are not added. Those with followers would have to be closed.
 void add_functions_of_quaternions(std::vector<RobotFunction>& list, const KinematicTree& tree) {
-  if (tree.spherical_joints().empty()) return;
+  if (tree.spherical_joints().empty() || !tree.followers_in_q().empty()) return;
   list.push_back(
       {"transforms",
        "",

@@ -42,11 +42,16 @@ std::string names_of_coupled(const KinematicTree& tree) {
   return names;
 }
 
-// Of loops that are parallelograms there are none: their joints follow by sums.
+// By loop. Of those that formulas close in a plane there are no moments; of parallelograms, whose joints follow by
+// sums, nothing.
 std::string parts_of_forces(const KinematicTree& tree) {
   std::vector<int> counts(tree.loops.size());
   for (const model::Closure& closure : tree.closures)
-    counts[at(closure.loop)] = closure.method == model::Closure::Method::distance ? 1 : 3;
+    for (const int loop : closure.loops) {
+      const model::LoopType type = tree.loops[at(loop)].type;
+      const bool is_whole = closure.method == model::Closure::Method::iterative && type != model::LoopType::point;
+      counts[at(loop)] = type == model::LoopType::distance ? 1 : is_whole ? 6 : 3;
+    }
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k)
     if (counts[k] > 0) text += (text.empty() ? "" : ", ") + tree.loops[k].name + " (" + std::to_string(counts[k]) + ")";
@@ -105,9 +110,15 @@ void add_loop_errors(std::vector<RobotFunction>& list, const KinematicTree& tree
   add("loop_error",
       {"How loops are open where all joints have these positions, in the order of joint_positions: " +
            rows_of_loops(tree) + ".",
-       "Of each the position of its second frame in its first one (m); of a hinge also x and y of the second frame's z "
-       "axis in the first frame; of a distance by how much it is too long (m)."},
+       "Of each the position of its second frame in its first one (m; of a slider x and y); of a hinge also x and y of "
+       "the second frame's z axis in the first frame, of a slider and a weld the sine of the angle between both, along "
+       "its axis; of a distance by how much it is too long (m)."},
       loop_error);
+  if (tree.followers_in_q().empty()) return;
+  add("close_loops",
+      {"q with the joints that follow where the loops close: four steps of Newton's method from where they are, which "
+       "reach rounding from within some 0.05 rad. Not numbers where they end more than 1e-5 m or rad from closed."},
+      close_loops);
 }
 
 void add_loop_jacobian(std::vector<RobotFunction>& list, const KinematicTree& tree) {
@@ -125,8 +136,10 @@ void add_loop_forces(std::vector<RobotFunction>& list, const KinematicTree& tree
       {"Forces (N) with which the second frame of each loop pushes the first one in a motion, where joints that follow "
        "have no motors: " +
            parts_of_forces(tree) + ".",
-       "Of a loop in a plane along the axes of the last link that carries both frames, without what parallel joints "
-       "share across the plane; of a distance one number, positive where its rod is pressed."},
+       "Along the axes of the last link that carries both frames: the force, and where there are six numbers the "
+       "moment "
+       "(N m) behind it, without what parallel joints share across a plane; of a distance one number, positive where "
+       "its rod is pressed."},
       [&](const std::string& kernel, Loads loads) { return loop_forces(tree, kernel, loads, formulation); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/path.h"
+#include "algorithm/spatial/closures.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -30,14 +31,38 @@ Reached second_in_first(Trace& trace, const model::LoopJoint& loop, const std::v
   return walk(trace, path, q, [](const PathSegment&, const Reached&) {});
 }
 
+bool fixes_axes(model::LoopType type) {
+  return type == model::LoopType::slider || type == model::LoopType::weld;
+}
+
+// Half the axis of the rotation of the second frame in the first one, times twice its sine.
+Vector3 turn_of(const Matrix3& R) {
+  Vector3 turn;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    turn[i] = 0.5 * (R[k][j] - R[j][k]);
+  }
+  return turn;
+}
+
+// Of a slider only across its axis.
+std::vector<Expression> of_point(model::LoopType type, const Vector3& p) {
+  if (type == model::LoopType::slider) return {p[0], p[1]};
+  return {p[0], p[1], p[2]};
+}
+
 std::vector<Expression> error_of(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q) {
   const Reached second = second_in_first(trace, loop, q);
   const Vector3& p = second.position;
   if (loop.type == model::LoopType::distance) return {sqrt(dot(p, p)) - trace.lift(loop.length)};
-  std::vector<Expression> rows(p.element.begin(), p.element.end());
+  std::vector<Expression> rows = of_point(loop.type, p);
   if (loop.type == model::LoopType::hinge) {
     const Vector3 axis = column(second.rotation, 2);
     rows.insert(rows.end(), {axis[0], axis[1]});
+  }
+  if (fixes_axes(loop.type)) {
+    const Vector3 turn = turn_of(second.rotation);
+    rows.insert(rows.end(), turn.element.begin(), turn.element.end());
   }
   return rows;
 }
@@ -57,13 +82,21 @@ std::vector<std::vector<Expression>> columns_of(
     for (const Motion& column : chain.columns) result.push_back({dot(direction, column.linear)});
     return result;
   }
-  Vector3 axis;
-  if (loop.type == model::LoopType::hinge) axis = column(second_in_first(trace, loop, q).rotation, 2);
-  for (const Motion& column : chain.columns) {
-    std::vector<Expression>& rows = result.emplace_back(column.linear.element.begin(), column.linear.element.end());
-    if (loop.type != model::LoopType::hinge) continue;
-    const Vector3 turned = cross(column.angular, axis);
-    rows.insert(rows.end(), {turned[0], turned[1]});
+  const bool has_axes = loop.type != model::LoopType::point;
+  const Matrix3 R = has_axes ? second_in_first(trace, loop, q).rotation : Matrix3();
+  const Expression sum = has_axes ? R[0][0] + R[1][1] + R[2][2] : Expression();
+  for (const Motion& motion : chain.columns) {
+    const Vector3& w = motion.angular;
+    std::vector<Expression>& rows = result.emplace_back(of_point(loop.type, motion.linear));
+    if (loop.type == model::LoopType::hinge) {
+      const Vector3 turned = cross(w, column(R, 2));
+      rows.insert(rows.end(), {turned[0], turned[1]});
+    }
+    if (fixes_axes(loop.type)) {
+      // The rate of R is w x R.
+      const Vector3 rate = trace.graph.constant(0.5) * (sum * w - multiply(R, w));
+      rows.insert(rows.end(), rate.element.begin(), rate.element.end());
+    }
   }
   return result;
 }
@@ -77,7 +110,18 @@ void output_of_all_joints(Trace& trace, const std::string& name, const std::vect
 }  // namespace
 
 int rows_of(model::LoopType type) {
-  return type == model::LoopType::distance ? 1 : type == model::LoopType::hinge ? 5 : 3;
+  switch (type) {
+    case model::LoopType::point:
+      return 3;
+    case model::LoopType::hinge:
+    case model::LoopType::slider:
+      return 5;
+    case model::LoopType::weld:
+      return 6;
+    case model::LoopType::distance:
+      break;
+  }
+  return 1;
 }
 
 Program loop_error(const model::KinematicTree& tree, const std::string& name) {
@@ -106,6 +150,30 @@ Program loop_jacobian(const model::KinematicTree& tree, const std::string& name)
   Columns columns;
   for (const int joint : model::independent_joints_first(tree)) columns.push_back(by_joint[at(joint)]);
   trace.output("K", Role::matrix, static_cast<int>(first), columns);
+  return trace.program(name);
+}
+
+// Four steps, from within some 0.05 rad, leave errors of rounding. Where they do not reach the loop, which may not
+// close, the last root is that of a negative number.
+Program close_loops(const model::KinematicTree& tree, const std::string& name) {
+  constexpr int kSteps = 4;
+  constexpr double kOpen = 1e-5;  // m, rad
+  Trace trace(tree);
+  std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
+  for (const model::Closure& closure : tree.closures) {
+    if (closure.method != model::Closure::Method::iterative) continue;
+    const std::string& loop = tree.loops[at(closure.loop())].name;
+    for (int step = 0; step < kSteps; ++step) {
+      trace.section(loop, "loop " + loop + ": step " + std::to_string(step + 1));
+      newton_step(trace, closure, q);
+    }
+    trace.section(loop, "loop " + loop + ": whether it is closed");
+    Expression left = trace.graph.constant(kOpen * kOpen);
+    for (const Expression& row : open_rows(trace, closure, q)) left -= row * row;
+    const Expression root = sqrt(left), is_closed = root / root;
+    for (const int joint : closure.dependents) q[at(joint)] = is_closed * q[at(joint)];
+  }
+  trace.output("q", Role::value, trace.positions(q));
   return trace.program(name);
 }
 

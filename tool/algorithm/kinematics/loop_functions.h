@@ -9,11 +9,16 @@
 
 namespace robcogen::algorithm {
 
+// q -> q with joints that follow where loops close, by Newton's method from where they are; not numbers where it does
+// not reach that. Of robots with loops that no formulas close.
+symbolic::Program close_loops(const model::KinematicTree& tree, const std::string& name);
+
 // Rows of the errors of a loop.
 int rows_of(model::LoopType type);
 
 // positions of all joints -> errors of all loops, one after another. Of each the position of its second frame in its
-// first one (m), and of a hinge x and y of the second z axis in the first frame; of a distance its excess alone (m).
+// first one (m; of a slider x and y alone), of a hinge x and y of the second z axis in the first frame, of a slider and
+// a weld the sine of the angle between the frames along its axis; of a distance its excess alone (m).
 symbolic::Program loop_error(const model::KinematicTree& tree, const std::string& name);
 
 // Its derivative by the positions of all joints.

@@ -18,7 +18,7 @@ struct MovingPoint {
 class DistanceClosure : public TracedClosure {
  public:
   DistanceClosure(Trace& trace, const model::Closure& closure, std::vector<Expression>& q)
-      : TracedClosure(trace, closure), loop_(trace.tree.loops[at(closure.loop)]) {
+      : TracedClosure(trace, closure), loop_(trace.tree.loops[at(closure.loop())]) {
     for (std::size_t e = 0; e < 2; ++e)
       for (std::size_t k = 0; k < loop_.ends[e].joints.size(); ++k)
         if (loop_.ends[e].joints[k] == closure.dependents[0]) end_ = e, place_ = k;
@@ -117,8 +117,8 @@ class DistanceClosure : public TracedClosure {
   }
 
   // The row is that of half the square of the distance.
-  std::vector<Expression> force_of(const std::vector<Expression>& lambda) override {
-    return {trace_.lift(loop_.length) * lambda[0]};
+  std::vector<std::vector<Expression>> force_of(const std::vector<Expression>& lambda) override {
+    return {{trace_.lift(loop_.length) * lambda[0]}};
   }
 };
 

@@ -49,7 +49,7 @@ class PlanarClosure : public TracedClosure {
   }
 
   std::vector<Pivot> pivots(std::size_t e) const {
-    const model::LoopEnd& end = trace_.tree.loops[at(closure_.loop)].ends[e];
+    const model::LoopEnd& end = trace_.tree.loops[at(closure_.loop())].ends[e];
     const std::vector<Pose> poses = placements_at_zero(trace_, end);
     std::vector<Pivot> result;
     Vector2 before;
@@ -69,10 +69,6 @@ class PlanarClosure : public TracedClosure {
   }
 
   // ---- Given joints.
-
-  bool is_dependent(int joint) const {
-    return std::find(closure_.dependents.begin(), closure_.dependents.end(), joint) != closure_.dependents.end();
-  }
 
   // Of joints from `first` up to `last`, without this one, that are given.
   Vector2 turn_of(std::size_t e, std::size_t first, std::size_t last) const {
@@ -238,11 +234,11 @@ class PlanarClosure : public TracedClosure {
     return {total.x, total.y};
   }
 
-  std::vector<Expression> force_of(const std::vector<Expression>& lambda) override {
+  std::vector<std::vector<Expression>> force_of(const std::vector<Expression>& lambda) override {
     std::vector<Expression> force(3);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 2; ++k) force[i] += trace_.graph.constant(closure_.plane[k][i]) * lambda[k];
-    return force;
+    return {force};
   }
 };
 

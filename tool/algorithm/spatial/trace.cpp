@@ -63,9 +63,11 @@ std::vector<Expression> Trace::position_input(const std::string& name) {
   for (const int first : tree.spherical_joints()) quaternions.push_back(elements[at(first)] - 1);
   const std::vector<Expression> given = input(name, Role::joint_position, model::position_names(tree));
   inputs_.back().quaternions = quaternions;
+  inputs_.back().followers = static_cast<int>(tree.followers_in_q().size());
   std::vector<Expression> positions;
   for (const int joint : tree.coordinates()) positions.push_back(given[at(elements[at(joint)])]);
   for (const int scalar : quaternions) positions.push_back(given[at(scalar)]);
+  for (const int joint : tree.followers_in_q()) positions.push_back(given[at(elements[at(joint)])]);
   return positions;
 }
 
@@ -81,7 +83,12 @@ std::vector<Expression> Trace::by_joint(
   std::vector<Expression> joints(tree.joints.size());
   const std::vector<int> independent = tree.coordinates();
   for (std::size_t k = 0; k < independent.size(); ++k) joints[at(independent[k])] = coordinates[k];
-  joints.insert(joints.end(), coordinates.begin() + static_cast<std::ptrdiff_t>(independent.size()), coordinates.end());
+  const std::vector<int> followers = role == Role::joint_position ? tree.followers_in_q() : std::vector<int>();
+  const auto behind = coordinates.begin() + static_cast<std::ptrdiff_t>(independent.size());
+  const auto first_follower = coordinates.end() - static_cast<std::ptrdiff_t>(followers.size());
+  joints.insert(joints.end(), behind, first_follower);
+  for (std::size_t k = 0; k < followers.size(); ++k)
+    joints[at(followers[k])] = first_follower[static_cast<std::ptrdiff_t>(k)];
   for (const model::Coupling& coupling : tree.couplings) {
     if (!coupling.is_linear()) continue;
     const std::string& follower = tree.joints[at(coupling.joint)].name;
@@ -97,6 +104,16 @@ std::vector<Expression> Trace::by_joint(
   return joints;
 }
 
+std::vector<Expression> Trace::positions(const std::vector<Expression>& joints) const {
+  const std::vector<int> elements = tree.position_elements(), spherical = tree.spherical_joints();
+  std::vector<Expression> q(at(tree.position_count()));
+  for (std::size_t j = 0; j < tree.joints.size(); ++j)
+    if (elements[j] >= 0) q[at(elements[j])] = joints[j];
+  for (std::size_t k = 0; k < spherical.size(); ++k)
+    q[at(elements[at(spherical[k])] - 1)] = joints[tree.joints.size() + k];
+  return q;
+}
+
 void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints) {
   const model::Closure& closure = tree.closures[index];
   if (role == Role::joint_position) {
@@ -107,7 +124,7 @@ void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints
   const auto& rates = solved.rates();
   std::vector<Expression> added(closure.dependents.size());
   if (role == Role::joint_acceleration && !velocities_.empty()) added = solved.accelerations(velocities_);
-  const std::string& loop = tree.loops[at(closure.loop)].name;
+  const std::string& loop = tree.loops[at(closure.loop())].name;
   section(loop, "loop " + loop + ": motion of its joints");
   for (std::size_t d = 0; d < closure.dependents.size(); ++d) {
     Expression& value = joints[at(closure.dependents[d])];
@@ -146,7 +163,11 @@ const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {
 std::vector<std::vector<Expression>> Trace::reactions(std::vector<Expression> forces) {
   std::vector<std::vector<Expression>> result(tree.loops.size());
   // Loops that take joints of others as given come behind these.
-  for (std::size_t k = closures_.size(); k-- > 0;) result[at(tree.closures[k].loop)] = closures_[k]->reaction(forces);
+  for (std::size_t k = closures_.size(); k-- > 0;) {
+    const std::vector<std::vector<Expression>> of_closure = closures_[k]->reaction(forces);
+    for (std::size_t loop = 0; loop < of_closure.size(); ++loop)
+      result[at(tree.closures[k].loops[loop])] = of_closure[loop];
+  }
   return result;
 }
 

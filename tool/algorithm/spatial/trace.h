@@ -77,6 +77,8 @@ class Trace : public ProgramTrace {
   // Of all joints where those of the coordinates are zero: what the velocities that the trace had last make joints do
   // that follow through loops.
   std::vector<Expression> accelerations_at_rest();
+  // Elements of q, from positions by joint as joint_input returns them.
+  std::vector<Expression> positions(const std::vector<Expression>& joints) const;
   // The rate of a joint that follows through a loop, over those of coordinates.
   const std::vector<RateShare>& rates_of(const model::Coupling& coupling);
   // By loop: what its second end pushes its first one with (TracedClosure::reaction), by the forces that a motion needs
@@ -93,7 +95,7 @@ class Trace : public ProgramTrace {
   std::vector<std::vector<RateShare>> rates_;             // by joint that follows through a loop
 
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
-  // By coordinate, then the scalar parts of quaternions.
+  // By coordinate, then the scalar parts of quaternions, then joints that follow in q.
   std::vector<Expression> position_input(const std::string& name);
 };
 

@@ -74,7 +74,7 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
     text += comment(
         i < count ? describe(f.program.inputs[i], list[i].name, reads_cache(names, c))
                   : describe(f.program.outputs[i - count], list[i].name));
-  if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) text += comment(remark);
+  if (const std::string remark = remark_on_positions(f.program); !remark.empty()) text += comment(remark);
   const std::vector<std::string> columns = column_joints(names.library, f);
   if (!columns.empty()) text += comment("Columns: " + joined(columns) + ".");
   for (std::size_t k = 0; k < f.labels.size(); ++k)

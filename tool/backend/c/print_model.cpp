@@ -28,7 +28,7 @@ std::string enumeration(const Names& names) {
   };
   std::vector<std::string> entries;
   if (library.has_robot()) entries = {entry("dof", library.joints.size()), entry("link_count", library.links.size())};
-  if (library.has_spherical_joints()) entries.push_back(entry("positions", library.positions.size()));
+  if (library.has_own_positions()) entries.push_back(entry("positions", library.positions.size()));
   if (!library.parameters.empty()) entries.push_back(entry("parameter_count", library.parameters.size()));
   return entries.empty() ? "" : "\n" + wrapped("enum { ", entries, " };");
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/common/meaning.h"
+
 namespace robcogen::backend {
 namespace {
 
@@ -140,6 +142,9 @@ std::vector<std::string> describe_constants(const Library& library) {
         "positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
         "three components, its angular velocities about the axes of the child. Factors multiply q without the scalar "
         "parts.");
+  if (!library.followers.empty())
+    lines.push_back(
+        "positions: the elements of q. Behind those of joints are those of coupled joints that close_loops finds.");
   if (has_closures(library))
     lines.push_back(
         "factors and offset are NaN of joints that follow through a loop: joint_positions gives their positions.");
@@ -152,12 +157,12 @@ std::vector<std::string> describe_constants(const Library& library) {
 std::vector<Table> tables(const Library& library) {
   std::vector<Table> all;
   if (library.has_robot()) {
-    const std::string but = library.has_spherical_joints() ? " but q, of spherical joints three" : "";
+    const std::string but = library.has_spherical_joints() ? " but q, of spherical joints three"
+                            : library.has_own_positions()  ? " but q"
+                                                           : "";
     all.push_back({"joint_names", "The joints, in the order of all arrays of joints" + but, names(library.joints)});
-    if (library.has_spherical_joints())
-      all.push_back(
-          {"position_names", "The elements of q: of spherical joints unit quaternions, scalar part first",
-           library.positions});
+    if (library.has_own_positions())
+      all.push_back({"position_names", "The elements of q: " + meaning_of_positions(library), library.positions});
     all.push_back({"link_names", "The links, the base first", names(library.links)});
   }
   all.push_back({"frame_names", "The frames of transforms", names(library.frames)});

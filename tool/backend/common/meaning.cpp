@@ -36,20 +36,47 @@ std::string meaning(Role role) {
   }
 }
 
-std::string remark_on_quaternions(const symbolic::Program& program) {
+namespace {
+
+// `q1_w q1_x q1_y q1_z, and …`.
+std::string names_of_quaternions(const symbolic::InputArray& q) {
   std::string list;
+  for (const int first : q.quaternions) {
+    std::vector<std::string> names;
+    for (int k = first; k < first + 4; ++k) names.push_back(q.elements[at(k)]);
+    list += (list.empty() ? "" : ", and ") + joined(names, " ");
+  }
+  return list;
+}
+
+std::string names_of_followers(const symbolic::InputArray& q) {
+  return joined({q.elements.end() - q.followers, q.elements.end()});
+}
+
+}  // namespace
+
+std::string remark_on_positions(const symbolic::Program& program) {
+  std::string remark;
   for (const symbolic::InputArray& input : program.inputs) {
     if (input.role != Role::joint_position) continue;
-    for (const int first : input.quaternions) {
-      std::vector<std::string> names;
-      for (int k = first; k < first + 4; ++k) names.push_back(input.elements[at(k)]);
-      list += (list.empty() ? "" : ", and ") + joined(names, " ");
-    }
+    if (const std::string list = names_of_quaternions(input); !list.empty())
+      remark =
+          "Quaternions of unit length, scalar part first, that rotate coordinates of the child to those of the joint "
+          "frame: " +
+          list + ". Velocities are those of the child with respect to the parent, in axes of the child.";
+    if (input.followers > 0)
+      remark += (remark.empty() ? "" : " ") + std::string("Joints that follow through loops, from close_loops: ") +
+                names_of_followers(input) + ".";
   }
-  if (list.empty()) return "";
-  return "Quaternions of unit length, scalar part first, that rotate coordinates of the child to those of the joint "
-         "frame: " +
-         list + ". Velocities are those of the child with respect to the parent, in axes of the child.";
+  return remark;
+}
+
+std::string meaning_of_positions(const Library& library) {
+  std::string text;
+  if (library.has_spherical_joints()) text = "of spherical joints unit quaternions, scalar part first";
+  if (!library.followers.empty())
+    text += (text.empty() ? "" : "; ") + std::string("last those of joints that follow through loops");
+  return text;
 }
 
 bool is_of_joints(Role role) {

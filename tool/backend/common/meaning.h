@@ -13,10 +13,13 @@ namespace robcogen::backend {
 // wrenches on links, whose shape differs between languages.
 std::string meaning(symbolic::Role role);
 
-// What the elements of q are where some of them are quaternions; else empty.
-std::string remark_on_quaternions(const symbolic::Program& program);
+// What the elements of q are where some of them are quaternions, or follow others; else empty.
+std::string remark_on_positions(const symbolic::Program& program);
 
 // Whether the elements are those of the joints, in the order of the model.
+// Of robots whose elements of q are others than those of qd: `of spherical joints …; last those of …`.
+std::string meaning_of_positions(const Library& library);
+
 bool is_of_joints(symbolic::Role role);
 
 // Whether it has rows and columns, though one of them may be the only one.

@@ -253,7 +253,7 @@ std::string matrix_type(int rows, int columns) {
 }
 
 std::string type_of(const InputArray& input) {
-  if (!input.quaternions.empty()) return "JointPositions";
+  if (!input.quaternions.empty() || input.followers > 0) return "JointPositions";
   const std::string name = alias(input.role);
   return name.empty() ? matrix_type(static_cast<int>(input.elements.size()), 1) : name;
 }

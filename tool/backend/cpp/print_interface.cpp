@@ -101,7 +101,7 @@ std::string types_of_members(const Api& api) {
       "  template <int kRows, int kColumns>\n  using Matrix = Eigen::Matrix<Scalar, kRows, kColumns>;\n  using "
       "InertiaMatrix = Matrix<" +
       size + ", " + size + ">;\n  using JointState = JointVector<Scalar>;\n";
-  if (api.library->has_spherical_joints()) text += "  using JointPositions = PositionVector<Scalar>;\n";
+  if (api.library->has_own_positions()) text += "  using JointPositions = PositionVector<Scalar>;\n";
   if (api.takes_sines())
     text += "  using " + std::string(kTrigonometryType) + " = Basic" + kTrigonometryType + "<Scalar>;\n";
   return text;
@@ -219,19 +219,25 @@ std::string robot_type(const Api& api) {
     if (returns_object(c.function->program)) names.push_back(result_type(*c.function));
   for (const Callable* c : callables_with_structures(api)) names.push_back(c->result);
   if (api.takes_sines()) names.push_back(kTrigonometryType);
-  if (library.has_spherical_joints()) names.emplace_back("JointPositions");
+  if (library.has_own_positions()) names.emplace_back("JointPositions");
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";
-  std::string quaternions;
-  if (library.has_spherical_joints()) {
+  std::string positions;
+  if (library.has_own_positions()) {
     const std::string first = numbers_of(library.quaternions());
-    quaternions =
+    positions =
         constant("int", "kPositions", std::to_string(library.positions.size())) +
         constant("std::array<int, " + std::to_string(library.quaternions().size()) + ">", "kQuaternions", first);
   }
+  if (!library.followers.empty()) {
+    std::vector<std::string> assembled;
+    for (const Library::Follower& f : library.followers) assembled.push_back(model_number(f.assembled));
+    positions += constant(
+        "std::array<double, " + std::to_string(assembled.size()) + ">", "kAssembledFollowers", braced(assembled));
+  }
   std::vector<std::string> parts = {
       types,
-      constant("int", "kDof", std::to_string(library.joints.size())) + quaternions +
+      constant("int", "kDof", std::to_string(library.joints.size())) + positions +
           constant("int", "kLinkCount", std::to_string(library.links.size())) +
           constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
           constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
@@ -257,9 +263,10 @@ std::string conventions(const Api& api) {
   const Library& library = *api.library;
   std::string text = "They are pure functions: no state, no allocation, no exceptions. Units are SI, angles in rad.";
   if (library.has_robot()) text += " Joint vectors are in the order of " + api.space + "::Joint.";
-  if (library.has_spherical_joints())
-    text += " Positions are in the order of " + api.space +
-            "::Position; their quaternions must be of unit length (robcogen/positions.h).";
+  if (library.has_own_positions()) text += " Positions are in the order of " + api.space + "::Position";
+  if (library.has_spherical_joints()) text += "; their quaternions must be of unit length (robcogen/positions.h)";
+  if (!library.followers.empty()) text += "; close_loops finds the last ones";
+  if (library.has_own_positions()) text += ".";
   text += " " + api.space + "::f32 has the same types and functions in single precision.";
   if (!library.has_robot()) return comment(text);
   text += " " + api.space +

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "backend/common/meaning.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 #include "support/index.h"
@@ -63,7 +64,7 @@ std::string sizes(const Library& library) {
   const std::string coupled =
       library.coupled.empty() ? "" : constant(std::string("int ") + kCoupledCount, count(library.coupled.size()));
   std::string positions;
-  if (library.has_spherical_joints())
+  if (library.has_own_positions())
     positions = constant("int kPositions", count(library.positions.size()), "elements of q; kDof are those of qd");
   const std::string result = constant("int kDof", count(library.joints.size())) + positions + coupled +
                              constant("int kLinkCount", count(library.links.size())) +
@@ -117,11 +118,12 @@ std::string enumerations(const Api& api) {
   const bool is_coupled = !api.coupled.empty();
   return paragraphs(
       {(api.positions.empty() ? "// In the order of joint vectors.\n"
-                              : "// In the order of joint vectors, but for positions: spherical joints have three.\n") +
+        : api.library->has_spherical_joints()
+            ? "// In the order of joint vectors, but for positions: spherical joints have three.\n"
+            : "// In the order of joint vectors, but for positions.\n") +
            enumeration("Joint", api.joints),
        api.positions.empty() ? ""
-                             : "// In the order of positions: of spherical joints a unit quaternion, scalar part "
-                               "first.\n" +
+                             : comment("In the order of positions: " + meaning_of_positions(*api.library) + ".") +
                                    enumeration("Position", api.positions),
        is_coupled
            ? "// Joints that follow those: no elements of joint vectors.\n" + enumeration("CoupledJoint", api.coupled)

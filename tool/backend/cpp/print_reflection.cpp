@@ -79,6 +79,19 @@ Table loops(const Library& library) {
   return table("Loop", "kLoops", rows);
 }
 
+Table actuators(const Library& library) {
+  std::vector<std::vector<Field>> rows;
+  for (const ActuatorData& a : library.actuators)
+    rows.push_back({quoted(a.name), braced({std::to_string(a.from), std::to_string(a.to)})});
+  return table("Actuator", "kActuators", rows);
+}
+
+Table followers(const Library& library) {
+  std::vector<std::vector<Field>> rows;
+  for (const Library::Follower& f : library.followers) rows.push_back({f.joint, model_number(f.assembled)});
+  return table("Follower", "kFollowers", rows);
+}
+
 bool is_form(const Callable& c, Role role) {
   return c.function->left_frame >= 0 && c.function->derivatives.empty() && !c.function->program.outputs.empty() &&
          c.function->program.outputs.front().role == role;
@@ -236,7 +249,7 @@ Table functions(const Api& api) {
   for (const Callable* c : all_callables(api)) {
     rows.push_back(function_row(*c));
     const int positions = positions_of(c->function->program);
-    if (positions < 0 || !(c->function->parts || api.library->has_spherical_joints())) continue;
+    if (positions < 0 || !(c->function->parts || api.library->has_own_positions())) continue;
     rows.back().push_back(positions);
     if (c->function->parts) rows.back().emplace_back(flat_core(*c));
   }
@@ -269,30 +282,44 @@ struct LastField {
   std::string value, remark, usual;
 };
 
-std::vector<LastField> last_fields(
-    const Api& api,
-    const Table& parameters,
-    const Table& couplings,
-    const Table& derivatives,
-    const Table& contacts,
-    const Table& loops) {
+// Tables that most robots do not have.
+struct RareTables {
+  Table parameters, couplings, derivatives, contacts, loops, actuators, followers;
+
+  std::vector<const Table*> all() const {
+    return {&parameters, &couplings, &derivatives, &contacts, &loops, &actuators, &followers};
+  }
+};
+
+RareTables rare_tables(const Api& api) {
+  const Library& library = *api.library;
+  const Table none = {"", kNoTable};
+  return {api.is_parametric() ? parameters(library) : none,     library.coupled.empty() ? none : couplings(library),
+          derivatives(all_callables(api), api.is_parametric()), library.contacts.empty() ? none : contacts(library),
+          library.loops.empty() ? none : loops(library),        library.actuators.empty() ? none : actuators(library),
+          library.followers.empty() ? none : followers(library)};
+}
+
+std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
   const Library& library = *api.library;
   const auto numbers = [&](std::size_t i) {
     return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
   };
   const auto boolean = [](bool value) { return std::string(value ? "true" : "false"); };
   std::vector<LastField> fields = {
-      {parameters.reference, "parameters", kNoTable},
+      {rare.parameters.reference, "parameters", kNoTable},
       {numbers(0), "numbers for their values", "nullptr"},
       {boolean(api.is_parametric() && library.has_drives()), "numbers of drives", "false"},
       {boolean(library.uses_passive_forces || !library.has_drives()), "passive forces", "true"},
       {numbers(1), "numbers of couplings", "nullptr"},
-      {couplings.reference, "couplings", kNoTable},
-      {derivatives.reference, "derivatives", kNoTable},
-      {contacts.reference, "contacts", kNoTable},
+      {rare.couplings.reference, "couplings", kNoTable},
+      {rare.derivatives.reference, "derivatives", kNoTable},
+      {rare.contacts.reference, "contacts", kNoTable},
       {boolean(api.is_parametric() && library.has_pitches()), "numbers of pitches", "false"},
       {library.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(library.limbs.size())}), "limbs", "{}"},
-      {loops.reference, "loops", kNoTable}};
+      {rare.loops.reference, "loops", kNoTable},
+      {rare.actuators.reference, "actuators", kNoTable},
+      {rare.followers.reference, "followers", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }
@@ -315,15 +342,10 @@ std::string print_reflection(const Api& api, const std::string& path) {
     fields.push_back(t.reference);
   }
   fields.push_back(trigonometry(api));
-  const Table none = {"", kNoTable};
-  const Table of_parameters = api.is_parametric() ? parameters(library) : none;
-  const Table of_couplings = library.coupled.empty() ? none : couplings(library);
-  const Table of_derivatives = derivatives(all_callables(api), api.is_parametric());
-  const Table of_contacts = library.contacts.empty() ? none : contacts(library);
-  const Table of_loops = library.loops.empty() ? none : loops(library);
-  for (const Table& t : {of_parameters, of_couplings, of_derivatives, of_contacts, of_loops})
-    if (!t.definition.empty()) parts.push_back(t.definition);
-  for (const LastField& field : last_fields(api, of_parameters, of_couplings, of_derivatives, of_contacts, of_loops)) {
+  const RareTables rare = rare_tables(api);
+  for (const Table* t : rare.all())
+    if (!t->definition.empty()) parts.push_back(t->definition);
+  for (const LastField& field : last_fields(api, rare)) {
     fields.push_back(field.value);
     remarks.push_back(field.remark);
   }

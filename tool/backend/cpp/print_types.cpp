@@ -28,12 +28,11 @@ std::string parameters_struct(const Api& api, const std::string& scalar) {
 // One set of aliases; the text is the same for both scalars.
 std::string aliases(const Library& library, const std::string& scalar) {
   const std::string size = library.floating_base ? "6 + kDof" : "kDof";
-  std::string result =
-      "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
-      "using JointState = JointVector<" + scalar + ">;\n" +
-      (library.has_spherical_joints() ? "using JointPositions = PositionVector<" + scalar + ">;\n" : "") +
-      "using InertiaMatrix = Eigen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
-      "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
+  std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
+                       "using JointState = JointVector<" + scalar + ">;\n" +
+                       (library.has_own_positions() ? "using JointPositions = PositionVector<" + scalar + ">;\n" : "") +
+                       "using InertiaMatrix = Eigen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
+                       "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
   for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
     result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
   if (library.floating_base)
@@ -123,10 +122,15 @@ std::string print_types(const Api& api, const std::string& path) {
   const std::string body = paragraphs(
       {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
        "Eigen::Matrix<Scalar, kDof, 1>;\n",
-       library.has_spherical_joints()
+       library.has_own_positions()
            ? comment(
-                 "Positions, in the order of Position. Quaternions must be of unit length: rounding is harmless, and "
-                 "robcogen/positions.h keeps them so. Nothing checks it.") +
+                 "Positions, in the order of Position." +
+                 std::string(
+                     library.has_spherical_joints()
+                         ? " Quaternions must be of unit length: rounding is harmless, and robcogen/positions.h keeps "
+                           "them so. Nothing checks it."
+                         : "") +
+                 (library.followers.empty() ? "" : " The last ones follow through loops: close_loops finds them.")) +
                  "template <class Scalar>\nusing PositionVector = Eigen::Matrix<Scalar, kPositions, 1>;\n"
            : "",
        trigonometry, factor, structures(api), both("double"),

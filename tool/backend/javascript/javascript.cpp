@@ -68,7 +68,7 @@ std::string parameter_line(const Library& library, const InputArray& input, cons
     what = std::to_string(side(input)) + " rows: factor of the inertia matrix H = L^T L";
   } else {
     what = size + (input.elements.size() == 1 ? " number" : " numbers") + (what.empty() ? "" : ": " + what);
-    const bool differs = library.has_spherical_joints() && is_of_joints(input.role);
+    const bool differs = library.has_own_positions() && is_of_joints(input.role);
     if ((input.role == Role::joint_position || differs) && !input.elements.empty())
       what += ": " + joined(input.elements);
   }
@@ -115,7 +115,7 @@ std::string documentation(const Library& library, const Callable& callable, cons
     else
       lines.push_back(parameter_line(library, f.program.inputs[i], p, i < required));
   }
-  if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) lines.push_back(remark);
+  if (const std::string remark = remark_on_positions(f.program); !remark.empty()) lines.push_back(remark);
   const std::vector<std::string> columns = column_joints(library, f);
   lines.push_back(returns_line(f.program.outputs) + (columns.empty() ? "" : "; columns: " + joined(columns)));
   for (std::size_t k = 0; k < f.labels.size(); ++k)

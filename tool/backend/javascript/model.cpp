@@ -41,7 +41,7 @@ std::string print_model(const Library& library) {
   std::string text = "\n/**\n" + comment_lines(describe_constants(library), " * ") + " */\nexport const model = {\n";
   text += "  name: " + quoted(library.robot) + ",\n";
   text += "  dof: " + std::to_string(library.joints.size()) + ",\n";
-  if (library.has_spherical_joints()) {
+  if (library.has_own_positions()) {
     std::vector<std::string> names;
     for (const std::string& name : library.positions) names.push_back(quoted(name));
     text += wrapped("  positions: [", names, "],");

@@ -106,7 +106,7 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
 
 std::string help(const Library& library, const Callable& callable, const Kernel& kernel) {
   const Function& function = callable.longest();
-  const std::string remark = remark_on_quaternions(function.program);
+  const std::string remark = remark_on_positions(function.program);
   return heading(callable.name, summary(callable)) +
          describe_arguments(function.program.inputs, kernel, required_inputs(library, callable)) +
          (remark.empty() ? "" : comment(remark)) + results(library, function) +

@@ -160,6 +160,10 @@ std::string print_model(const Library& library) {
         "  positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
         "three components, is_spherical, its angular velocities about the axes of the child. Factors of couplings "
         "multiply q without the scalar parts.");
+  if (!library.followers.empty())
+    text += comment(
+        "  positions: the elements of q. Behind those of joints are those of coupled joints that follow through loops, "
+        "which close_loops finds.");
   if (library.has_pitches())
     text += comment("  joints also have is_helical, and the pitch of those that are, m a radian; 0 of others.");
   text += comment(
@@ -182,7 +186,7 @@ std::string print_model(const Library& library) {
   text += "\n" + origin(library) + "\n";
   text += "  model.name = " + quoted(library.robot) + ";\n";
   text += "  model.dof = " + std::to_string(library.joints.size()) + ";\n";
-  if (library.has_spherical_joints()) text += names("positions", texts(library.positions, quoted));
+  if (library.has_own_positions()) text += names("positions", texts(library.positions, quoted));
   text += std::string("  model.floating_base = ") + (library.floating_base ? "true" : "false") + ";\n";
   text += "\n" + joint_fields(library.joints);
   if (library.has_drives()) text += drive_fields(library.joints);

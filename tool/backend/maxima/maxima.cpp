@@ -139,7 +139,7 @@ std::vector<std::string> documentation(const Library& library, const Function& f
   if (!f.method.empty()) lines.push_back(f.method);
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i)
     lines.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
-  if (const std::string remark = remark_on_quaternions(f.program); !remark.empty()) lines.push_back(remark);
+  if (const std::string remark = remark_on_positions(f.program); !remark.empty()) lines.push_back(remark);
   std::vector<std::string> outputs;
   const std::vector<std::string> columns = column_joints(library, f);
   for (const OutputArray& output : f.program.outputs) outputs.push_back(describe(output));

@@ -27,9 +27,19 @@ export function makeState(robot, q, parameters) {
 }
 
 export function setCoordinate(robot, state, j, value) {
-  state.coordinates[j] = value;
-  state.q = elementsOf(robot.model.joints, state.coordinates);
+  const kSteps = robot.module.close_loops ? 10 : 1;  // Newton's method reaches a step
+  const before = state.coordinates[j];
+  for (let step = 1; step <= kSteps; ++step) {
+    state.coordinates[j] = step < kSteps ? before + ((value - before) * step) / kSteps : value;
+    const moved = elementsOf(robot.model.joints, state.coordinates);
+    state.q = closed(robot, state, [...moved, ...state.q.slice(moved.length)]);
+  }
   state.qd.fill(0);
+}
+
+// With the elements of joints that follow through loops.
+function closed(robot, state, q) {
+  return robot.module.close_loops ? robot.module.close_loops(...argumentsOf(robot, { ...state, q })) : q;
 }
 
 // Masses of links: those of the document, or those of the parameters.
@@ -138,15 +148,17 @@ export const canSwing = (robot) => Boolean(robot.module.forward_dynamics) && rob
 export function swing(robot, state, seconds) {
   const { joints } = robot.model, none = new Array(robot.dof).fill(0), h = seconds;
   const accelerate = (q, qd) =>
-    robot.module.forward_dynamics(...argumentsOf(robot, { ...state, q: normalised(joints, q) }), qd, none);
-  const ahead = (a, step, b) => a.map((value, k) => value + step * b[k]);
+    robot.module.forward_dynamics(
+      ...argumentsOf(robot, { ...state, q: closed(robot, state, normalised(joints, q)) }), qd, none);
+  // Elements without a rate follow.
+  const ahead = (a, step, b) => a.map((value, k) => value + step * (b[k] ?? 0));
   const mean = (a, b, c, d) => a.map((value, k) => (value + 2 * b[k] + 2 * c[k] + d[k]) / 6);
   const { q, qd } = state;
   const r1 = ratesOf(joints, q, qd), k1 = accelerate(q, qd);
   const q2 = ahead(q, h / 2, r1), v2 = ahead(qd, h / 2, k1), r2 = ratesOf(joints, q2, v2), k2 = accelerate(q2, v2);
   const q3 = ahead(q, h / 2, r2), v3 = ahead(qd, h / 2, k2), r3 = ratesOf(joints, q3, v3), k3 = accelerate(q3, v3);
   const q4 = ahead(q, h, r3), v4 = ahead(qd, h, k3), r4 = ratesOf(joints, q4, v4), k4 = accelerate(q4, v4);
-  state.q = normalised(joints, ahead(q, h, mean(r1, r2, r3, r4)));
+  state.q = closed(robot, state, normalised(joints, ahead(q, h, mean(r1, r2, r3, r4))));
   state.qd = ahead(qd, h, mean(k1, k2, k3, k4));
   visit(joints, () => {}, (k, j) => {
     const { lower, upper } = robot.joints[j];

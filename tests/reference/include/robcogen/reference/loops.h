@@ -28,20 +28,21 @@ struct LoopRows {
 
 inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
   const Robot free = with_free_joints(robot);
-  constexpr int kMost = 5;
+  constexpr int kMost = 6;
   LoopRows all{Vector<Real>(kMost * robot.loops.size), Matrix<Real>(kMost * robot.loops.size, robot.joints.size)};
   int row = 0;
   for (const reflection::Loop& loop : robot.loops) {
     const Matrix<Real> X = transform(free, joints, loop.frames[0], loop.frames[1]);
     const Matrix<Real> J = frame_jacobian(free, joints, loop.frames[0], loop.frames[1]);
     const Vector<Real> apart = origin_of(X);
+    const bool is_slider = loop.type == reflection::LoopType::slider;
     if (loop.type == reflection::LoopType::distance) {
       const Real length = static_cast<Real>(loop.length);
       all.error(row) = (dot(apart, apart) - length * length) / 2;
       for (int c = 0; c < J.cols(); ++c)
         for (int i = 0; i < 3; ++i) all.columns(row, c) += apart(i) * J(3 + i, c);
     } else {
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < (is_slider ? 2 : 3); ++i) {
         all.error(row + i) = apart(i);
         for (int c = 0; c < J.cols(); ++c) all.columns(row + i, c) = J(3 + i, c);
       }
@@ -53,6 +54,20 @@ inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
       for (int c = 0; c < J.cols(); ++c) {
         const Vector<Real> change = cross(Vector<Real>{J(0, c), J(1, c), J(2, c)}, z);
         for (int i = 0; i < 2; ++i) all.columns(row + 3 + i, c) = change(i);
+      }
+    }
+    if (is_slider || loop.type == reflection::LoopType::weld) {
+      // The columns of R turn by w x; where R is the identity each column of one row is that of w.
+      const Matrix<Real> R = X.block(0, 0, 3, 3);
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        all.error(row + 3 + i) = (R(k, j) - R(j, k)) / 2;
+        for (int c = 0; c < J.cols(); ++c) {
+          const auto rate = [&](int r, int column) {
+            return cross(Vector<Real>{J(0, c), J(1, c), J(2, c)}, R.block(0, column, 3, 1))(r);
+          };
+          all.columns(row + 3 + i, c) = (rate(k, j) - rate(j, k)) / 2;
+        }
       }
     }
     row += kMost;
@@ -73,7 +88,7 @@ inline Vector<Real> change_of_rates(const Robot& robot, const Vector<Real>& join
 
 class AtLoops {
  public:
-  // Gives the motion the accelerations that loops add.
+  // Gives the motion the positions of joints that follow and are elements of q, and the accelerations that loops add.
   AtLoops(const Robot& robot, Motion<double>& motion) : robot_(robot) {
     if (robot.loops.size == 0) return;
     for (int k = 0; k < robot.couplings.size; ++k)
@@ -89,6 +104,9 @@ class AtLoops {
     constexpr Real kClosed = 1e-15L, kRacing = 4;
     is_usual_ = largest(loop_rows(robot_, joints).error) < kClosed && largest(G) < kRacing;
     couple(y, joints, G);
+    for (int k = 0; k < robot.followers.size; ++k)
+      motion.q(robot.position_count() - robot.followers.size + k) =
+          static_cast<double>(joints(robot.followers[k].joint));
     motion.of_loops = Vector<double>(robot.joints.size);
     const Vector<Real> added = accelerations(joints, G * motion.qd.cast<Real>());
     for (std::size_t d = 0; d < dependent_.size(); ++d)

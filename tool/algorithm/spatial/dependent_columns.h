@@ -1,0 +1,33 @@
+// The columns of K of the joints that follow: K_d x = rows, solved for any rows.
+#pragma once
+
+#include <vector>
+
+#include "algorithm/spatial/vectors.h"
+
+namespace robcogen::algorithm {
+
+// One or two rows of as many joints by cofactors. Otherwise by an orthogonal basis of the columns (modified
+// Gram-Schmidt: Golub and Van Loan 2013, sec. 5.2.8), so that there may be more rows than joints, some of which say the
+// same as others.
+class DependentColumns {
+ public:
+  // A column a joint.
+  DependentColumns(Graph& graph, const std::vector<std::vector<Expression>>& columns);
+
+  // By joint; of rows that contradict one another, the nearest.
+  std::vector<Expression> solve(const std::vector<Expression>& rows) const;
+  // lambda with K_d' lambda = forces, by row; the shortest one where rows say the same.
+  std::vector<Expression> transposed_solve(const std::vector<Expression>& forces) const;
+
+ private:
+  std::vector<std::vector<Expression>> inverse_;   // by joint; or empty
+  std::vector<std::vector<Expression>> units_;     // Q by columns
+  std::vector<std::vector<Expression>> triangle_;  // R by columns, without its diagonal
+  std::vector<Expression> reciprocals_;            // of the diagonal
+
+  void invert(Graph& graph, const std::vector<std::vector<Expression>>& columns);
+  void orthogonalise(Graph& graph, const std::vector<std::vector<Expression>>& columns);
+};
+
+}  // namespace robcogen::algorithm

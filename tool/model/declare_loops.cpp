@@ -1,0 +1,106 @@
+#include "model/declare_loops.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "model/loop_ends.h"
+#include "model/named_frame.h"
+#include "support/index.h"
+
+namespace robcogen::model {
+namespace {
+
+class LoopDeclaration {
+ public:
+  explicit LoopDeclaration(LoopContext& context)
+      : tree_(context.tree), diagnostics_(context.diagnostics), independent_(context.independent) {}
+
+  void declare(const DescribedIndependent& named) {
+    const auto joint = tree_.find_joint(named.joint);
+    if (!joint) {
+      diagnostics_.error("unknown-joint", named.place, fmt::format("joint '{}' is not declared", named.joint)).hint =
+          did_you_mean(named.joint, names_of(tree_.joints));
+      return;
+    }
+    const auto [earlier, is_new] = independent_.insert({*joint, named.place});
+    if (!is_new) {
+      diagnostics_.error("independent-twice", named.place, fmt::format("joint '{}' is listed twice", named.joint))
+          .notes.push_back({earlier->second, "first listed here"});
+    } else if (tree_.coupling_of(*joint) != nullptr) {
+      diagnostics_.error(
+          "independent-coupled", named.place,
+          fmt::format("joint '{}' cannot be independent: a coupling ties it to others", named.joint));
+    }
+  }
+
+  void declare(const DescribedLoop& described) {
+    for (const LoopJoint& other : tree_.loops)
+      if (other.name == described.name)
+        diagnostics_.error("duplicate-loop", described.place, fmt::format("loop '{}' is declared twice", other.name))
+            .notes.push_back({other.place, "first declared here"});
+    LoopJoint loop = {described.name, described.type, {}, described.length, described.place};
+    std::array<std::optional<Frame>, 2> frames;
+    for (std::size_t e = 0; e < 2; ++e)
+      frames[e] =
+          find_named_frame(tree_, described.frames[e], described.frame_places[e], "unknown-loop-frame", diagnostics_);
+    if (!frames[0] || !frames[1]) return;
+    loop.ends = ends_between(tree_, *frames[0], *frames[1]);
+    if (loop.ends[0].joints.empty() && loop.ends[1].joints.empty()) {
+      diagnostics_
+          .error(
+              "loop-on-one-link", described.place,
+              fmt::format(
+                  "loop '{}' connects two frames of link '{}'", described.name,
+                  tree_.links[at(loop.ends[0].link)].name))
+          .hint = "the frames of a loop are on links that move with respect to one another";
+      return;
+    }
+    if (const Parameter* unknown = parameter_without_value(loop)) {
+      diagnostics_
+          .error(
+              "loop-without-value", described.place,
+              fmt::format(
+                  "loop '{}' depends on parameter '{}', which has no default value: how it is assembled is unknown",
+                  loop.name, unknown->name))
+          .hint = fmt::format("write '{}[0.35]', for example, where it stands", unknown->name);
+      return;
+    }
+    tree_.loops.push_back(std::move(loop));
+  }
+
+ private:
+  KinematicTree& tree_;
+  Diagnostics& diagnostics_;
+  std::map<int, Place>& independent_;
+
+  // One that the geometry depends on; nullptr where there is none.
+  const Parameter* parameter_without_value(const LoopJoint& loop) const {
+    const Parameter* found = nullptr;
+    const auto look = [&](const Quantity& q) {
+      for (const int index : parameters_of(q))
+        if (!tree_.parameters[at(index)].default_value) found = &tree_.parameters[at(index)];
+    };
+    const auto look_at = [&](const Placement& placement) {
+      for (const auto* amounts : {&placement.translation, &placement.rotation})
+        for (const Quantity& q : *amounts) look(q);
+    };
+    look(loop.length);
+    for (const LoopEnd& end : loop.ends) {
+      look_at(end.placement);
+      for (const int joint : end.joints) look_at(tree_.joints[at(joint)].placement);
+    }
+    return found;
+  }
+};
+
+}  // namespace
+
+void declare_loops(const Description& description, LoopContext& context) {
+  LoopDeclaration declaration(context);
+  for (const DescribedIndependent& named : description.independents) declaration.declare(named);
+  for (const DescribedLoop& loop : description.loops) declaration.declare(loop);
+}
+
+}  // namespace robcogen::model

@@ -1,0 +1,13 @@
+// From the loops of a description to those of a tree.
+#pragma once
+
+#include "model/description.h"
+#include "model/loop_context.h"
+
+namespace robcogen::model {
+
+// Adds the described loops to the tree, and the joints that are to be independent to the context. Reports names that
+// are taken or unknown, loops on one link, and parameters without the value that says how a loop is assembled.
+void declare_loops(const Description& description, LoopContext& context);
+
+}  // namespace robcogen::model

@@ -1,0 +1,196 @@
+#include "model/formula_closures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "model/parallelogram.h"
+#include "support/index.h"
+
+namespace robcogen::model {
+namespace {
+
+// Of the length of a loop: how far its ends may miss one another.
+constexpr double kClosed = 1e-9;
+// A loop is stretched where the sine between the directions of its dependent joints is smaller.
+constexpr double kStretched = 1e-4;
+constexpr double kWellDetermined = 0.1;
+
+class FormulaSearch {
+ public:
+  FormulaSearch(LoopContext& context, const std::vector<int>& loops) : context_(context), loops_(loops) {
+    for (const int loop : loops)
+      for (const int joint : joints_of(tree().loops[at(loop)])) ++loops_of_[joint];
+  }
+
+  std::optional<std::vector<Closure>> run() {
+    const std::size_t errors_before = context_.diagnostics.error_count();
+    for (const int loop : loops_)
+      if (!resolve(loop)) return std::nullopt;
+    if (context_.diagnostics.error_count() > errors_before) return std::vector<Closure>();
+    return in_order();
+  }
+
+ private:
+  LoopContext& context_;
+  const std::vector<int>& loops_;
+  std::map<int, int> loops_of_;  // by joint: how many it is part of
+  std::map<int, int> followed_;  // dependent joints, and their closures
+  std::vector<Closure> closures_;
+
+  const KinematicTree& tree() const { return context_.tree; }
+
+  // False where another method may close it.
+  bool resolve(int index) {
+    const LoopJoint& loop = tree().loops[at(index)];
+    if (loop.type == LoopType::slider || loop.type == LoopType::weld) return false;
+    Closure closure;
+    closure.loops = {index};
+    closure.method = loop.type == LoopType::distance ? Closure::Method::distance : Closure::Method::planar;
+    if (closure.method == Closure::Method::planar) {
+      const PlaneFault fault = find_plane(tree(), loop, context_.parameters, closure);
+      if (fault.is_in_space) return false;
+      if (!fault.code.empty()) {
+        context_.report(loop, fault);
+        return true;
+      }
+    }
+    const std::vector<int> free = candidates(loop);
+    const std::size_t wanted = closure.method == Closure::Method::planar ? 2 : 1;
+    if (free.size() < wanted) {
+      if (loops_.size() > 1) return false;
+      context_.diagnostics
+          .error(
+              "loop-over-constrained", loop.place,
+              fmt::format(
+                  "loop '{}' takes away {}, but only {} of its joints can follow the others", loop.name,
+                  wanted == 1 ? "one motion" : "two motions", free.empty() ? "none" : "one"))
+          .hint = context_.hint_to_free(joints_of(loop));
+      return true;
+    }
+    const auto parallelogram = find_parallelogram(tree(), loop, context_.parameters, closure);
+    choose(loop, free, wanted, parallelogram, closure);
+    if (closure.dependents.empty()) return false;
+    for (const int joint : closure.dependents) followed_.insert({joint, static_cast<int>(closures_.size())});
+    if (parallelogram) {
+      closure.shares = parallelogram->shares(closure.dependents);
+      if (parallelogram->is_flat()) warn_of_flat(loop);
+    }
+    closures_.push_back(std::move(closure));
+    return true;
+  }
+
+  void warn_of_flat(const LoopJoint& loop) {
+    context_.diagnostics
+        .warning(
+            "loop-flat", loop.place,
+            fmt::format(
+                "loop '{}' is flat at q = 0: it is taken for a parallelogram, whose opposite links stay parallel, not "
+                "for crossed links",
+                loop.name))
+        .hint = "turn the placement of a joint so that the loop is open at q = 0";
+  }
+
+  std::vector<int> candidates(const LoopJoint& loop) const {
+    std::vector<int> result = joints_of(loop);
+    std::erase_if(result, [&](int joint) { return !context_.is_free(joint) || followed_.contains(joint); });
+    return result;
+  }
+
+  // The number of driven joints, that of joints that other loops share, whether they are determined badly, and how
+  // early they stand in the document.
+  using Score = std::tuple<int, int, bool, int>;
+
+  void choose(
+      const LoopJoint& loop,
+      const std::vector<int>& free,
+      std::size_t wanted,
+      const std::optional<Parallelogram>& parallelogram,
+      Closure& closure) const {
+    const LoopPosture start = posture(tree(), loop, context_.zeros(), context_.parameters);
+    const double length = evaluate(loop.length, context_.parameters);
+    std::optional<Score> best;
+    const auto consider = [&](std::vector<int> joints) {
+      Closure trial = closure;
+      trial.dependents = std::move(joints);
+      const double condition = parallelogram ? (parallelogram->determines(trial.dependents) ? 1.0 : 0.0)
+                                             : conditioning(trial, start, error_of(trial, start, length));
+      if (!(condition > kStretched) || slides(trial.dependents) > 1) return;
+      Score score = {0, 0, condition < kWellDetermined, 0};
+      for (const int joint : trial.dependents) {
+        std::get<0>(score) += context_.is_driven(joint) ? 1 : 0;
+        std::get<1>(score) += loops_of_.at(joint) - 1;
+        std::get<3>(score) -= joint;
+      }
+      if (best && !(score < *best)) return;
+      best = score;
+      closure.dependents = trial.dependents;
+    };
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      if (wanted == 1) consider({free[i]});
+      for (std::size_t k = i + 1; wanted == 2 && k < free.size(); ++k) consider({free[i], free[k]});
+    }
+  }
+
+  int slides(const std::vector<int>& joints) const {
+    return static_cast<int>(std::count_if(
+        joints.begin(), joints.end(), [&](int j) { return tree().joints[at(j)].type == JointType::prismatic; }));
+  }
+
+  // Every closure behind those whose joints it takes as given.
+  std::optional<std::vector<Closure>> in_order() const {
+    std::vector<Closure> sorted;
+    std::vector<bool> done(closures_.size());
+    while (sorted.size() < closures_.size()) {
+      bool progress = false;
+      for (std::size_t k = 0; k < closures_.size(); ++k) {
+        if (done[k] || !is_ready(static_cast<int>(k), done)) continue;
+        sorted.push_back(closures_[k]);
+        done[k] = progress = true;
+      }
+      if (!progress) return std::nullopt;
+    }
+    return sorted;
+  }
+
+  bool is_ready(int closure, const std::vector<bool>& done) const {
+    const std::vector<int> joints = joints_of(tree().loops[at(closures_[at(closure)].loop())]);
+    return std::all_of(joints.begin(), joints.end(), [&](int joint) {
+      const auto other = followed_.find(joint);
+      return other == followed_.end() || other->second == closure || done[at(other->second)];
+    });
+  }
+};
+
+}  // namespace
+
+std::optional<std::vector<Closure>> formula_closures(LoopContext& context, const std::vector<int>& loops) {
+  return FormulaSearch(context, loops).run();
+}
+
+void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<double>& q) {
+  const LoopJoint& loop = context.tree.loops[at(closure.loop())];
+  const double gap = model::close(context.tree, closure, q, context.parameters);
+  const LoopPosture now = posture(context.tree, loop, q, context.parameters);
+  if (!(gap <= kClosed * size_of(now))) {
+    context.report(loop, open_loop(loop, gap));
+    return;
+  }
+  const double length = evaluate(loop.length, context.parameters);
+  if (conditioning(closure, now, error_of(closure, now, length)) < kStretched) {
+    context.diagnostics
+        .error(
+            "loop-stretched", loop.place,
+            fmt::format(
+                "loop '{}' is stretched at q = 0: the way it is assembled, and the motions of {}, are undefined",
+                loop.name, context.quoted(closure.dependents)))
+        .hint = "turn the placement of a joint so that the loop is open at q = 0";
+    return;
+  }
+  closure.branch = branch_of(context.tree, closure, now);
+}
+
+}  // namespace robcogen::model

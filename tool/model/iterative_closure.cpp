@@ -1,0 +1,159 @@
+#include "model/iterative_closure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "model/loop_cluster.h"
+#include "support/index.h"
+
+namespace robcogen::model {
+namespace {
+
+// Of the size of the loops: how far they may be open.
+constexpr double kClosed = 1e-9;
+
+class IterativeSearch {
+ public:
+  IterativeSearch(LoopContext& context, const std::vector<int>& loops, std::vector<double>& q)
+      : context_(context), loops_(loops), cluster_(context.tree, loops, context.parameters), q_(q) {}
+
+  std::optional<Closure> run() {
+    const std::vector<int> candidates = in_order_of_preference();
+    Closure closure;
+    closure.loops = loops_;
+    closure.method = Closure::Method::iterative;
+    // As drawn, which need not be closed to the digit; then where they are closed.
+    closure.dependents = cluster_.following(q_, candidates);
+    double gap = cluster_.close(q_, closure.dependents);
+    const int rank = cluster_.rank(q_);
+    if (is_closed(gap) && rank < static_cast<int>(closure.dependents.size()))
+      closure.dependents = cluster_.following(q_, candidates);
+    if (!is_closed(gap)) return report_open(gap);
+    const int joints = static_cast<int>(cluster_.joints().size());
+    const int follow = static_cast<int>(closure.dependents.size());
+    if (follow < rank)
+      return report(
+          "loop-over-constrained",
+          fmt::format(
+              "{} away {}, but only {} of {} joints can follow the others", take(), motions(rank), follow, their()),
+          context_.hint_to_free(cluster_.joints()));
+    if (rank == joints)
+      return report(
+          "loop-over-constrained", fmt::format("{} away all {} of {} joints", take(), motions(rank), their()),
+          "take a loop away, or add a joint");
+    if (!moves(closure.dependents, rank)) return std::nullopt;
+    return closure;
+  }
+
+ private:
+  LoopContext& context_;
+  const std::vector<int>& loops_;
+  LoopCluster cluster_;
+  std::vector<double>& q_;
+
+  bool is_closed(double gap) const { return gap <= kClosed * cluster_.size(q_); }
+  const LoopJoint& first() const { return context_.tree.loops[at(loops_.front())]; }
+
+  std::string names() const {
+    std::string text;
+    for (const int loop : loops_) text += (text.empty() ? "'" : ", '") + context_.tree.loops[at(loop)].name + "'";
+    return text;
+  }
+  bool is_one() const { return loops_.size() == 1; }
+  std::string take() const { return (is_one() ? "loop " : "loops ") + names() + (is_one() ? " takes" : " take"); }
+  std::string their() const { return is_one() ? "its" : "their"; }
+  static std::string motions(int count) { return fmt::format("{} motion{}", count, count == 1 ? "" : "s"); }
+
+  std::nullopt_t report(const std::string& code, const std::string& message, const std::string& hint) {
+    context_.report(first(), {code, message, hint});
+    return std::nullopt;
+  }
+
+  // Why a loop that may be meant to move in a plane does not; or empty.
+  std::string reason_in_space() const {
+    if (!is_one() || (first().type != LoopType::hinge && first().type != LoopType::point)) return "";
+    Closure unused;
+    const PlaneFault fault = find_plane(context_.tree, first(), context_.parameters, unused);
+    return fault.is_in_space ? fault.message : "";
+  }
+
+  std::nullopt_t report_open(double gap) {
+    if (std::isinf(gap))
+      return report(
+          "loop-cannot-close",
+          fmt::format(
+              "{} would close at q = 0 with frames that are turned by half a turn",
+              is_one() ? "loop " + names() : "loops " + names()),
+          "turn one of the frames by PI");
+    if (is_one()) {
+      PlaneFault fault = open_loop(first(), gap);
+      if (const std::string reason = reason_in_space(); !reason.empty()) fault.hint = reason;
+      context_.report(first(), fault);
+      return std::nullopt;
+    }
+    return report(
+        "loop-cannot-close", fmt::format("loops {} do not close at q = 0: they remain open by {:.3g} m", names(), gap),
+        "q = 0 of the independent joints is the position in which loops are assembled: check lengths and frames");
+  }
+
+  // Without drives before those with, of these the last ones of the document.
+  std::vector<int> in_order_of_preference() const {
+    std::vector<int> candidates = cluster_.joints();
+    std::erase_if(candidates, [&](int joint) { return !context_.is_free(joint); });
+    std::stable_sort(candidates.begin(), candidates.end(), [&](int a, int b) {
+      const bool is_a_driven = context_.is_driven(a), is_b_driven = context_.is_driven(b);
+      return is_a_driven != is_b_driven ? is_b_driven : a > b;
+    });
+    return candidates;
+  }
+
+  // Whether loops stay closed, with this rank, where joints that lead move a little.
+  bool moves(const std::vector<int>& following, int rank) {
+    constexpr int kWays = 5, kHalvings = 4;
+    std::minstd_rand engine(1);
+    std::uniform_real_distribution<double> any(-0.1, 0.1);
+    bool has_moved = false;
+    for (int way = 0; way < kWays; ++way) {
+      std::vector<double> by(q_.size());
+      for (const int joint : cluster_.joints())
+        if (std::find(following.begin(), following.end(), joint) == following.end()) by[at(joint)] = any(engine);
+      for (int halving = 0; halving <= kHalvings; ++halving) {
+        std::vector<double> q = q_;
+        for (std::size_t j = 0; j < q.size(); ++j) q[j] += std::ldexp(by[j], -halving);
+        if (!is_closed(cluster_.close(q, following))) continue;
+        has_moved = true;
+        if (const int nearby = cluster_.rank(q); nearby != rank) {
+          report(
+              "loop-stretched",
+              fmt::format(
+                  "{} away {} at q = 0, but {} nearby: the motions of {} are undefined", take(), motions(rank), nearby,
+                  context_.quoted(following)),
+              "turn the placement of a joint so that q = 0 is another position");
+          return false;
+        }
+        break;
+      }
+    }
+    if (!has_moved)
+      report(
+          "loop-over-constrained",
+          fmt::format(
+              "{} away {} at q = 0, but {} joints close {} there alone: q = 0 is stretched, or nothing moves", take(),
+              motions(rank), their(), is_one() ? "it" : "them"),
+          reason_in_space().empty() ? "place the links so that they are open at q = 0; axes that are meant to be "
+                                      "parallel, or to meet, must do so to the digit"
+                                    : reason_in_space());
+    return has_moved;
+  }
+};
+
+}  // namespace
+
+std::optional<Closure> iterative_closure(LoopContext& context, const std::vector<int>& loops, std::vector<double>& q) {
+  return IterativeSearch(context, loops, q).run();
+}
+
+}  // namespace robcogen::model
