@@ -4,6 +4,10 @@
 
 namespace robcogen::model {
 
+FramePair frame_pair(const KinematicTree& tree, const std::string& left, const std::string& right) {
+  return {tree.find_frame(left).value(), tree.find_frame(right).value()};
+}
+
 std::optional<Frame> find_named_frame(
     const KinematicTree& tree,
     const std::string& name,

@@ -16,6 +16,9 @@ std::vector<std::string> names_of(const std::vector<Element>& elements) {
   return names;
 }
 
+// Of frames that the robot has.
+FramePair frame_pair(const KinematicTree& tree, const std::string& left, const std::string& right);
+
 // Reports an error of this code where the robot has no such frame, and suggests a similar one.
 std::optional<Frame> find_named_frame(
     const KinematicTree& tree,

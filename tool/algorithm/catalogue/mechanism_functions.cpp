@@ -5,6 +5,8 @@
 #include "algorithm/kinematics/actuators.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/loop_functions.h"
+#include "model/named_frame.h"
+#include "support/concat.h"
 
 namespace robcogen::algorithm {
 
@@ -20,12 +22,6 @@ RobotFunction function(
   return {group, "", name, std::move(summary), {}, {}, std::move(program)};
 }
 
-std::string names_of_actuators(const KinematicTree& tree) {
-  std::string names;
-  for (const model::Actuator& actuator : tree.actuators) names += (names.empty() ? "" : ", ") + actuator.name;
-  return names;
-}
-
 // `bar (5 rows), rod (1)`.
 std::string rows_of_loops(const KinematicTree& tree) {
   std::string text;
@@ -36,10 +32,9 @@ std::string rows_of_loops(const KinematicTree& tree) {
 }
 
 std::string names_of_coupled(const KinematicTree& tree) {
-  std::string names;
-  for (const model::Coupling& coupling : tree.couplings)
-    names += (names.empty() ? "" : ", ") + tree.joints[at(coupling.joint)].name;
-  return names;
+  std::vector<std::string> names;
+  for (const model::Coupling& coupling : tree.couplings) names.push_back(tree.joints[at(coupling.joint)].name);
+  return joined(names);
 }
 
 // By loop. Of those that formulas close in a plane there are no moments; of parallelograms, whose joints follow by
@@ -73,7 +68,7 @@ void add_actuator_lengths(std::vector<RobotFunction>& list, const KinematicTree&
   if (tree.actuators.empty()) return;
   list.push_back(function(
       "transforms", "actuator_lengths",
-      {"Distances (m) between the two frames of each actuator: " + names_of_actuators(tree) + "."},
+      {"Distances (m) between the two frames of each actuator: " + joined(model::names_of(tree.actuators)) + "."},
       actuator_lengths(tree, "actuator_lengths")));
 }
 

@@ -6,6 +6,7 @@
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/triangle.h"
+#include "model/named_frame.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -15,7 +16,7 @@ using symbolic::Program;
 using symbolic::Role;
 
 model::FramePair frames_of(const model::KinematicTree& tree, const model::Actuator& actuator) {
-  return {*tree.find_frame(actuator.frames[0]), *tree.find_frame(actuator.frames[1])};
+  return model::frame_pair(tree, actuator.frames[0], actuator.frames[1]);
 }
 
 // By joint: the derivative of the length by its position.
@@ -103,12 +104,6 @@ Lengths with_lever_arms(Trace& trace, const std::vector<Expression>& q) {
   return result;
 }
 
-std::vector<std::string> names_of(const std::vector<model::Actuator>& actuators) {
-  std::vector<std::string> names;
-  for (const model::Actuator& actuator : actuators) names.push_back(actuator.name);
-  return names;
-}
-
 Expression times(const LeverArms& arms, const std::vector<Expression>& rates) {
   Expression sum;
   for (std::size_t j = 0; j < arms.size(); ++j)
@@ -153,7 +148,7 @@ Program actuator_jacobian(const model::KinematicTree& tree, const std::string& n
 Program actuator_torques(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
-  const std::vector<Expression> forces = trace.input("forces", Role::value, names_of(tree.actuators));
+  const std::vector<Expression> forces = trace.input("forces", Role::value, model::names_of(tree.actuators));
   const std::vector<LeverArms> arms = with_lever_arms(trace, q).arms;
   std::vector<Expression> tau(tree.joints.size());
   for (std::size_t k = 0; k < arms.size(); ++k)

@@ -3,6 +3,7 @@
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/closures.h"
+#include "model/named_frame.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -11,7 +12,7 @@ using symbolic::Program;
 using symbolic::Role;
 
 model::FramePair frames_of(const model::KinematicTree& tree, const model::LoopJoint& loop) {
-  return {*tree.find_frame(loop.ends[0].frame), *tree.find_frame(loop.ends[1].frame)};
+  return model::frame_pair(tree, loop.ends[0].frame, loop.ends[1].frame);
 }
 
 // By joint.
