@@ -1,6 +1,7 @@
 // Loops of trees: which joints follow, how loops are assembled, and what is printed of them.
 #include <gtest/gtest.h>
 
+#include "coupling_sums.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
 #include "import/parts.h"
@@ -90,18 +91,6 @@ std::string parallelogram(
          angle + ") } } r_joint b { ref_frame { translation = (" + crank + ", 0.0, 0.0) rotation = (0.0, 0.0, " + back +
          ") } } r_joint c { ref_frame { translation = (0.5, 0.0, 0.0) rotation = (0.0, 0.0, " + angle +
          ") } } loops { bar { frames = end ~ pin type = hinge } } " + more + "}";
-}
-
-// By joint that follows.
-std::string sums(const model::KinematicTree& tree) {
-  std::string text;
-  for (const model::Coupling& coupling : tree.couplings) {
-    text += tree.joints[static_cast<std::size_t>(coupling.joint)].name + " =";
-    for (const model::Coupling::Term& term : coupling.terms)
-      text += " " + model::print(term.factor, {}) + " " + tree.joints[static_cast<std::size_t>(term.joint)].name;
-    text += "; ";
-  }
-  return text;
 }
 
 TEST(Parallelograms, AreSums) {

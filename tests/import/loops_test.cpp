@@ -1,4 +1,5 @@
 // Loops and couplings of URDF+, compared with robot documents and with sums made by hand.
+#include "coupling_sums.h"
 #include "document_tree.h"
 #include "interpreted_robot.h"
 #include "reading.h"
@@ -113,18 +114,6 @@ TEST(UrdfLoops, TurnAboutTheirAxis) {
   EXPECT_NEAR(acceleration(tree, {0.3, 0.5, 9.7}), straight, kSame * (1 + std::abs(straight)));
 }
 
-// By joint that follows.
-std::string sums(const KinematicTree& tree) {
-  std::string text;
-  for (const model::Coupling& coupling : tree.couplings) {
-    text += tree.joints[static_cast<std::size_t>(coupling.joint)].name + " =";
-    for (const model::Coupling::Term& term : coupling.terms)
-      text += " " + model::print(term.factor, {}) + " " + tree.joints[static_cast<std::size_t>(term.joint)].name;
-    text += "; ";
-  }
-  return text;
-}
-
 const std::string kAxis = "<axis xyz=\"0 0 1\"/>";
 
 // An arm of two joints, and two rotors on the base.
@@ -143,12 +132,12 @@ std::string coupling(const std::string& predecessor, const std::string& successo
 const std::string kGears = coupling("upper", "second", "0.1") + coupling("lower", "first", "6");
 
 TEST(UrdfCouplings, AreSumsAlongBothPaths) {
-  EXPECT_EQ(sums(test::tree_of(geared("", kFollows, "" + kGears))), "m = 6.0 a 6.0 b; n = 0.1 a; ");
+  EXPECT_EQ(test::sums(test::tree_of(geared("", kFollows, "" + kGears))), "m = 6.0 a 6.0 b; n = 0.1 a; ");
 }
 
 // a = n / 0.1; b = m / 6 - a.
 TEST(UrdfCouplings, AreSolvedTogether) {
-  EXPECT_EQ(sums(test::tree_of(geared(kFollows, "", kGears))), "a = 10.0 n; b = 1.0/6.0 m -10.0 n; ");
+  EXPECT_EQ(test::sums(test::tree_of(geared(kFollows, "", kGears))), "a = 10.0 n; b = 1.0/6.0 m -10.0 n; ");
 }
 
 // Both say how far a and b turn together; at once, or when a and b are known.
@@ -162,9 +151,10 @@ TEST(UrdfCouplings, AreRefusedWhereTheyTieJointsThatLead) {
 }
 
 TEST(UrdfCouplings, ChooseTheLastJointWhereNoneIsSaidToFollow) {
-  EXPECT_EQ(sums(test::tree_of(geared("", "", kGears))), "m = 6.0 a 6.0 b; n = 0.1 a; ");
+  EXPECT_EQ(test::sums(test::tree_of(geared("", "", kGears))), "m = 6.0 a 6.0 b; n = 0.1 a; ");
   EXPECT_EQ(
-      sums(test::tree_of(geared("", "independent=\"true\"", coupling("lower", "first", "2")))), "b = -1.0 a 0.5 m; ");
+      test::sums(test::tree_of(geared("", "independent=\"true\"", coupling("lower", "first", "2")))),
+      "b = -1.0 a 0.5 m; ");
 }
 
 }  // namespace

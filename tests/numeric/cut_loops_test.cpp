@@ -1,5 +1,5 @@
-// One mechanism, cut at each of its pivots in turn and led by each choice of its joints: however it is written, its
-// links move alike.
+// One mechanism, cut at each of its pivots in turn and led by each choice of its joints: each way of writing it gives
+// the same motion of its links.
 #include <gtest/gtest.h>
 
 #include <map>

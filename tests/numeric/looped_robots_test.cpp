@@ -36,6 +36,13 @@ std::optional<model::KinematicTree> looped(std::uint64_t seed) {
   return tree;
 }
 
+// The same on a fixed base, where springs and friction do nothing.
+std::optional<model::KinematicTree> held(std::uint64_t seed) {
+  auto tree = looped(seed);
+  if (tree) tree->floating_base = tree->uses_passive_forces = false;
+  return tree;
+}
+
 // A little off their defaults.
 std::vector<double> values_of(const model::KinematicTree& tree) {
   std::vector<double> values;
@@ -62,10 +69,8 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
   constexpr double kSame = 1e-10;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
-    auto tree = looped(seed);
+    const auto tree = held(seed);
     if (!tree) continue;
-    tree->floating_base = false;
-    tree->uses_passive_forces = false;
     const InterpretedRobot robot(*tree, {}, {}, values_of(*tree));
     const reflection::Robot tables = robot.tables();
     std::mt19937_64 engine(seed);
@@ -190,10 +195,8 @@ TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
   constexpr double kSame = 1e-9;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
-    auto tree = looped(seed);
+    const auto tree = held(seed);
     if (!tree) continue;
-    tree->floating_base = false;
-    tree->uses_passive_forces = false;
     const InterpretedRobot robot(*tree, {}, {}, values_of(*tree), {}, {"inverse_dynamics"});
     const reflection::Robot tables = robot.tables();
     if (tree->has_linear_couplings()) continue;  // it is another constraint

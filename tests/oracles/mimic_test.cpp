@@ -48,7 +48,7 @@ std::pair<Eigen::RowVectorXd, double> row_of(
   }
   Eigen::RowVectorXd factors = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(independent.size()));
   const auto found = std::find(independent.begin(), independent.end(), joint);
-  if (found == independent.end()) throw std::runtime_error(joint + " is no coordinate of the robot");
+  if (found == independent.end()) throw std::runtime_error(joint + " is not a coordinate of the robot");
   factors(found - independent.begin()) = 1;
   return {factors, 0};
 }

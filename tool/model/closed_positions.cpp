@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "model/loop_cluster.h"
+#include "model/loop_plane.h"
 #include "support/index.h"
 
 namespace robcogen::model {
@@ -12,7 +13,6 @@ std::vector<double> closed_followers(
     const std::vector<double>& q,
     const std::vector<double>& parameters) {
   constexpr int kSteps = 30;
-  constexpr double kClosed = 1e-9;
   const std::vector<int> elements = tree.position_elements();
   std::vector<double> joints(tree.joints.size());
   for (const int follower : tree.followers_in_q())
@@ -25,7 +25,7 @@ std::vector<double> closed_followers(
       for (const int joint : tree.coordinates()) joints[at(joint)] = q[at(elements[at(joint)])] * step / kSteps;
       gap = cluster.close(joints, closure.dependents);
     }
-    if (!(gap < kClosed * cluster.size(joints)))
+    if (!(gap <= kClosed * cluster.size(joints)))
       for (const int joint : closure.dependents) joints[at(joint)] = std::numeric_limits<double>::quiet_NaN();
   }
   std::vector<double> followers;

@@ -13,8 +13,6 @@
 namespace robcogen::model {
 namespace {
 
-// Of the length of a loop: how far its ends may miss one another.
-constexpr double kClosed = 1e-9;
 // A loop is stretched where the sine between the directions of its dependent joints is smaller.
 constexpr double kStretched = 1e-4;
 constexpr double kWellDetermined = 0.1;

@@ -12,9 +12,6 @@
 namespace robcogen::model {
 namespace {
 
-// Of the size of the loops: how far they may be open.
-constexpr double kClosed = 1e-9;
-
 class IterativeSearch {
  public:
   IterativeSearch(LoopContext& context, const std::vector<int>& loops, std::vector<double>& q)

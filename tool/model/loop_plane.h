@@ -7,6 +7,9 @@
 
 namespace robcogen::model {
 
+// A loop is closed where its ends miss one another by this part of its size, or less.
+inline constexpr double kClosed = 1e-9;
+
 // What is wrong with a loop that should move in a plane: a message without its place; all empty where nothing is.
 struct PlaneFault {
   std::string code, message, hint;

@@ -2,6 +2,8 @@
 // of code for each.
 #pragma once
 
+#include <initializer_list>
+#include <string_view>
 #include <vector>
 
 #include "symbolic/program.h"
@@ -21,6 +23,18 @@ struct SolvedColumns {
     int columns = 0;
   };
   std::vector<Block> blocks;
+
+  // Makes outputs of these names blocks, in their own order: all of their columns, or so many.
+  struct NamedBlock {
+    std::string_view output;
+    int columns = -1;
+  };
+  void add_blocks(std::initializer_list<NamedBlock> named) {
+    for (std::size_t k = 0; k < right_sides.outputs.size(); ++k)
+      for (const NamedBlock& block : named)
+        if (const OutputArray& array = right_sides.outputs[k]; array.name == block.output)
+          blocks.push_back({static_cast<int>(k), block.columns < 0 ? array.columns : block.columns});
+  }
 };
 
 }  // namespace robcogen::symbolic

@@ -37,8 +37,8 @@ std::string names_of_coupled(const KinematicTree& tree) {
   return joined(names);
 }
 
-// By loop. Of those that formulas close in a plane there are no moments; of parallelograms, whose joints follow by
-// sums, nothing.
+// `bar (3), rod (1)`: how many numbers describe the force of each loop. Loops that formulas close in a plane have no
+// moment. Parallelograms are left out: their joints follow by sums.
 std::string parts_of_forces(const KinematicTree& tree) {
   std::vector<int> counts(tree.loops.size());
   for (const model::Closure& closure : tree.closures)

@@ -190,13 +190,7 @@ symbolic::SolvedColumns forward_dynamics_derivatives_in_columns(
       derivatives(tree, name + "_right_sides", loads, formulation, Solutions::in_columns),
       solution_with_factor(tree, "forward_dynamics_derivatives_column"),
       {}};
-  const std::vector<symbolic::OutputArray>& outputs = result.right_sides.outputs;
-  for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const std::string& output = outputs[k].name;
-    if (output == "d_q" || output == "d_qd" || output == "d_tau")
-      result.blocks.push_back({static_cast<int>(k), outputs[k].columns});
-    if (output == "d_base_velocity") result.blocks.push_back({static_cast<int>(k), 3});
-  }
+  result.add_blocks({{"d_q"}, {"d_qd"}, {"d_tau"}, {"d_base_velocity", 3}});
   return result;
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> describe_constants(const Library& library);
 struct Table {
   std::string name, what;
   std::vector<std::string> texts = {};
-  std::vector<double> numbers = {};  // where there are no texts
+  std::vector<double> numbers = {};  // of a numeric table
   bool is_numeric = false;
 };
 
