@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/program.h"
+#include "symbolic/quantity_names.h"
 
 namespace robcogen::symbolic {
 
@@ -20,6 +20,6 @@ namespace robcogen::symbolic {
 //     hip_nx_moved             with a multiple of another quantity of the link: the same about another point
 //     hip_nz_to_az, hip_nz_of_az
 //                              of what hip_nz is made of: the sum up to a term of hip_az, or that term
-std::vector<std::string> line_names(const Program& program, const std::vector<bool>& is_line);
+std::vector<std::string> line_names(const QuantityNames& known, const std::vector<bool>& is_line);
 
 }  // namespace robcogen::symbolic

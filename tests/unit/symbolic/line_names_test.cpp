@@ -22,7 +22,7 @@ const std::string kHead =
 void expect_last(const std::string& statements, const Names& expected) {
   Program p = test::program(kHead + statements);
   for (Statement& s : p.statements) s.described = false;
-  const Names names = line_names(p, std::vector<bool>(p.statements.size(), true));
+  const Names names = line_names(QuantityNames(p), std::vector<bool>(p.statements.size(), true));
   ASSERT_GE(names.size(), expected.size());
   EXPECT_EQ(Names(names.end() - static_cast<std::ptrdiff_t>(expected.size()), names.end()), expected) << statements;
 }
@@ -76,7 +76,7 @@ TEST(LineNames, NumbersCountLinesOfTheSectionOnly) {
   Program p =
       test::program(kHead + "tmp a = 3 + qd[0]\ntmp b = a + 0.5\ntmp c = b * b\ntmp d = sqrt c\nreturn tau d\n");
   for (Statement& s : p.statements) s.described = false;
-  EXPECT_EQ(line_names(p, {false, true, false, true}), (Names{"hip_t2", "hip_t0", "hip_t3", "hip_t1"}));
+  EXPECT_EQ(line_names(QuantityNames(p), {false, true, false, true}), (Names{"hip_t2", "hip_t0", "hip_t3", "hip_t1"}));
 }
 
 TEST(LineNames, AreDistinctAndKeepWhatTheAlgorithmNamed) {

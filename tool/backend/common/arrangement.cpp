@@ -375,9 +375,10 @@ std::vector<Parameter> parameters(const Program& program, const Dialect& dialect
 // more.
 Arrangement arrange(const Program& program, const Dialect& dialect) {
   constexpr int kRounds = 4;
+  const symbolic::QuantityNames quantities(program);
   std::vector<bool> is_line(program.statements.size(), false);
   for (int round = 0;; ++round) {
-    const std::vector<std::string> names = symbolic::line_names(program, is_line);
+    const std::vector<std::string> names = symbolic::line_names(quantities, is_line);
     Arrangement arranged = ArrangementBuilder(program, dialect, names).run();
     bool is_new = false;
     for (std::size_t i = 0; i < is_line.size(); ++i) {

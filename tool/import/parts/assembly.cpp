@@ -1,14 +1,21 @@
 #include "import/parts/assembly.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "import/parts/placements.h"
 
 namespace robcogen::import::parts {
 namespace {
 
+using kinematics::Body;
+using kinematics::Child;
 using kinematics::Inertia;
 using kinematics::Link;
 using kinematics::Name;
@@ -200,6 +207,39 @@ std::optional<Inertia> lumped(const Link& link, const Link& base, const Placemen
   both.moments =
       entrywise(own.moments, added.moments, [](const ExpressionPtr& a, const ExpressionPtr& b) { return sum(a, b); });
   return inertia_of(both, span);
+}
+
+void append(Body& body, Body added) {
+  std::move(added.links.begin(), added.links.end(), std::back_inserter(body.links));
+  std::move(added.joints.begin(), added.joints.end(), std::back_inserter(body.joints));
+  std::move(added.couplings.begin(), added.couplings.end(), std::back_inserter(body.couplings));
+  std::move(added.loop_joints.begin(), added.loop_joints.end(), std::back_inserter(body.loop_joints));
+  std::move(added.actuators.begin(), added.actuators.end(), std::back_inserter(body.actuators));
+  std::move(added.independents.begin(), added.independents.end(), std::back_inserter(body.independents));
+}
+
+// Links without an id get the next ones, parents first.
+void number_links(Assembly& robot) {
+  std::map<std::string, Link*> links;
+  int last = 0;
+  for (Link& link : robot.body.links) {
+    links.insert({link.name.text, &link});
+    last = std::max(last, link.id.value_or(0));
+  }
+  std::vector<std::string> pending;
+  const auto push = [&](const std::vector<Child>& children) {
+    for (auto child = children.rbegin(); child != children.rend(); ++child) pending.push_back(child->link.text);
+  };
+  push(robot.roots);
+  while (!pending.empty()) {
+    const auto found = links.find(pending.back());
+    pending.pop_back();
+    if (found == links.end()) continue;
+    Link& link = *found->second;
+    links.erase(found);
+    if (!link.id) link.id = ++last;
+    push(link.children);
+  }
 }
 
 }  // namespace robcogen::import::parts

@@ -55,4 +55,10 @@ std::optional<kinematics::Inertia> lumped(
     const kinematics::Link& base,
     const kinematics::Placement& placement);
 
+// Puts elements behind those of the body.
+void append(kinematics::Body& body, kinematics::Body added);
+
+// Links without an id get the next ones, parents first.
+void number_links(Assembly& robot);
+
 }  // namespace robcogen::import::parts
