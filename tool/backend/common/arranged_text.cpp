@@ -133,7 +133,7 @@ Line line(const Arrangement& arranged, std::size_t i) {
   Spelling value = expression;
   value.negative = value.negative != arranged.stores[i].front().negative;
   Line result{Line::Kind::store, {}, text(value)};
-  for (const Store& store : arranged.stores[i]) result.targets.push_back(store.target);
+  for (const Store& store : arranged.stores[i]) result.targets.push_back(target(arranged, store.output, store.element));
   return result;
 }
 
@@ -171,17 +171,13 @@ const Parameter& output_parameter(const Arrangement& arranged, std::size_t outpu
   return arranged.parameters[arranged.program.inputs.size() + output];
 }
 
-bool is_in_block(const Arrangement& arranged, std::size_t output, std::size_t element) {
-  return arranged.dialect.stores && arranged.blocks.is_stored[output][element];
+std::string target(const Arrangement& arranged, std::size_t output, std::size_t element) {
+  return arranged.dialect.element(output_parameter(arranged, output).name, element);
 }
 
 AngleKey supplier(const Arrangement& arranged, const Operand& argument) {
   const AngleKey whole = {argument.kind, argument.index};
   return arranged.angles.count(whole) > 0 ? whole : key_of(argument);
-}
-
-bool is_angle_function(Op op) {
-  return op == Op::sine || op == Op::cosine;
 }
 
 }  // namespace robcogen::backend

@@ -216,7 +216,8 @@ class Emission {
       for (bool negative : {false, true}) {
         std::vector<Target> targets;
         for (const Store& store : arranged_.stores[i])
-          if (store.negative == negative && store.lane == lane) targets.push_back({store.target, store.output});
+          if (store.negative == negative && store.lane == lane)
+            targets.push_back({target(arranged_, store.output, store.element), store.output});
         const Operand value = {Operand::Kind::statement, static_cast<int>(i), negative, lane};
         store(targets, value);
       }
@@ -264,10 +265,10 @@ class Emission {
       for (std::size_t p = 0; p < program_.outputs.size(); ++p) {
         for (std::size_t k = 0; k < program_.outputs[p].values.size(); ++k) {
           const Operand& o = program_.outputs[p].values[k];
-          if (o.kind != kind || is_in_block(arranged_, p, k)) continue;
+          if (o.kind != kind || arranged_.is_in_block(p, k)) continue;
           std::vector<Target>& same = targets[text(spell(arranged_, o))];
           if (same.empty()) values.push_back(o);
-          same.push_back({element(output_parameter(arranged_, p), k), p});
+          same.push_back({target(arranged_, p, k), p});
         }
       }
       if (values.empty()) continue;

@@ -14,17 +14,17 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-class LanePlanner {
+// Which values are packed.
+class LanePacker {
  public:
-  LanePlanner(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
+  LanePacker(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
       : p_(p), classes_(classes), zero_(zero), inner_(inner_sums(p)), correspondence_(p, classes, inner_) {
     plan_.scalars.resize(p.statements.size());
   }
 
-  std::optional<LanePlan> run() {
+  LanePlan run() {
     for (const symbolic::OutputArray& array : p_.outputs) pack_outputs(array);
     expand_all();
-    if (!order_values()) return std::nullopt;
     return std::move(plan_);
   }
 
@@ -39,9 +39,6 @@ class LanePlanner {
   std::vector<int> pending_packed_, pending_scalars_;
 
   const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
-
-  // -------------------------------------------------------------------------------------------------------------------
-  // Which values are packed
 
   // The elements of each limb, each value once.
   void pack_outputs(const symbolic::OutputArray& array) {
@@ -204,59 +201,58 @@ class LanePlanner {
     }
     if (!sum.packed_values.empty()) plan_.scalars[at(s)].sum = std::move(sum);
   }
+};
 
-  // -------------------------------------------------------------------------------------------------------------------
-  // In which order
-
-  std::vector<int> read_by(int node) const {
-    std::vector<int> nodes;
-    const auto note = [&](const Operand& o) {
-      if (is_statement(o)) nodes.push_back(o.index);
-    };
-    if (node >= plan_.scalar_count()) {
-      const PackedValue& w = plan_.packed_values[at(node - plan_.scalar_count())];
-      for (const Part& part : w.parts) nodes.push_back(plan_.scalar_count() + part.packed_value);
-      if (w.kind == PackedValue::Kind::broadcast || w.kind == PackedValue::Kind::gather)
-        for (const Operand& o : w.lanes) note(o);
-      return nodes;
-    }
-    const LanePlan::Scalar& s = plan_.scalars[at(node)];
-    if (s.packed_value >= 0) return {plan_.scalar_count() + s.packed_value};
-    if (s.sum) {
-      for (const int packed_value : s.sum->packed_values) nodes.push_back(plan_.scalar_count() + packed_value);
-      for (const Operand& o : s.sum->rest) note(o);
-      return nodes;
-    }
-    for_each_read(p_.statements[at(node)], [&](int read) { nodes.push_back(read); });
+// The values that a node of the order reads: scalars, and packed values behind them.
+std::vector<int> read_by(const Program& program, const LanePlan& plan, int node) {
+  std::vector<int> nodes;
+  const auto note = [&](const Operand& o) {
+    if (is_statement(o)) nodes.push_back(o.index);
+  };
+  if (node >= plan.scalar_count()) {
+    const PackedValue& w = plan.packed_values[at(node - plan.scalar_count())];
+    for (const Part& part : w.parts) nodes.push_back(plan.scalar_count() + part.packed_value);
+    if (w.kind == PackedValue::Kind::broadcast || w.kind == PackedValue::Kind::gather)
+      for (const Operand& o : w.lanes) note(o);
     return nodes;
   }
-
-  bool order_values() {
-    enum class State { fresh, open, done };
-    std::vector<State> states(plan_.scalars.size() + plan_.packed_values.size(), State::fresh);
-    std::vector<int> pending;
-    for (const symbolic::OutputArray& array : p_.outputs) {
-      for (auto o = array.values.rbegin(); o != array.values.rend(); ++o)
-        if (is_statement(*o)) pending.push_back(o->index);
-    }
-    while (!pending.empty()) {
-      const int node = pending.back();
-      State& state = states[at(node)];
-      if (state != State::fresh) {
-        pending.pop_back();
-        if (state == State::open) plan_.order.push_back(node);
-        state = State::done;
-        continue;
-      }
-      state = State::open;
-      for (const int read : read_by(node)) {
-        if (states[at(read)] == State::open) return false;
-        if (states[at(read)] == State::fresh) pending.push_back(read);
-      }
-    }
-    return true;
+  const LanePlan::Scalar& s = plan.scalars[at(node)];
+  if (s.packed_value >= 0) return {plan.scalar_count() + s.packed_value};
+  if (s.sum) {
+    for (const int packed_value : s.sum->packed_values) nodes.push_back(plan.scalar_count() + packed_value);
+    for (const Operand& o : s.sum->rest) note(o);
+    return nodes;
   }
-};
+  for_each_read(program.statements[at(node)], [&](int read) { nodes.push_back(read); });
+  return nodes;
+}
+
+// Every value behind those that it reads; false where two wait for each other.
+bool order_values(const Program& program, LanePlan& plan) {
+  enum class State { fresh, open, done };
+  std::vector<State> states(plan.scalars.size() + plan.packed_values.size(), State::fresh);
+  std::vector<int> pending;
+  for (const symbolic::OutputArray& array : program.outputs) {
+    for (auto o = array.values.rbegin(); o != array.values.rend(); ++o)
+      if (is_statement(*o)) pending.push_back(o->index);
+  }
+  while (!pending.empty()) {
+    const int node = pending.back();
+    State& state = states[at(node)];
+    if (state != State::fresh) {
+      pending.pop_back();
+      if (state == State::open) plan.order.push_back(node);
+      state = State::done;
+      continue;
+    }
+    state = State::open;
+    for (const int read : read_by(program, plan, node)) {
+      if (states[at(read)] == State::open) return false;
+      if (states[at(read)] == State::fresh) pending.push_back(read);
+    }
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -264,7 +260,9 @@ std::optional<LanePlan> lane_plan(
     const Program& program,
     const std::vector<InputTuples>& classes,
     const Operand& zero) {
-  return LanePlanner(program, classes, zero).run();
+  LanePlan plan = LanePacker(program, classes, zero).run();
+  if (!order_values(program, plan)) return std::nullopt;
+  return plan;
 }
 
 }  // namespace robcogen::pass
