@@ -81,5 +81,18 @@ TEST(AxisPlacement, SplitsAtRightAnglesExactly) {
   EXPECT_EQ(value(split.to_axis[1].amount), 0.5);
 }
 
+// A right angle beside one of 45 degrees: its cosine of 6e-17 would be an operation at each use.
+TEST(AxisPlacement, KeepsRightAnglesBesideOthersExact) {
+  model::Placement placement;
+  placement.translation[0] = model::Quantity(*Number::parse("0.3"));
+  placement.rotation[0] = model::test::pi(1, 2);
+  placement.rotation[2] = model::test::pi(1, 4);
+  expect_split_is_whole(placement);
+  for (const model::PrimitiveTransform& p : axis_placement(placement).to_axis) {
+    if (!p.rotation || p.axis != model::Axis::x) continue;
+    EXPECT_EQ(cos(p.amount.number()).value(), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace robcogen::algorithm

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
 
 #include "algorithm/spatial/describe.h"
@@ -80,7 +82,13 @@ AxisPlacement split_numerically(const Placement& placement, const std::array<std
   const auto length = [&](double value) {
     return std::abs(value) <= kRounding * size / sine ? Quantity() : Quantity(value);
   };
-  const auto angle = [](double value) { return std::abs(value) <= kRounding ? Quantity() : Quantity(value); };
+  // Exact where it is a multiple of 90 degrees: turns by those are free.
+  const auto angle = [](double value) {
+    constexpr double kQuarter = std::numbers::pi / 2;
+    const double quarters = std::round(value / kQuarter);
+    if (std::abs(value - quarters * kQuarter) > kRounding) return Quantity(value);
+    return Quantity(Number::pi_multiple(static_cast<std::int64_t>(quarters), 2));
+  };
   AxisPlacement result;
   append(result.to_axis, false, Axis::z, length(epsilon));
   append(result.to_axis, true, Axis::z, angle(std::atan2(x[1], x[0])));
