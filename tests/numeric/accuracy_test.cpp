@@ -291,7 +291,10 @@ TEST_P(IllDocuments, LoseNoMoreDigitsThanThePlainRecursions) {
   EXPECT_EQ(losses(document_of(std::string(TEST_SOURCE_DIR) + "/ill/" + GetParam() + ".kindsl")), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, IllDocuments, testing::Values("near_parallel", "crumbs", "nearly_planar"));
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    IllDocuments,
+    testing::Values("near_parallel", "crumbs", "nearly_planar", "noisy_rotors"));
 
 // Shards, so that a test runner can share them out.
 constexpr int kShards = 10;
@@ -326,6 +329,18 @@ TEST_P(IllRobotsWithSphericalJoints, LoseNoMoreDigitsThanThePlainRecursions) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shard, IllRobotsWithSphericalJoints, testing::Range(0, kShards));
+
+class IllRobotsWithRotors : public testing::TestWithParam<int> {};
+
+TEST_P(IllRobotsWithRotors, LoseNoMoreDigitsThanThePlainRecursions) {
+  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 40) / 2;
+  for (int i = GetParam(); i < count; i += kShards) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    expect_digits(with_ill_rotors(ill_robot(seed), seed), seed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shard, IllRobotsWithRotors, testing::Range(0, kShards));
 
 // Robots whose losses hid behind those of another result, of a single state, or below a floor.
 TEST(IllRobotsOfOld, LoseNoMoreDigitsThanThePlainRecursions) {

@@ -167,11 +167,14 @@ KinematicTree rx90() {
   return robot_of("Robot rx90 {\nRobotBase base { children { L1 via J1 } }\n" + links + joints + "}\n", "rx90");
 }
 
-// An arm of n revolute joints, the first one vertical, the second one not: one parameter, then seven a link.
+// An arm of n revolute joints, the first one vertical, the second one not: one parameter, then seven a link. Where
+// gravity may have any direction, the first link has three: that a centre of mass beside the axis is felt, too.
 TEST(BaseParameters, OfKnownRobots) {
   for (const auto& [robot, count] :
        {std::pair{document("puma560"), 36}, std::pair{document("iiwa14"), 43}, std::pair{rx90(), 36}}) {
     EXPECT_EQ(algorithm::base_parameter_names(robot, Loads::standard_gravity).size(), static_cast<std::size_t>(count))
+        << robot.name;
+    EXPECT_EQ(algorithm::base_parameter_names(robot, Loads::gravity).size(), static_cast<std::size_t>(count + 2))
         << robot.name;
     expect_minimal(robot, 1);
   }

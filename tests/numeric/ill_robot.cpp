@@ -89,7 +89,46 @@ Inertia body(Dice& dice, double mass, double scale) {
   return result;
 }
 
+// That of the joint, as its parent or its child has it, an axis of the carrier, or any; with noise, and of length 1.
+std::array<double, 3> noisy_axis(Dice& dice, const Joint& joint, bool on_child) {
+  std::array<double, 3> axis{};
+  switch (dice.below(3)) {
+    case 0: {
+      const auto R = model::rotation_matrix(joint.placement);
+      for (std::size_t i = 0; i < 3; ++i) axis[i] = on_child ? (i == 2 ? 1.0 : 0.0) : model::evaluate(R[i][2]);
+      break;
+    }
+    case 1:
+      axis[static_cast<std::size_t>(dice.below(3))] = dice.sign();
+      break;
+    default:
+      for (double& x : axis) x = dice.between(-0.5, 0.5);
+  }
+  for (double& x : axis) x += crumb(dice);
+  return axis;
+}
+
 }  // namespace
+
+KinematicTree with_ill_rotors(KinematicTree robot, std::uint64_t seed) {
+  Dice dice(seed + 0x51afd7ed558ccd4b);
+  for (Joint& joint : robot.joints) {
+    if (!dice.chance(0.7)) continue;
+    int carrier = dice.chance(0.6) ? joint.parent : dice.below(static_cast<int>(robot.links.size()));
+    const model::Link& link = robot.links[static_cast<std::size_t>(carrier)];
+    if (!link.inertia) carrier = joint.child;
+    // A share of what the carrier has, as the spin is part of that.
+    const Inertia& body = *robot.links[static_cast<std::size_t>(carrier)].inertia;
+    const double spin = 1e-3 * model::evaluate(body.ixx);
+    model::Rotor& rotor = joint.drive.rotor.emplace();
+    rotor.inertia = Quantity(spin);
+    rotor.ratio = Quantity(dice.sign() * dice.between(1, 100));
+    rotor.carrier = carrier;
+    const std::array<double, 3> axis = noisy_axis(dice, joint, carrier == joint.child);
+    rotor.axis = {Quantity(axis[0]), Quantity(axis[1]), Quantity(axis[2])};
+  }
+  return robot;
+}
 
 KinematicTree ill_robot(std::uint64_t seed) {
   Dice dice(seed * 0x9e3779b97f4a7c15ULL + 1);

@@ -11,4 +11,8 @@ namespace robcogen::numeric {
 // for the same seed, everywhere.
 model::KinematicTree ill_robot(std::uint64_t seed);
 
+// The robot with rotors on most of its joints, carried by any links with mass: about axes of the carrier or of the
+// joint but for noise, or about any axis.
+model::KinematicTree with_ill_rotors(model::KinematicTree robot, std::uint64_t seed);
+
 }  // namespace robcogen::numeric

@@ -94,7 +94,7 @@ TEST_P(NewtonEuler, TheWrenchThatMovesALink) {
   // Sums of five points of some newtons.
   EXPECT_LT((n.value(wrench.linear) - force).norm(), 10 * kTolerance * (1 + force.norm()));
   EXPECT_LT((n.value(wrench.moment) - moment).norm(), 10 * kTolerance * (1 + moment.norm()));
-  const Force only_z = link_wrench(n.trace, m, motion, true);
+  const Force only_z = link_wrench(n.trace, m, motion, {}, true);
   EXPECT_NEAR(n.value(only_z.moment[2]), moment.z(), 10 * kTolerance * (1 + moment.norm()));
 }
 

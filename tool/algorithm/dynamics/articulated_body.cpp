@@ -43,10 +43,8 @@ class ArticulatedBodies {
     for (const Joint& joint : robot_.children(link)) collect_child(joint, motion, children_inertia, children_bias);
     if (robot_.is_base(link) && !robot_.floating()) return;
     robot_.trace.section(name, "link " + name + ": articulated inertia and bias wrench");
-    Force own = link_wrench(robot_.trace, robot_.mass(link), motion);
+    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, in_.qd, {}));
     robot_.subtract_external(load_, link, own);
-    for (const TracedRotor& rotor : rotors_on(robot_, link))
-      own.moment += cross(motion.angular.w, in_.qd[at(rotor.joint)] * rotor.momentum);
     describe(own, name + "_own");
     bias = {children_bias.moment + own.moment, children_bias.linear + own.linear};
     inertia = children_inertia + rigid_body_inertia(robot_.mass(link));

@@ -67,9 +67,7 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
   const std::string& name = robot.link_name(link);
   robot.trace.section(name, "link " + name + ": rate of momentum");
   const LinkMotion& motion = motions[at(link)];
-  total += link_wrench(robot.trace, robot.mass(link), motion);
-  for (const TracedRotor& rotor : rotors_on(robot, link))
-    total.moment += cross(motion.angular.w, in.qd[at(rotor.joint)] * rotor.momentum);
+  total += link_wrench(robot.trace, robot.mass(link), motion, spins_on(robot, link, in.qd, {}));
   describe(total, name + "_rate");
   return total;
 }

@@ -60,6 +60,17 @@ std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
   return rotors;
 }
 
+std::vector<Spin> spins_on(
+    const TracedRobot& robot,
+    int link,
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& qdd) {
+  std::vector<Spin> spins;
+  for (const TracedRotor& rotor : rotors_on(robot, link))
+    spins.push_back({rotor.momentum, qd[at(rotor.joint)], qdd.empty() ? Expression() : qdd[at(rotor.joint)]});
+  return spins;
+}
+
 Expression smooth_sign(Trace& trace, const model::Drive& drive, const Expression& qd) {
   // Added to v^2 it makes the sign of a velocity of zero zero and is lost beside every velocity above 1e-10, in double
   // and in single precision.

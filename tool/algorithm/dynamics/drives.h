@@ -20,6 +20,12 @@ struct TracedRotor {
 };
 // The rotors on a link; none on a fixed base, which does not turn.
 std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link);
+// The same as they turn with their joints. `qdd`: empty for none.
+std::vector<Spin> spins_on(
+    const TracedRobot& robot,
+    int link,
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& qdd);
 
 // How the momentum of a joint's rotor, which moves with the carrier, reaches the links between the joint and the base:
 // past these joints, nearest the carrier first, to the first link that carries the joint too.

@@ -54,13 +54,10 @@ class Recursion {
     const std::string& name = robot_.link_name(link);
     robot_.trace.section(name, "link " + name + ": force and moment");
     const bool only_moment = !base && !robot_.parent_matters(link) && feels_only_moment(robot_.parent_joint(link));
-    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, only_moment);
+    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, qd_, qdd_), only_moment);
     if (loads_) robot_.subtract_external(*loads_, link, own);
-    for (const TracedRotor& rotor : rotors_on(robot_, link)) {
-      const Vector3& momentum = rotor.momentum;
-      own.moment += qdd_[at(rotor.joint)] * momentum + cross(motion.angular.w, qd_[at(rotor.joint)] * momentum);
-      result.tau[at(rotor.joint)] += dot(momentum, motion.angular.wd);
-    }
+    for (const TracedRotor& rotor : rotors_on(robot_, link))
+      result.tau[at(rotor.joint)] += dot(rotor.momentum, motion.angular.wd);
     describe(own, name + "_own");
     total += own;
     algorithm::name(robot_.trace.graph, total.linear, name + "_f");

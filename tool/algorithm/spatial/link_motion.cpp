@@ -3,6 +3,7 @@
 #include "algorithm/spatial/describe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace robcogen::algorithm {
@@ -14,6 +15,22 @@ enum class MomentForm {
   z_by_rate,  // z component as wd_z I_zz + w_x w_y (S_xx - S_yy) + …
   euler,      // I wd + w x I w
 };
+
+// w x momentum * rate. Of a constant momentum along three axes in multiples of its largest component: a product less.
+Vector3 gyroscopic_moment(const Vector3& w, const Spin& spin) {
+  const Vector3& momentum = spin.momentum;
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (momentum[i].is_zero() || !momentum[i].is_constant()) return cross(w, spin.rate * momentum);
+    const auto size = [&](std::size_t k) { return std::abs(momentum[k].number().value()); };
+    if (size(i) > size(largest)) largest = i;
+  }
+  const Expression& unit = momentum[largest];
+  Vector3 direction;
+  for (std::size_t i = 0; i < 3; ++i) direction[i] = i == largest ? unit.graph()->one() : momentum[i] / unit;
+  const Expression rate = unit * spin.rate;
+  return cross(rate * w, direction);
+}
 
 Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, MomentForm form) {
   const Matrix3& s = m.pseudo_inertia;
@@ -90,7 +107,12 @@ LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const
   return {{velocity.angular, acceleration.angular}, free + cross(velocity.angular, velocity.linear)};
 }
 
-Force link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& motion, bool only_z_moment) {
+Force link_wrench(
+    Trace& trace,
+    const MassProperties& m,
+    const LinkMotion& motion,
+    const std::vector<Spin>& spins,
+    bool only_z_moment) {
   Force wrench;
   if (!only_z_moment) {
     wrench.linear = multiply_u(motion.angular, m.first_moment);
@@ -99,6 +121,10 @@ Force link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& motio
   const auto moment = [&](MomentForm form) {
     Vector3 n = moment_about_origin(m, motion.angular, form);
     n += cross(m.first_moment, motion.a);
+    for (const Spin& spin : spins) {
+      n += spin.acceleration * spin.momentum;
+      n += gyroscopic_moment(motion.angular.w, spin);
+    }
     return only_z_moment ? Vector3{Expression(), Expression(), n[2]} : n;
   };
   MomentForm best = MomentForm::z_by_rate;

@@ -7,6 +7,9 @@
 // 5, in the notation of ch. 2 split into 3-vectors.)
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "algorithm/spatial/mass_properties.h"
 
 namespace robcogen::algorithm {
@@ -33,8 +36,22 @@ struct LinkMotion {
 // The motion of a base with this twist and spatial acceleration; gravity is part of the result.
 LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const Vector3& gravity);
 
-// The wrench that gives the link this motion, about its origin. Of three equivalent forms of the moment, the one that
-// adds fewest operations to those that are there already. With `only_z_moment` only that component is computed.
-Force link_wrench(Trace& trace, const MassProperties& m, const LinkMotion& motion, bool only_z_moment = false);
+// What turns in a link beside the link itself: its momentum is `momentum` times `rate`, in link axes, and takes the
+// moment momentum * acceleration + w x (momentum * rate).
+struct Spin {
+  Vector3 momentum;
+  Expression rate;
+  Expression acceleration;
+};
+
+// The wrench that gives the link this motion, about its origin, and the moment that its spins take. Of equivalent forms
+// of the moment, the one that adds fewest operations to those that are there already. With `only_z_moment` only that
+// component is computed.
+Force link_wrench(
+    Trace& trace,
+    const MassProperties& m,
+    const LinkMotion& motion,
+    const std::vector<Spin>& spins = {},
+    bool only_z_moment = false);
 
 }  // namespace robcogen::algorithm
