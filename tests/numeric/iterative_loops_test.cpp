@@ -2,8 +2,10 @@
 // together.
 #include <gtest/gtest.h>
 
+#include "document_tree.h"
 #include "import/kinematics.h"
 #include "interpreted_robot.h"
+#include "iterative_robot.h"
 #include "language/kinematics/document.h"
 #include "random_robot.h"
 #include "reference_tables.h"
@@ -14,107 +16,6 @@ namespace {
 
 using reference::Real;
 using reference::Vector;
-using Names = std::vector<std::string>;
-
-std::string inertia(double mass, double x, double y, double z) {
-  const auto text = [](double v) { return std::to_string(v); };
-  return " inertia_params { mass = " + text(mass) + " CoM = (" + text(x) + ", " + text(y) + ", " + text(z) +
-         ") Ix = 0.06 Iy = 0.065 Iz = 0.07 Ixy = 0.001 Ixz = -0.002 Iyz = 0.0015 } ";
-}
-
-std::string at(const std::string& translation, const std::string& rotation = "0.0, 0.0, 0.0") {
-  return " { translation = (" + translation + ") rotation = (" + rotation + ") } ";
-}
-
-// A four-bar in the plane of x and y, cut in the middle of its rod.
-std::string cut_rod(const std::string& leaders, const std::string& turned = "0.0, -PI/2.0, PI") {
-  return "Robot Bar { RobotBase base { children { crank via a rocker via c } } link crank { id = 1 " +
-         inertia(1, 0.1, 0.02, 0.1) + "children { first via b } } link first { id = 2 " + inertia(0.5, 0.1, 0, 0) +
-         "children {} frames { end" + at("0.3, 0.0, 0.0", "0.0, PI/2.0, 0.0") + "} } link rocker { id = 3 " +
-         inertia(0.7, 0.2, 0.01, 0) + "children { second via d } } link second { id = 4 " + inertia(0.4, 0.1, 0, 0.05) +
-         "children {} frames { pin" + at("0.25, 0.0, 0.0", turned) + "} } r_joint a { ref_frame" +
-         at("0.0, 0.0, 0.0", "0.0, 0.0, 1.2") + "} r_joint b { ref_frame" + at("0.2, 0.0, 0.0", "0.0, 0.0, -0.8") +
-         "} r_joint c { ref_frame" + at("0.5, 0.0, 0.0", "0.0, 0.0, 1.4") + "} r_joint d { ref_frame" +
-         at("0.4, 0.0, 0.0", "0.0, 0.0, 2.0") + "damping = 0.3 } loops { cut { frames = end ~ pin type = weld } } " +
-         leaders + "}";
-}
-
-// A crank and a rocker about axes that are not parallel, and a rod on a universal joint that ends in a ball.
-std::string spatial_four_bar(const std::string& leaders) {
-  return "Robot Spatial { RobotBase base { children { crank via a rocker via c } } link crank { id = 1 " +
-         inertia(1, 0.1, 0.02, 0.1) + "children { rod via u } } link rod { id = 2 " + inertia(0.5, 0.2, 0.01, 0) +
-         "children {} frames { end" + at("0.0, 0.6, 0.0") + "} } link rocker { id = 3 " + inertia(0.7, 0.2, 0.01, 0) +
-         "children {} frames { pin" + at("0.3, 0.0, 0.1") + "} } r_joint a { ref_frame" +
-         at("0.0, 0.0, 0.0", "0.1, 0.2, 0.3") + "armature = 0.1 } u_joint u { ref_frame" +
-         at("0.2, 0.0, 0.05", "0.0, 0.2, -0.6 - PI/2.0") + "} r_joint c { ref_frame" +
-         at("0.7, 0.1, 0.0", "-1.2, 0.3, 1.746") + "} loops { ball { frames = end ~ pin type = point } } " + leaders +
-         "}";
-}
-
-// Three arms carry a platform by rods of a fixed length. The platform slides along three axes, or turns, too.
-std::string delta(const std::string& leaders) {
-  std::string arms, frames, joints, loops, children;
-  for (int k = 0; k < 3; ++k) {
-    const std::string n = std::to_string(k), turn = std::to_string(k) + ".0 * 2.0 PI/3.0";
-    const double angle = 2 * 3.14159265358979323846 * k / 3;
-    const auto around = [&](double r) {
-      return std::to_string(r * std::cos(angle)) + ", " + std::to_string(r * std::sin(angle)) + ", 0.0";
-    };
-    children += " hub" + n + " via turn" + n;
-    arms += "link hub" + n + " { id = " + std::to_string(4 + k) + inertia(0.4, 0.1, 0, 0) + "children {} frames { tip" +
-            n + at("0.25, 0.0, 0.0") + "} } ";
-    frames += "pin" + n + at(around(0.05));
-    joints +=
-        "r_joint turn" + n + " { ref_frame" + at(around(0.12), "-PI/2.0, " + turn + ", 0.3") + "armature = 0.01 } ";
-    loops += "rod" + n + " { frames = tip" + n + " ~ pin" + n + " distance = 0.6 } ";
-  }
-  return "Robot Delta { RobotBase base { children { sx via x" + children +
-         " } } link sx { id = 1 children { sy via y } } link sy { id = 2 children { sz via z } } link sz { id = 3 " +
-         inertia(0.5, 0, 0, -0.02) + "children {} frames { " + frames + "} } " + arms + "p_joint x { ref_frame" +
-         at("0.0, 0.0, -0.55", "0.0, PI/2.0, 0.0") + "} p_joint y { ref_frame" +
-         at("0.0, 0.0, 0.0", "-PI/2.0, 0.0, 0.0") + "} p_joint z { ref_frame" +
-         at("0.0, 0.0, 0.0", "0.0, -PI/2.0, -PI/2.0") + "} " + joints + "loops { " + loops + "} " + leaders + "}";
-}
-
-// A slide across a crank: the frame of the crank's pin slides along the other link, and both turn together.
-std::string slotted(const std::string& leaders) {
-  return "Robot Slot { RobotBase base floating { " + inertia(3, 0, 0.1, 0) +
-         "children { crank via a lever via c } } link crank { id = 1 " + inertia(1, 0.1, 0.02, 0.1) +
-         "children { block via b } } link block { id = 2 " + inertia(0.5, 0.01, 0, 0) + "children {} frames { end" +
-         at("0.0, 0.0, 0.0", "0.0, PI/2.0, 0.0") + "} } link lever { id = 3 " + inertia(0.7, 0.2, 0.01, 0) +
-         "children {} frames { slot" + at("0.1, 0.0, 0.0", "0.0, PI/2.0, 0.0") + "} } r_joint a { ref_frame" +
-         at("0.0, 0.0, 0.0", "0.0, 0.0, 1.2") + "} r_joint b { ref_frame" + at("0.2, 0.0, 0.0", "0.0, 0.0, -1.0") +
-         "} r_joint c { ref_frame" + at("-0.4, 0.1, 0.0", "0.0, 0.0, 0.2") +
-         "} loops { slide { frames = slot ~ end type = slider } } " + leaders + "}";
-}
-
-struct Case {
-  std::string name, document;
-  Names coordinates, followers;
-};
-
-void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.name;
-}
-
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {
-      {"WeldedRod", cut_rod("independent { a }"), {"a"}, {"b", "c", "d"}},
-      {"SpatialFromTheCrank", spatial_four_bar(""), {"a"}, {"u_turn_x", "u_turn_z", "c"}},
-      {"SpatialFromTheRocker", spatial_four_bar("independent { c }"), {"c"}, {"a", "u_turn_x", "u_turn_z"}},
-      {"DeltaByItsMotors", delta(""), {"turn0", "turn1", "turn2"}, {"x", "y", "z"}},
-      {"DeltaMixed", delta("independent { turn0, turn1, z }"), {"z", "turn0", "turn1"}, {"x", "y", "turn2"}},
-      {"Slot", slotted("independent { a }"), {"a"}, {"b", "c"}}};
-  return all;
-}
-
-model::KinematicTree tree_of(const Case& c) {
-  Diagnostics diagnostics;
-  const auto source = std::make_shared<const Source>("iterative.kindsl", c.document);
-  auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
-  EXPECT_TRUE(tree) << diagnostics.render();
-  return tree ? *tree : model::KinematicTree();
-}
 
 Names names_of(const model::KinematicTree& tree, const std::vector<int>& joints) {
   Names names;
@@ -122,10 +23,10 @@ Names names_of(const model::KinematicTree& tree, const std::vector<int>& joints)
   return names;
 }
 
-class IterativeLoops : public testing::TestWithParam<Case> {};
+class IterativeLoops : public testing::TestWithParam<IterativeRobot> {};
 
 TEST_P(IterativeLoops, HaveTheseCoordinates) {
-  const model::KinematicTree tree = tree_of(GetParam());
+  const model::KinematicTree tree = tree_of_text(GetParam().document);
   ASSERT_EQ(tree.closures.size(), 1U);
   EXPECT_EQ(tree.closures.front().method, model::Closure::Method::iterative);
   EXPECT_EQ(names_of(tree, tree.coordinates()), GetParam().coordinates);
@@ -133,7 +34,7 @@ TEST_P(IterativeLoops, HaveTheseCoordinates) {
 }
 
 TEST_P(IterativeLoops, AgreeWithTheReference) {
-  const model::KinematicTree tree = tree_of(GetParam());
+  const model::KinematicTree tree = tree_of_text(GetParam().document);
   for (const bool is_optimised : {false, true}) {
     const InterpretedRobot robot(
         tree, random_desired(7, tree), is_optimised ? all_steps() : std::vector<std::string>{});
@@ -143,7 +44,7 @@ TEST_P(IterativeLoops, AgreeWithTheReference) {
 
 // From where the joints that follow were a little before.
 TEST_P(IterativeLoops, CloseInAFewSteps) {
-  const model::KinematicTree tree = tree_of(GetParam());
+  const model::KinematicTree tree = tree_of_text(GetParam().document);
   const InterpretedRobot robot(tree, {}, all_steps(), {}, {}, {"transforms"});
   const reflection::Robot tables = robot.tables();
   std::mt19937_64 engine(11);
@@ -164,7 +65,7 @@ TEST_P(IterativeLoops, CloseInAFewSteps) {
 
 // Where no position of the joints that follow closes the loops, they are not numbers.
 TEST(IterativeLoops, SayThatTheyDoNotClose) {
-  const model::KinematicTree tree = tree_of(cases()[3]);
+  const model::KinematicTree tree = tree_of_text(iterative_robots()[3].document);
   const InterpretedRobot robot(tree, {}, {}, {}, {}, {"transforms"});
   std::vector<double> q(6);
   q[0] = 2.5, q[1] = -2.5, q[2] = 0.4;
@@ -181,7 +82,7 @@ TEST(IterativeLoops, DoNotMindRoundingNoise) {
   for (const auto& [from, to] :
        {std::pair("0.0, 0.0, -0.8", "3e-11, -3e-18, -0.8"), {"0.0, 0.0, 1.4", "0.0, 4e-12, 1.4"}})
     noisy.replace(noisy.find(from), std::string(from).size(), to);
-  const model::KinematicTree exact = tree_of({"Exact", text, {}, {}}), noise = tree_of({"Noisy", noisy, {}, {}});
+  const model::KinematicTree exact = tree_of_text(text), noise = tree_of_text(noisy);
   EXPECT_EQ(names_of(noise, noise.followers_in_q()), names_of(exact, exact.followers_in_q()));
   const auto closed = [](const model::KinematicTree& tree) {
     const InterpretedRobot robot(tree, {}, all_steps(), {}, {}, {"transforms"});
@@ -206,8 +107,8 @@ TEST(IterativeLoops, AreNotClosedTheOtherWayRound) {
 INSTANTIATE_TEST_SUITE_P(
     Mechanism,
     IterativeLoops,
-    testing::ValuesIn(cases()),
-    [](const testing::TestParamInfo<Case>& of) { return of.param.name; });
+    testing::ValuesIn(iterative_robots()),
+    [](const testing::TestParamInfo<IterativeRobot>& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace robcogen::numeric

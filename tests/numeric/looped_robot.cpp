@@ -1,12 +1,16 @@
 #include "looped_robot.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "dice.h"
+#include "import/kinematics.h"
+#include "language/kinematics/document.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -285,6 +289,23 @@ class Writer {
 
 std::string looped_document(std::uint64_t seed) {
   return Writer(seed).run();
+}
+
+std::optional<model::KinematicTree> looped_tree(std::uint64_t seed) {
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<const Source>("looped.kindsl", looped_document(seed));
+  auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+  for (const Diagnostic& d : diagnostics.all()) {
+    const bool is_expected = d.severity != Severity::error || d.code == "loop-cannot-close";
+    EXPECT_TRUE(is_expected) << seed << "\n" << diagnostics.render() << looped_document(seed);
+  }
+  return tree;
+}
+
+std::vector<double> values_near_defaults(const model::KinematicTree& tree) {
+  std::vector<double> values;
+  for (const model::Parameter& p : tree.parameters) values.push_back(1.02 * p.default_value.value_or(0.0));
+  return values;
 }
 
 }  // namespace robcogen::numeric

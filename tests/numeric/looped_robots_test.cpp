@@ -2,10 +2,9 @@
 // that of the tree whose loops are held closed by forces.
 #include <gtest/gtest.h>
 
-#include "import/kinematics.h"
 #include "interpreted_robot.h"
-#include "language/kinematics/document.h"
 #include "looped_robot.h"
+#include "open_loops.h"
 #include "random_robot.h"
 #include "reference_tables.h"
 #include "robcogen/reference/loops.h"
@@ -24,30 +23,11 @@ int looped_count() {
   return robot_count() / 40;
 }
 
-// nullopt for the few random loops that do not close.
-std::optional<model::KinematicTree> looped(std::uint64_t seed) {
-  Diagnostics diagnostics;
-  const auto source = std::make_shared<const Source>("looped.kindsl", looped_document(seed));
-  auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
-  for (const Diagnostic& d : diagnostics.all()) {
-    const bool is_expected = d.severity != Severity::error || d.code == "loop-cannot-close";
-    EXPECT_TRUE(is_expected) << seed << "\n" << diagnostics.render() << looped_document(seed);
-  }
-  return tree;
-}
-
 // The same on a fixed base, where springs and friction do nothing.
 std::optional<model::KinematicTree> held(std::uint64_t seed) {
-  auto tree = looped(seed);
+  auto tree = looped_tree(seed);
   if (tree) tree->floating_base = tree->uses_passive_forces = false;
   return tree;
-}
-
-// A little off their defaults.
-std::vector<double> values_of(const model::KinematicTree& tree) {
-  std::vector<double> values;
-  for (const model::Parameter& p : tree.parameters) values.push_back(1.02 * p.default_value.value_or(0.0));
-  return values;
 }
 
 class LoopedRobots : public testing::TestWithParam<int> {};
@@ -55,10 +35,11 @@ class LoopedRobots : public testing::TestWithParam<int> {};
 TEST_P(LoopedRobots, AgreeWithTheReferenceAndWithThemselves) {
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
-    const auto tree = looped(seed);
+    const auto tree = looped_tree(seed);
     if (!tree) continue;
     const InterpretedRobot robot(
-        *tree, random_desired(seed, *tree), i % 3 == 0 ? all_steps() : std::vector<std::string>{}, values_of(*tree));
+        *tree, random_desired(seed, *tree), i % 3 == 0 ? all_steps() : std::vector<std::string>{},
+        values_near_defaults(*tree));
     EXPECT_EQ(check_all(robot, seed, 2).failure_report(), "") << "seed " << seed << "\n" << looped_document(seed);
     if (HasFailure()) return;
   }
@@ -71,7 +52,7 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
     const auto seed = static_cast<std::uint64_t>(i);
     const auto tree = held(seed);
     if (!tree) continue;
-    const InterpretedRobot robot(*tree, {}, {}, values_of(*tree));
+    const InterpretedRobot robot(*tree, {}, {}, values_near_defaults(*tree));
     const reflection::Robot tables = robot.tables();
     std::mt19937_64 engine(seed);
     reference::Sample sample;
@@ -116,11 +97,11 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
   constexpr Real kStep = 1e-3L, kSame = 1e-9L;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
-    auto tree = looped(seed);
+    auto tree = looped_tree(seed);
     if (!tree) continue;
     tree->floating_base = false;
     const InterpretedRobot robot(
-        *tree, {}, {}, values_of(*tree), {}, {"inverse_dynamics", "inverse_dynamics_gradient"});
+        *tree, {}, {}, values_near_defaults(*tree), {}, {"inverse_dynamics", "inverse_dynamics_gradient"});
     const reflection::Robot tables = robot.tables();
     std::mt19937_64 engine(seed);
     reference::Sample sample;
@@ -131,7 +112,7 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
         {"qd", values(sample.motion.qd)},
         {"qdd", values(sample.motion.qdd)},
         {"weights", values(reference::uniform_vector(engine, tables.dof(), 1))}};
-    const std::vector<double> parameters = values_of(*tree);
+    const std::vector<double> parameters = values_near_defaults(*tree);
     if (!parameters.empty()) inputs["parameters"] = {parameters.begin(), parameters.end()};
     const auto gradient = symbolic::interpret(robot.programs().at("inverse_dynamics_gradient"), inputs);
     for (const char* input : {"q", "qd", "qdd"}) {
@@ -157,39 +138,6 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
   }
 }
 
-// Wrenches on the links of a loop's ends, of a force (base axes) that the second frame pushes the first one with.
-void push(
-    const reflection::Robot& robot,
-    const std::vector<Matrix<Real>>& poses,
-    const reflection::Loop& loop,
-    const Vector<Real>& force,
-    std::vector<Vector<Real>>& wrenches) {
-  for (int e = 0; e < 2; ++e) {
-    const reflection::Frame& frame = robot.frames[loop.frames[e]];
-    const Matrix<Real> to_link = transpose(reference::rotation_of(poses[static_cast<std::size_t>(frame.link)]));
-    const Vector<Real> f = Real(e == 0 ? 1 : -1) * (to_link * force);
-    const Vector<Real> arm = {
-        static_cast<Real>(frame.translation[0]), static_cast<Real>(frame.translation[1]),
-        static_cast<Real>(frame.translation[2])};
-    Vector<Real>& wrench = wrenches[static_cast<std::size_t>(frame.link)];
-    wrench = wrench + reference::stacked(reference::cross(arm, f), f);
-  }
-}
-
-// The last link on the ways from the base to both ends.
-int last_common_link(const reflection::Robot& robot, const reflection::Loop& loop) {
-  const std::vector<int> first = reference::supporting_joints(robot, robot.frames[loop.frames[0]].link);
-  const std::vector<int> second = reference::supporting_joints(robot, robot.frames[loop.frames[1]].link);
-  int link = 0;
-  for (const int j : reference::outward_order(robot)) {
-    const auto supports = [&](const std::vector<int>& joints) {
-      return std::find(joints.begin(), joints.end(), j) != joints.end();
-    };
-    if (supports(first) && supports(second)) link = robot.joints[j].child;
-  }
-  return link;
-}
-
 // With the forces of its loops a tree with all joints free moves in the same way, and joints that follow need none.
 TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
   constexpr double kSame = 1e-9;
@@ -197,7 +145,7 @@ TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
     const auto seed = static_cast<std::uint64_t>(i);
     const auto tree = held(seed);
     if (!tree) continue;
-    const InterpretedRobot robot(*tree, {}, {}, values_of(*tree), {}, {"inverse_dynamics"});
+    const InterpretedRobot robot(*tree, {}, {}, values_near_defaults(*tree), {}, {"inverse_dynamics"});
     const reflection::Robot tables = robot.tables();
     if (tree->has_linear_couplings()) continue;  // it is another constraint
     std::mt19937_64 engine(seed);
@@ -213,28 +161,10 @@ TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
     all.q = reference::joint_positions(closed.robot(), m.q.cast<Real>());
     all.qd = reference::joint_rates(closed.robot(), m.qd.cast<Real>());
     all.qdd = reference::joint_accelerations(closed.robot(), reference::cast<Real>(m));
-    const std::vector<Matrix<Real>> poses = reference::link_poses(free, all.q);
     reference::Loads<Real> loads = reference::without_passive<Real>({0, 0, -9.81});
     loads.external.assign(static_cast<std::size_t>(tables.links.size), Vector<Real>(6));
     std::size_t next = 0;
-    for (const reflection::Loop& loop : tables.loops) {
-      const Matrix<Real> apart = reference::transform(free, all.q, loop.frames[0], loop.frames[1]);
-      const reflection::Frame& frame = tables.frames[loop.frames[0]];
-      Vector<Real> force(3);
-      if (loop.type == reflection::LoopType::distance) {
-        const Matrix<Real> axes = reference::rotation_of(poses[static_cast<std::size_t>(frame.link)]) *
-                                  reference::rotation_of(reference::placement<Real>(frame.translation, frame.rotation));
-        const Vector<Real> way = axes * reference::origin_of(apart);
-        force = Real(-forces.at(next)) / std::sqrt(dot(way, way)) * way;
-        next += 1;
-      } else {
-        const int link = last_common_link(tables, loop);
-        for (int k = 0; k < 3; ++k) force(k) = static_cast<Real>(forces.at(next + static_cast<std::size_t>(k)));
-        force = reference::rotation_of(poses[static_cast<std::size_t>(link)]) * force;
-        next += 3;
-      }
-      push(tables, poses, loop, force, loads.external);
-    }
+    for (int loop = 0; loop < tables.loops.size; ++loop) push(*tree, tables, all.q, loop, forces, next, loads.external);
     EXPECT_EQ(next, forces.size());
     const Vector<Real> tau = reference::inverse_dynamics_fully_actuated(free, all, loads).tau;
     const Vector<double> wanted = robot.inverse_dynamics(m, {});
@@ -251,10 +181,10 @@ TEST_P(LoopedRobots, TellHowTheirLoopsAreOpen) {
   constexpr double kSame = 1e-11;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
-    const auto tree = looped(seed);
+    const auto tree = looped_tree(seed);
     if (!tree) continue;
     const InterpretedRobot robot(
-        *tree, {}, i % 2 == 0 ? all_steps() : std::vector<std::string>{}, values_of(*tree), {},
+        *tree, {}, i % 2 == 0 ? all_steps() : std::vector<std::string>{}, values_near_defaults(*tree), {},
         {"transforms", "jacobians"});
     const reflection::Robot tables = robot.tables();
     std::mt19937_64 engine(seed);
@@ -311,7 +241,7 @@ TEST_P(LoopedRobots, TellHowTheirLoopsAreOpen) {
 
 TEST(LoopedDocuments, NearlyAllClose) {
   int closed = 0;
-  for (int i = 0; i < looped_count(); ++i) closed += looped(static_cast<std::uint64_t>(i)) ? 1 : 0;
+  for (int i = 0; i < looped_count(); ++i) closed += looped_tree(static_cast<std::uint64_t>(i)) ? 1 : 0;
   EXPECT_GE(closed, looped_count() * 9 / 10);
 }
 

@@ -169,7 +169,8 @@ class KinematicTree {
   std::vector<Joint> joints;             // as declared; q, qd, tau, … have the independent ones, in this order
   std::vector<Coupling> couplings = {};  // of the other joints, in their order
   std::vector<LoopJoint> loops = {};
-  std::vector<Closure> closures = {};  // an order in which they can be solved
+  std::vector<Closure> closures = {};        // an order in which they can be solved
+  std::vector<Closure> parallelograms = {};  // loops that linear couplings keep closed; before closures
   std::vector<Actuator> actuators = {};
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;

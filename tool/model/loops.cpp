@@ -9,6 +9,7 @@
 #include "model/formula_closures.h"
 #include "model/iterative_closure.h"
 #include "model/parallelogram.h"
+#include "model/plausibility.h"
 #include "support/index.h"
 
 namespace robcogen::model {
@@ -128,6 +129,15 @@ void resolve_loops(const Description& description, KinematicTree& tree, Diagnost
   couple_parallelograms(tree);
   const std::vector<double> q = assemble(context, without_formulas);
   if (diagnostics.error_count() == errors_before) add_couplings(tree, q);
+}
+
+KinematicTree with_free_joints(const KinematicTree& tree) {
+  KinematicTree free = tree;
+  free.couplings.clear();
+  free.closures.clear();
+  free.parallelograms.clear();
+  free.inertia_defects = inertia_defects(free);
+  return free;
 }
 
 }  // namespace robcogen::model

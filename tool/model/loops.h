@@ -10,4 +10,7 @@ namespace robcogen::model {
 // are stretched there or take away more than they have, and joints that cannot be independent.
 void resolve_loops(const Description& description, KinematicTree& tree, Diagnostics& diagnostics);
 
+// The tree in which loops are cut and couplings are open: each joint moves by itself. Loops stay listed.
+KinematicTree with_free_joints(const KinematicTree& tree);
+
 }  // namespace robcogen::model

@@ -193,6 +193,7 @@ void couple_parallelograms(KinematicTree& tree) {
           [](const Coupling& c, int joint) { return c.joint < joint; });
       tree.couplings.insert(place, std::move(coupling));
     }
+    tree.parallelograms.push_back(std::move(closure));
   }
   tree.closures = std::move(others);
 }

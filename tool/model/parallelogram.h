@@ -38,8 +38,9 @@ std::optional<Parallelogram> find_parallelogram(
     const std::vector<double>& parameters,
     const Closure& closure);
 
-// Makes closures that have shares linear couplings, and leaves the others, in their order. Where a joint that leads a
-// parallelogram follows through a loop in no proportion, so do those that follow it: its closure stays as it is.
+// Makes closures that have shares linear couplings, and parallelograms of the tree, and leaves the others, in their
+// order. Where a joint that leads a parallelogram follows through a loop in no proportion, so do those that follow it:
+// its closure stays as it is.
 void couple_parallelograms(KinematicTree& tree);
 
 }  // namespace robcogen::model

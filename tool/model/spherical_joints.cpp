@@ -66,8 +66,9 @@ void expand_spherical_joints(KinematicTree& tree) {
   for (LoopJoint& loop : tree.loops)
     for (LoopEnd& end : loop.ends)
       for (int& joint : end.joints) joint = moved[at(joint)];
-  for (Closure& closure : tree.closures)
-    for (int& joint : closure.dependents) joint = moved[at(joint)];
+  for (std::vector<Closure>* closures : {&tree.closures, &tree.parallelograms})
+    for (Closure& closure : *closures)
+      for (int& joint : closure.dependents) joint = moved[at(joint)];
   for (Limb& limb : tree.limbs) {
     const std::vector<Limb::Element> joints = std::exchange(limb.joints, {});
     for (const Limb::Element& joint : joints) {

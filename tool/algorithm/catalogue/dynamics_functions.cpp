@@ -132,6 +132,7 @@ std::vector<RobotFunction> forward_dynamics_functions(const KinematicTree& tree,
       [&](const std::string& kernel, Loads loads) { return forward_dynamics(tree, kernel, loads, choice); });
   add_method(list, "forward_dynamics", description(tree, choice.formulation.frames));
   for (RobotFunction& f : list) f.method = method + (f.method.empty() ? "" : " " + f.method);
+  add_loop_constrained_dynamics(list, tree, choices);
   return list;
 }
 

@@ -43,13 +43,17 @@ std::vector<RobotFunction> slotine_li_regressor_functions(
 
 // ---- Loops and actuators: added to groups where the robot has some.
 
-// To `transforms`, `jacobians` and `inverse_dynamics`.
+// To `transforms`, `jacobians`, `inverse_dynamics` and `forward_dynamics`.
 void add_joint_positions(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_actuator_lengths(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_lever_arms(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_loop_errors(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_loop_jacobian(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_loop_forces(std::vector<RobotFunction>& list, const model::KinematicTree& tree, FormulationChoices& choices);
+void add_loop_constrained_dynamics(
+    std::vector<RobotFunction>& list,
+    const model::KinematicTree& tree,
+    FormulationChoices& choices);
 
 // ---- Contacts: of all contact frames that are desired, at least one.
 

@@ -5,6 +5,7 @@
 #include "algorithm/kinematics/actuators.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/loop_functions.h"
+#include "model/loops.h"
 #include "model/named_frame.h"
 #include "support/concat.h"
 
@@ -38,20 +39,34 @@ std::string names_of_coupled(const KinematicTree& tree) {
 }
 
 // `bar (3), rod (1)`: how many numbers describe the force of each loop. Loops that formulas close in a plane have no
-// moment. Parallelograms are left out: their joints follow by sums.
+// moment.
 std::string parts_of_forces(const KinematicTree& tree) {
   std::vector<int> counts(tree.loops.size());
-  for (const model::Closure& closure : tree.closures)
-    for (const int loop : closure.loops) {
-      const model::LoopType type = tree.loops[at(loop)].type;
-      const bool is_whole = closure.method == model::Closure::Method::iterative && type != model::LoopType::point;
-      counts[at(loop)] = type == model::LoopType::distance ? 1 : is_whole ? 6 : 3;
-    }
+  for (const std::vector<model::Closure>* closures : {&tree.parallelograms, &tree.closures})
+    for (const model::Closure& closure : *closures)
+      for (const int loop : closure.loops) {
+        const model::LoopType type = tree.loops[at(loop)].type;
+        const bool is_whole = closure.method == model::Closure::Method::iterative && type != model::LoopType::point;
+        counts[at(loop)] = type == model::LoopType::distance ? 1 : is_whole ? 6 : 3;
+      }
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k)
-    if (counts[k] > 0) text += (text.empty() ? "" : ", ") + tree.loops[k].name + " (" + std::to_string(counts[k]) + ")";
+    text += (text.empty() ? "" : ", ") + tree.loops[k].name + " (" + std::to_string(counts[k]) + ")";
   return text;
 }
+
+// Of the joints that follow others through no loop.
+std::string names_of_declared_couplings(const KinematicTree& tree) {
+  std::vector<std::string> names;
+  for (const model::Coupling& coupling : tree.couplings)
+    if (coupling.is_linear() && coupling.loop < 0) names.push_back(tree.joints[at(coupling.joint)].name);
+  return joined(names);
+}
+
+const char* const kAxesOfForces =
+    "Along the axes of the last link that carries both frames: the force, and where there are six numbers the moment "
+    "(N m) behind it, without what parallel joints share across a plane; of a distance one number, positive where its "
+    "rod is pressed.";
 
 }  // namespace
 
@@ -124,18 +139,50 @@ void add_loop_jacobian(std::vector<RobotFunction>& list, const KinematicTree& tr
 }
 
 void add_loop_forces(std::vector<RobotFunction>& list, const KinematicTree& tree, FormulationChoices& choices) {
-  if (!tree.has_closures()) return;
+  if (tree.loops.empty()) return;
   const Formulation& formulation = choices.newton_euler();
   add_overloads(
       list, tree, "inverse_dynamics", "loop_forces",
       {"Forces (N) with which the second frame of each loop pushes the first one in a motion, where joints that follow "
        "have no motors: " +
            parts_of_forces(tree) + ".",
-       "Along the axes of the last link that carries both frames: the force, and where there are six numbers the "
-       "moment "
-       "(N m) behind it, without what parallel joints share across a plane; of a distance one number, positive where "
-       "its rod is pressed."},
+       kAxesOfForces},
       [&](const std::string& kernel, Loads loads) { return loop_forces(tree, kernel, loads, formulation); });
+}
+
+void add_loop_constrained_dynamics(
+    std::vector<RobotFunction>& list,
+    const KinematicTree& tree,
+    FormulationChoices& choices) {
+  if (tree.loops.empty()) return;
+  if (model::with_free_joints(tree).inertia_defects.is_singular()) {
+    for (RobotFunction& f : list)
+      f.summary.emplace_back(
+          "loop_constrained_forward_dynamics is left out: without the loops a joint would meet no inertia.");
+    return;
+  }
+  const Formulation& formulation = choices.forward_dynamics().formulation;
+  const std::string name = "loop_constrained_forward_dynamics";
+  const std::string couplings = names_of_declared_couplings(tree);
+  std::vector<std::string> summary = {
+      "Accelerations of all joints where loops are cut, and the forces that hold the loops, for simulators that "
+      "integrate all joints; positions, velocities, joint forces and accelerations in the order of joint_positions" +
+          std::string(
+              tree.spherical_joints().empty() ? "." : ", behind these positions the scalar parts of quaternions."),
+      "`stabilization`: how the errors of loops fade away, as those of a damped oscillator (Baumgarte 1972): of the "
+      "error (1/s^2) and of its rate (1/s), such as a^2 and 2 a; zeros for none. `compliance` is added to the diagonal "
+      "of the inverse inertia that the loops see: zero for rigid ones; a small number, such as 1e-8, lets the motion "
+      "pass through positions in which loops are stretched.",
+      "`loop_forces`: those (N) with which the second frame of each loop pushes the first one: " +
+          parts_of_forces(tree) + ". " + kAxesOfForces};
+  if (!couplings.empty())
+    summary.push_back("`coupling_forces` (N m, N): those of couplings on the joints that follow: " + couplings + ".");
+  if (tree.floating_base)
+    summary.emplace_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
+  add_overloads(list, tree, "forward_dynamics", name, summary, [&](const std::string& kernel, Loads loads) {
+    return loop_constrained_forward_dynamics(tree, kernel, loads, formulation);
+  });
+  add_method(list, name, description(tree, formulation.frames));
 }
 
 }  // namespace robcogen::algorithm

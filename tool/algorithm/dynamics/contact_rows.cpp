@@ -38,7 +38,7 @@ std::vector<Motion> columns_of(
 }  // namespace
 
 ContactRows::ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts)
-    : names(motion_elements(contacts)) {
+    : ConstraintRows{"contacts", motion_elements(contacts), {}} {
   const model::Frame base = trace.tree.frames().front();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::vector<Motion> columns = columns_of(trace, q, {base, contacts[c].frame}, contacts[c].is_surface);
@@ -72,22 +72,6 @@ std::vector<Expression> contact_bias(
     for (const Expression& e : elements_of(contact, acceleration)) bias.push_back(e);
   }
   return bias;
-}
-
-std::vector<Expression> times(const ContactRows& rows, const std::vector<Expression>& v) {
-  std::vector<Expression> result;
-  for (const std::vector<Expression>& row : rows.J) {
-    Expression& sum = result.emplace_back();
-    for (std::size_t k = 0; k < v.size(); ++k) sum += row[k] * v[k];
-  }
-  return result;
-}
-
-std::vector<Expression> transposed_times(const ContactRows& rows, const std::vector<Expression>& f) {
-  std::vector<Expression> result(rows.J.empty() ? 0 : rows.J.front().size());
-  for (std::size_t r = 0; r < rows.J.size(); ++r)
-    for (std::size_t k = 0; k < result.size(); ++k) result[k] += rows.J[r][k] * f[r];
-  return result;
 }
 
 }  // namespace robcogen::algorithm

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/dynamics/constraint_system.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "model/kinematic_tree.h"
 
@@ -13,14 +14,10 @@ using ContactFrames = std::vector<model::ContactFrame>;
 
 // The rows of all contacts, in the order of the list: of a surface angular velocity and velocity of the frame's origin,
 // of a point the latter alone; in base axes.
-struct ContactRows {
+struct ContactRows : ConstraintRows {
   ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts);
 
-  std::vector<int> contact;                // by row
-  std::vector<std::string> names;          // by row: `fr_LF_foot_vx`
-  std::vector<std::vector<Expression>> J;  // by row: an element for each coordinate of H
-
-  int size() const { return static_cast<int>(J.size()); }
+  std::vector<int> contact;  // by row
 };
 
 // Names of the elements of arrays over the rows: of velocities and accelerations, or of forces.
@@ -34,10 +31,5 @@ std::vector<Expression> contact_bias(
     const std::vector<LinkMotion>& motions,
     const Vector3& gravity,
     const ContactFrames& contacts);
-
-// J v, of velocities or accelerations by coordinate of H.
-std::vector<Expression> times(const ContactRows& rows, const std::vector<Expression>& v);
-// J^T f.
-std::vector<Expression> transposed_times(const ContactRows& rows, const std::vector<Expression>& f);
 
 }  // namespace robcogen::algorithm

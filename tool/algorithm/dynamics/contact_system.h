@@ -1,37 +1,12 @@
-// The equations of motion with contacts, H a + C = tau + J^T f, eliminated for the contact wrenches f.
+// Contacts that are active or open, in the equations of motion.
 #pragma once
 
 #include <vector>
 
+#include "algorithm/dynamics/constraint_system.h"
 #include "algorithm/dynamics/contact_rows.h"
-#include "algorithm/dynamics/ldl.h"
-#include "algorithm/dynamics/ordered_inertia.h"
 
 namespace robcogen::algorithm {
-
-// With H = L^T D L and Y = L^-T J^T, W = J H^-1 J^T = Y^T D^-1 Y: only the first half of a solution is made for each
-// row of J, along the ancestors of its coordinates. (Featherstone 2008, sec. 6.5 and 8.4.)
-class ContactSystem {
- public:
-  ContactSystem(const TracedRobot& robot, const ContactRows& rows);
-
-  // The inverse inertia at the contacts; a pair of rows that share no coordinate has a literal zero.
-  const SquareMatrix& inverse_inertia() const { return W_; }
-
-  // Forces by row of H, as the following functions take them.
-  std::vector<Expression> halved(const std::vector<Expression>& forces) const;
-  // By row of the contacts: J H^-1 forces.
-  std::vector<Expression> at_contacts(const std::vector<Expression>& halved) const;
-  // H^-1 (forces + J^T wrenches).
-  std::vector<Expression> accelerations(std::vector<Expression> halved, const std::vector<Expression>& wrenches) const;
-
- private:
-  Trace& trace_;
-  OrderedInertia inertia_;
-  LdlFactors factors_;
-  std::vector<std::vector<Expression>> Y_, per_d_;  // by row of the contacts; per_d = D^-1 Y
-  SquareMatrix W_;
-};
 
 // What switches contacts and makes them soft.
 struct ContactSwitches {
@@ -74,7 +49,7 @@ struct SwitchedContacts {
   SwitchedContacts& operator=(const SwitchedContacts&) = delete;
 
   ContactRows rows;
-  ContactSystem system;
+  ConstraintSystem system;
   ActiveContacts active;
 };
 

@@ -98,7 +98,7 @@ Program inverse_contact_inertia(
   Trace trace(tree);
   const StateInputs in(trace, {State::position});
   const TracedRobot robot(trace, in.q, formulation);
-  const ContactSystem system(robot, ContactRows(trace, in.q, contacts));
+  const ConstraintSystem system(robot, ContactRows(trace, in.q, contacts));
   const SquareMatrix& W = system.inverse_inertia();
   trace.output("W", Role::matrix, W.size(), W.size(), W.columns());
   return trace.program(name);
@@ -123,7 +123,7 @@ Program constrained_forward_dynamics(
   const auto& [rows, system, active] = switched;
   trace.section("contacts", "contacts: accelerations that are missing");
   const std::vector<Expression> halved = system.halved(missing_forces(trace, in.tau, bias));
-  const std::vector<Expression> free = system.at_contacts(halved);
+  const std::vector<Expression> free = system.at_rows(halved);
   std::vector<Expression> missing;
   for (std::size_t r = 0; r < wanted.size(); ++r) missing.push_back(wanted[r] - of_contacts[r] - free[r]);
   const std::vector<Expression> wrenches = active.wrenches(missing);

@@ -219,6 +219,17 @@ symbolic::Program potential_energy(
     Loads loads,
     const RepresentativeLinks& representative = {});
 
+// Forward dynamics of all joints of the tree in which loops are cut and couplings are open, with the forces that hold
+// them (Featherstone 2008, sec. 8.5, through the sparse factor of sec. 6.5): positions, velocities, joint_forces (in
+// the order of joint_positions) [, base_velocity], stabilization = (1/s^2, 1/s) (Baumgarte 1972), compliance [,
+// gravity]
+// [, external] -> accelerations [, base_acceleration], loop_forces (as below) [, coupling_forces].
+symbolic::Program loop_constrained_forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation);
+
 // What the frames of loops push one another with: q, qd, qdd [, base_velocity, base_acceleration] [, gravity]
 // [, external] -> forces, by loop three of one in a plane, one of a distance (Trace::reactions).
 symbolic::Program loop_forces(

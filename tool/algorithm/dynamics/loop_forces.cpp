@@ -12,7 +12,7 @@ symbolic::Program loop_forces(
   const StateInputs in = motion_inputs(trace);
   const TracedMotion motion(trace, in, loads, formulation);
   std::vector<Expression> forces;
-  for (const std::vector<Expression>& force : trace.reactions(motion.forces.tau))
+  for (const std::vector<Expression>& force : trace.reactions(in.q, motion.forces.tau))
     forces.insert(forces.end(), force.begin(), force.end());
   trace.output("forces", symbolic::Role::value, forces);
   return trace.program(name);

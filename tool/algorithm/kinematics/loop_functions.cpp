@@ -1,5 +1,6 @@
 #include "algorithm/kinematics/loop_functions.h"
 
+#include "algorithm/kinematics/all_joints.h"
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/closures.h"
@@ -13,17 +14,6 @@ using symbolic::Role;
 
 model::FramePair frames_of(const model::KinematicTree& tree, const model::LoopJoint& loop) {
   return model::frame_pair(tree, loop.ends[0].frame, loop.ends[1].frame);
-}
-
-// By joint.
-std::vector<Expression> all_positions(Trace& trace) {
-  const std::vector<int> order = model::independent_joints_first(trace.tree);
-  std::vector<std::string> names;
-  for (const int joint : order) names.push_back(trace.tree.joints[at(joint)].name);
-  const std::vector<Expression> given = trace.input("positions", Role::value, names);
-  std::vector<Expression> q(given.size());
-  for (std::size_t k = 0; k < order.size(); ++k) q[at(order[k])] = given[k];
-  return q;
 }
 
 // The second frame in the first one.
@@ -102,12 +92,6 @@ std::vector<std::vector<Expression>> columns_of(
   return result;
 }
 
-void output_of_all_joints(Trace& trace, const std::string& name, const std::vector<Expression>& by_joint) {
-  std::vector<Expression> values;
-  for (const int joint : model::independent_joints_first(trace.tree)) values.push_back(by_joint[at(joint)]);
-  trace.output(name, Role::value, values);
-}
-
 }  // namespace
 
 int rows_of(model::LoopType type) {
@@ -127,7 +111,7 @@ int rows_of(model::LoopType type) {
 
 Program loop_error(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
-  const std::vector<Expression> q = all_positions(trace);
+  const std::vector<Expression> q = input_of_all_joints(trace, tree, "positions");
   std::vector<Expression> errors;
   for (const model::LoopJoint& loop : tree.loops)
     for (const Expression& row : error_of(trace, loop, q)) errors.push_back(row);
@@ -137,7 +121,7 @@ Program loop_error(const model::KinematicTree& tree, const std::string& name) {
 
 Program loop_jacobian(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
-  const std::vector<Expression> q = all_positions(trace);
+  const std::vector<Expression> q = input_of_all_joints(trace, tree, "positions");
   Columns by_joint(tree.joints.size());
   std::size_t first = 0;
   for (const model::LoopJoint& loop : tree.loops) {
@@ -181,7 +165,7 @@ Program close_loops(const model::KinematicTree& tree, const std::string& name) {
 Program joint_velocities(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   trace.joint_input("q", Role::joint_position);
-  output_of_all_joints(trace, "velocities", trace.joint_input("qd", Role::joint_velocity));
+  output_of_all_joints(trace, tree, "velocities", trace.joint_input("qd", Role::joint_velocity));
   return trace.program(name);
 }
 
@@ -189,7 +173,7 @@ Program joint_accelerations(const model::KinematicTree& tree, const std::string&
   Trace trace(tree);
   trace.joint_input("q", Role::joint_position);
   trace.joint_input("qd", Role::joint_velocity);
-  output_of_all_joints(trace, "accelerations", trace.joint_input("qdd", Role::joint_acceleration));
+  output_of_all_joints(trace, tree, "accelerations", trace.joint_input("qdd", Role::joint_acceleration));
   return trace.program(name);
 }
 

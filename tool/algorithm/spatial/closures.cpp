@@ -10,12 +10,28 @@ std::unique_ptr<TracedClosure> traced(Trace& trace, const model::Closure& closur
   const std::string& name = trace.tree.loops[at(closure.loop())].name;
   trace.section(name, "loop " + name + ": positions");
   using Method = model::Closure::Method;
-  if (closure.method == Method::iterative) return traced_in_space(trace, closure, q);
-  auto result =
-      closure.method == Method::planar ? traced_in_plane(trace, closure, q) : traced_distance(trace, closure, q);
+  if (closure.method == Method::iterative) return traced_in_space(trace, closure, q, Positions::solved);
+  auto result = closure.method == Method::planar ? traced_in_plane(trace, closure, q, Positions::solved)
+                                                 : traced_distance(trace, closure, q, Positions::solved);
   for (const int joint : closure.dependents)
     trace.graph.describe(q[at(joint)], "q_" + trace.tree.joints[at(joint)].name);
   return result;
+}
+
+std::unique_ptr<TracedClosure> traced_open(Trace& trace, const model::Closure& closure, std::vector<Expression> q) {
+  switch (closure.method) {
+    case model::Closure::Method::planar:
+      return traced_in_plane(trace, closure, q, Positions::given);
+    case model::Closure::Method::distance:
+      return traced_distance(trace, closure, q, Positions::given);
+    case model::Closure::Method::iterative:
+      break;
+  }
+  return traced_in_space(trace, closure, q, Positions::given);
+}
+
+bool TracedClosure::has_redundant_rows() {
+  return error().size() > closure_.dependents.size();
 }
 
 bool TracedClosure::is_dependent(int joint) const {
@@ -63,6 +79,14 @@ std::vector<std::vector<Expression>> TracedClosure::reaction(std::vector<Express
   for (const Column& column : all_)
     for (std::size_t row = 0; row < lambda.size(); ++row) forces[at(column.joint)] -= column.rows[row] * lambda[row];
   return force_of(lambda);
+}
+
+std::vector<Expression> TracedClosure::independent(const std::vector<Expression>& rows) {
+  return has_redundant_rows() ? dependent_columns().in_basis(rows) : rows;
+}
+
+std::vector<Expression> TracedClosure::from_independent(const std::vector<Expression>& lambda) {
+  return has_redundant_rows() ? dependent_columns().from_basis(lambda) : lambda;
 }
 
 std::vector<Expression> TracedClosure::accelerations(const std::vector<Expression>& qd) {

@@ -42,20 +42,28 @@ class TracedClosure {
   // pushes the ends apart); of others in space force and moment (N, N m), of a point the force.
   std::vector<std::vector<Expression>> reaction(std::vector<Expression>& forces);
 
- protected:
   // A column of K: of a joint.
   struct Column {
     int joint = -1;
     std::vector<Expression> rows;
   };
 
-  TracedClosure(Trace& trace, const model::Closure& closure) : trace_(trace), closure_(closure) {}
-
   virtual std::vector<Column> columns() = 0;
+  // How the loops are open: K is the derivative, of axes that are to be parallel where they nearly are.
+  virtual std::vector<Expression> error() = 0;
   // dK/dt qd.
   virtual std::vector<Expression> bias(const std::vector<Expression>& qd) = 0;
-  // The force whose work on unit motions of the rows is lambda.
+  // The forces whose work on unit motions of the rows is lambda, as those of a reaction.
   virtual std::vector<std::vector<Expression>> force_of(const std::vector<Expression>& lambda) = 0;
+  // Of rows some of which say the same as others: as many as joints follow. By an orthogonal basis of the columns of
+  // the joints that follow; others stay as they are.
+  std::vector<Expression> independent(const std::vector<Expression>& rows);
+  // And back, of lambda: the shortest one.
+  std::vector<Expression> from_independent(const std::vector<Expression>& lambda);
+
+ protected:
+  TracedClosure(Trace& trace, const model::Closure& closure) : trace_(trace), closure_(closure) {}
+
   bool is_dependent(int joint) const;
   const DependentColumns& dependent_columns();
 
@@ -67,16 +75,33 @@ class TracedClosure {
   std::optional<DependentColumns> dependent_columns_;
   std::vector<std::vector<RateShare>> rates_;
 
+  bool has_redundant_rows();
   void section(const std::string& what);
 };
 
 // Traces the positions of the joints that follow in closed form, into `q`, by joint, where all others are.
 std::unique_ptr<TracedClosure> traced(Trace& trace, const model::Closure& closure, std::vector<Expression>& q);
 
-// That of each method.
-std::unique_ptr<TracedClosure> traced_in_plane(Trace& trace, const model::Closure& closure, std::vector<Expression>& q);
-std::unique_ptr<TracedClosure> traced_in_space(Trace& trace, const model::Closure& closure, std::vector<Expression>& q);
-std::unique_ptr<TracedClosure> traced_distance(Trace& trace, const model::Closure& closure, std::vector<Expression>& q);
+// At given positions of all joints, where the loops may be open.
+std::unique_ptr<TracedClosure> traced_open(Trace& trace, const model::Closure& closure, std::vector<Expression> q);
+
+// That of each method. `solved`: the joints that follow are, by formulas here or by Newton's method before.
+enum class Positions { solved, given };
+std::unique_ptr<TracedClosure> traced_in_plane(
+    Trace& trace,
+    const model::Closure& closure,
+    std::vector<Expression>& q,
+    Positions positions);
+std::unique_ptr<TracedClosure> traced_in_space(
+    Trace& trace,
+    const model::Closure& closure,
+    const std::vector<Expression>& q,
+    Positions positions);
+std::unique_ptr<TracedClosure> traced_distance(
+    Trace& trace,
+    const model::Closure& closure,
+    std::vector<Expression>& q,
+    Positions positions);
 
 // Moves the joints that follow in `q`, by joint, a step of Newton's method towards where the loops of an iterative
 // closure close.

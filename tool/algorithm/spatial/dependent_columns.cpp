@@ -49,12 +49,25 @@ std::vector<Expression> DependentColumns::solve(const std::vector<Expression>& r
     for (const std::vector<Expression>& row : inverse_) x.push_back(dot(row, rows));
     return x;
   }
-  for (const std::vector<Expression>& unit : units_) x.push_back(dot(unit, rows));
+  x = in_basis(rows);
   for (std::size_t k = x.size(); k-- > 0;) {
     x[k] = reciprocals_[k] * x[k];
     for (std::size_t i = 0; i < k; ++i) x[i] -= triangle_[k][i] * x[k];
   }
   return x;
+}
+
+std::vector<Expression> DependentColumns::in_basis(const std::vector<Expression>& rows) const {
+  std::vector<Expression> parts;
+  for (const std::vector<Expression>& unit : units_) parts.push_back(dot(unit, rows));
+  return parts;
+}
+
+std::vector<Expression> DependentColumns::from_basis(const std::vector<Expression>& parts) const {
+  std::vector<Expression> rows(units_.front().size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row] += parts[k] * units_[k][row];
+  return rows;
 }
 
 // Q R^-T forces.

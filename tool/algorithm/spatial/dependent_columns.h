@@ -20,6 +20,10 @@ class DependentColumns {
   // lambda with K_d' lambda = forces, by row; the shortest one where rows say the same.
   std::vector<Expression> transposed_solve(const std::vector<Expression>& forces) const;
 
+  // Of more rows than joints: their parts along an orthogonal basis of the columns; and back.
+  std::vector<Expression> in_basis(const std::vector<Expression>& rows) const;
+  std::vector<Expression> from_basis(const std::vector<Expression>& parts) const;
+
  private:
   std::vector<std::vector<Expression>> inverse_;   // by joint; or empty
   std::vector<std::vector<Expression>> units_;     // Q by columns

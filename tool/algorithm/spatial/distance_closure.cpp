@@ -17,12 +17,12 @@ struct MovingPoint {
 
 class DistanceClosure : public TracedClosure {
  public:
-  DistanceClosure(Trace& trace, const model::Closure& closure, std::vector<Expression>& q)
-      : TracedClosure(trace, closure), loop_(trace.tree.loops[at(closure.loop())]) {
+  DistanceClosure(Trace& trace, const model::Closure& closure, std::vector<Expression>& q, Positions positions)
+      : TracedClosure(trace, closure), loop_(trace.tree.loops[at(closure.loop())]), positions_(positions) {
     for (std::size_t e = 0; e < 2; ++e)
       for (std::size_t k = 0; k < loop_.ends[e].joints.size(); ++k)
         if (loop_.ends[e].joints[k] == closure.dependents[0]) end_ = e, place_ = k;
-    solve(q);
+    if (positions == Positions::solved) solve(q);
     for (std::size_t e = 0; e < 2; ++e) {
       poses_[e] = poses_along(trace, loop_.ends[e], q);
       points_[e] = points(e, 0);
@@ -31,6 +31,7 @@ class DistanceClosure : public TracedClosure {
 
  private:
   const model::LoopJoint& loop_;
+  Positions positions_;
   std::size_t end_ = 0, place_ = 0;             // of the joint that follows
   std::array<std::vector<Pose>, 2> poses_;      // by joint of an end, then of its frame
   std::array<std::vector<Vector3>, 2> points_;  // the end's point in each frame before a pose
@@ -117,8 +118,19 @@ class DistanceClosure : public TracedClosure {
   }
 
   // The row is that of half the square of the distance.
+  std::vector<Expression> error() override {
+    const Expression length = trace_.lift(loop_.length), square = length * length;
+    return {0.5 * (square_of_distance() - square)};
+  }
+
   std::vector<std::vector<Expression>> force_of(const std::vector<Expression>& lambda) override {
-    return {{trace_.lift(loop_.length) * lambda[0]}};
+    const bool is_closed = positions_ == Positions::solved;
+    return {{(is_closed ? trace_.lift(loop_.length) : sqrt(square_of_distance())) * lambda[0]}};
+  }
+
+  Expression square_of_distance() const {
+    const Vector3 apart = points_[0].front() - points_[1].front();
+    return dot(apart, apart);
   }
 };
 
@@ -127,8 +139,9 @@ class DistanceClosure : public TracedClosure {
 std::unique_ptr<TracedClosure> traced_distance(
     Trace& trace,
     const model::Closure& closure,
-    std::vector<Expression>& q) {
-  return std::make_unique<DistanceClosure>(trace, closure, q);
+    std::vector<Expression>& q,
+    Positions positions) {
+  return std::make_unique<DistanceClosure>(trace, closure, q, positions);
 }
 
 }  // namespace robcogen::algorithm

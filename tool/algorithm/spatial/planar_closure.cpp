@@ -26,10 +26,10 @@ struct Posture {
 
 class PlanarClosure : public TracedClosure {
  public:
-  PlanarClosure(Trace& trace, const model::Closure& closure, std::vector<Expression>& q)
+  PlanarClosure(Trace& trace, const model::Closure& closure, std::vector<Expression>& q, Positions positions)
       : TracedClosure(trace, closure), q_(q) {
     for (std::size_t e = 0; e < 2; ++e) ends_[e] = pivots(e);
-    solve();
+    if (positions == Positions::solved) solve();
     q = q_;
     for (std::size_t e = 0; e < 2; ++e) postures_[e] = posture(e);
   }
@@ -215,6 +215,11 @@ class PlanarClosure : public TracedClosure {
     return result;
   }
 
+  std::vector<Expression> error() override {
+    const Vector2 apart = postures_[0].origins.back() - postures_[1].origins.back();
+    return {apart.x, apart.y};
+  }
+
   std::vector<Expression> bias(const std::vector<Expression>& qd) override {
     Vector2 total;
     for (std::size_t e = 0; e < 2; ++e) {
@@ -247,8 +252,9 @@ class PlanarClosure : public TracedClosure {
 std::unique_ptr<TracedClosure> traced_in_plane(
     Trace& trace,
     const model::Closure& closure,
-    std::vector<Expression>& q) {
-  return std::make_unique<PlanarClosure>(trace, closure, q);
+    std::vector<Expression>& q,
+    Positions positions) {
+  return std::make_unique<PlanarClosure>(trace, closure, q, positions);
 }
 
 }  // namespace robcogen::algorithm

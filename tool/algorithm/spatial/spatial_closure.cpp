@@ -48,7 +48,8 @@ void append(std::vector<Expression>& rows, const Vector3& v) {
 // The rows of a loop: of its second end as seen from the first one.
 class LoopRows {
  public:
-  LoopRows(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q) : trace_(trace), loop_(loop) {
+  LoopRows(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q, Positions positions)
+      : trace_(trace), loop_(loop), positions_(positions) {
     const std::vector<Expression> still(trace.tree.joints.size());
     for (std::size_t e = 0; e < 2; ++e) {
       poses_[e] = poses_along(trace, loop.ends[e], q);
@@ -120,7 +121,11 @@ class LoopRows {
 
   // Force and moment of the second end on the first one; of a point the force alone, of a distance how it is pressed.
   std::vector<Expression> force_of(const std::vector<Expression>& lambda) const {
-    if (loop_.type == LoopType::distance) return {trace_.lift(loop_.length) * lambda[0]};
+    if (loop_.type == LoopType::distance) {
+      const Vector3 apart = ends_[1].point - ends_[0].point;
+      const bool is_closed = positions_ == Positions::solved;
+      return {(is_closed ? trace_.lift(loop_.length) : sqrt(dot(apart, apart))) * lambda[0]};
+    }
     Vector3 force, moment;
     std::size_t row = 0;
     if (loop_.type == LoopType::slider)
@@ -141,6 +146,7 @@ class LoopRows {
  private:
   Trace& trace_;
   const model::LoopJoint& loop_;
+  Positions positions_;
   std::array<std::vector<Pose>, 2> poses_;
   std::array<End, 2> ends_;
 
@@ -194,16 +200,18 @@ class LoopRows {
 
 class SpatialClosure : public TracedClosure {
  public:
-  SpatialClosure(Trace& trace, const model::Closure& closure, const std::vector<Expression>& q)
+  SpatialClosure(
+      Trace& trace,
+      const model::Closure& closure,
+      const std::vector<Expression>& q,
+      Positions positions = Positions::solved)
       : TracedClosure(trace, closure) {
-    for (const int loop : closure.loops) loops_.emplace_back(trace, trace.tree.loops[at(loop)], q);
+    for (const int loop : closure.loops) loops_.emplace_back(trace, trace.tree.loops[at(loop)], q, positions);
   }
 
   // By joint that follows.
   std::vector<Expression> newton_step() {
-    std::vector<Expression> rows;
-    for (const LoopRows& loop : loops_)
-      for (const Expression& row : loop.error()) rows.push_back(row);
+    const std::vector<Expression> rows = error();
     return dependent_columns().solve(rows);
   }
 
@@ -240,6 +248,13 @@ class SpatialClosure : public TracedClosure {
     return result;
   }
 
+  std::vector<Expression> error() override {
+    std::vector<Expression> rows;
+    for (const LoopRows& loop : loops_)
+      for (const Expression& row : loop.error()) rows.push_back(row);
+    return rows;
+  }
+
   std::vector<Expression> bias(const std::vector<Expression>& qd) override {
     std::vector<Expression> rows;
     for (const LoopRows& loop : loops_)
@@ -264,8 +279,9 @@ class SpatialClosure : public TracedClosure {
 std::unique_ptr<TracedClosure> traced_in_space(
     Trace& trace,
     const model::Closure& closure,
-    std::vector<Expression>& q) {
-  return std::make_unique<SpatialClosure>(trace, closure, q);
+    const std::vector<Expression>& q,
+    Positions positions) {
+  return std::make_unique<SpatialClosure>(trace, closure, q, positions);
 }
 
 void newton_step(Trace& trace, const model::Closure& closure, std::vector<Expression>& q) {

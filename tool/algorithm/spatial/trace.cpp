@@ -160,14 +160,18 @@ const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {
   return known;
 }
 
-std::vector<std::vector<Expression>> Trace::reactions(std::vector<Expression> forces) {
+std::vector<std::vector<Expression>> Trace::reactions(
+    const std::vector<Expression>& q,
+    std::vector<Expression> forces) {
   std::vector<std::vector<Expression>> result(tree.loops.size());
+  const auto add = [&](const model::Closure& closure, TracedClosure& closed) {
+    const std::vector<std::vector<Expression>> of_closure = closed.reaction(forces);
+    for (std::size_t k = 0; k < of_closure.size(); ++k) result[at(closure.loops[k])] = of_closure[k];
+  };
   // Loops that take joints of others as given come behind these.
-  for (std::size_t k = closures_.size(); k-- > 0;) {
-    const std::vector<std::vector<Expression>> of_closure = closures_[k]->reaction(forces);
-    for (std::size_t loop = 0; loop < of_closure.size(); ++loop)
-      result[at(tree.closures[k].loops[loop])] = of_closure[loop];
-  }
+  for (std::size_t k = closures_.size(); k-- > 0;) add(tree.closures[k], *closures_[k]);
+  for (std::size_t k = tree.parallelograms.size(); k-- > 0;)
+    add(tree.parallelograms[k], *traced_open(*this, tree.parallelograms[k], q));
   return result;
 }
 

@@ -82,8 +82,8 @@ class Trace : public ProgramTrace {
   // The rate of a joint that follows through a loop, over those of coordinates.
   const std::vector<RateShare>& rates_of(const model::Coupling& coupling);
   // By loop: what its second end pushes its first one with (TracedClosure::reaction), by the forces that a motion needs
-  // at all joints.
-  std::vector<std::vector<Expression>> reactions(std::vector<Expression> forces);
+  // at all joints, at the positions q by joint.
+  std::vector<std::vector<Expression>> reactions(const std::vector<Expression>& q, std::vector<Expression> forces);
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);
   // One wrench a link, base first, in link coordinates about the link's origin; zero for repeated links.
