@@ -1,5 +1,6 @@
 #include "driver/accurate_functions.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "pass/passes.h"
 #include "support/lazy.h"
 #include "support/parallel.h"
+#include "symbolic/count.h"
 
 namespace robcogen::driver {
 namespace {
@@ -64,6 +66,11 @@ RobotFunction optimised(RobotFunction function, const std::vector<std::string>& 
   return function;
 }
 
+std::vector<std::string> without(std::vector<std::string> passes, const std::string& name) {
+  passes.erase(std::remove(passes.begin(), passes.end(), name), passes.end());
+  return passes;
+}
+
 // Sets the rounding errors of the function; returns whether they are small enough.
 bool measure(RobotFunction& function, const AccurateResults& results) {
   const symbolic::Accuracy accuracy = results.accuracy_of(function.program);
@@ -82,14 +89,23 @@ void run_on(
   const bool has_formulation = !simpler.plain_programs.empty();
   function.results = std::make_shared<const AccurateResults>(
       has_formulation ? simpler.plain_programs[index] : traced.program, parameters);
+  RobotFunction searched = traced;
   traced = optimised(std::move(traced), passes);
   if (measure(traced, *function.results)) {
     if (function.congruent) function.congruent = pass::run(std::move(*function.congruent), passes);
     return;
   }
   function.congruent.reset();
+  // Sums in another order lose other digits.
+  RobotFunction as_traced = optimised(std::move(searched), without(passes, "reassociate"));
+  const bool keeps_digits = measure(as_traced, *function.results);
   traced = optimised(simpler.unsearched(index), passes);
-  if (measure(traced, *function.results)) return;
+  const bool is_unsearched_kept = measure(traced, *function.results);
+  if (keeps_digits && (!is_unsearched_kept || symbolic::work(as_traced.program) < symbolic::work(traced.program))) {
+    traced = std::move(as_traced);
+    return;
+  }
+  if (is_unsearched_kept) return;
   traced = optimised(simpler.plain(index), passes);
   if (measure(traced, *function.results)) return;
   traced = simpler.plain(index);
