@@ -79,7 +79,8 @@ set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passiv
                                              forward_dynamics_derivatives centroidal energy centroidal_bias contacts
                                              operational_space regressor base_regressor energy_regressor
                                              slotine_li_regressor transforms jacobians jacobian_references
-                                             jacobians_with_base jacobian_derivatives velocities accelerations)
+                                             jacobians_with_base jacobian_derivatives velocities accelerations world
+                                             world_centroidal)
 # The default: the functions that most programs need, which compile quickly.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)

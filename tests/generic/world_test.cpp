@@ -131,6 +131,59 @@ TEST(World, FramesMoveAsTheirPosesDo) {
   }
 }
 
+// The generated functions against those of the runtime, and biases against the rates of the matrices.
+TEST(World, GeneratedFunctionsAreThoseOfTheRuntime) {
+  std::mt19937_64 engine(56);
+  namespace world = quadruped::world;
+  namespace in_target = quadruped::world::in_target;
+  for (int i = 0; i < kStates; ++i) {
+    const State s = random_state(engine);
+    Coordinates a;
+    for (double& x : a) x = reference::uniform(engine, 1.0);
+    const Coordinates v = velocity_of(s);
+    const quadruped::JointState qdd = a.tail<quadruped::kDof>();
+    const SpatialAcceleration base_acceleration(a.head<6>());
+    const Eigen::Matrix4d X = world::X_fr_LF_foot(s.q, s.pose);
+    EXPECT_LT((X - foot_in_world(s).homogeneous()).norm(), kRounding);
+    EXPECT_LT((world::position_fr_LF_foot(s.q, s.pose) - X.topRightCorner<3, 1>()).norm(), kRounding);
+
+    const auto J = world::J_fr_LF_foot(s.q, s.pose);
+    EXPECT_LT((J - rows_in_axes(s.pose.rotation(), foot_jacobian(s))).norm(), kRounding);
+    const Vector6 velocity = world::velocity_fr_LF_foot(s.q, s.qd, s.pose, s.base_velocity);
+    EXPECT_LT((velocity - J * v).norm(), kRounding);
+    const Vector6 bias = world::bias_fr_LF_foot(s.q, s.qd, s.pose, s.base_velocity);
+    const Vector6 acceleration =
+        world::acceleration_fr_LF_foot(s.q, s.qd, qdd, s.pose, s.base_velocity, base_acceleration);
+    EXPECT_LT((acceleration - (J * a + bias)).norm(), kRounding);
+    const State up = moved(s, Coordinates::Zero(), kStep), down = moved(s, Coordinates::Zero(), -kStep);
+    const Vector6 rate =
+        (world::J_fr_LF_foot(up.q, up.pose) - world::J_fr_LF_foot(down.q, down.pose)) * v / (2 * kStep);
+    EXPECT_LT((rate - bias).norm(), kDifference);
+
+    const Eigen::Matrix3d to_foot = X.topLeftCorner<3, 3>().transpose();
+    const auto turned = [&](const Vector6& of_world) { return rows_in_axes<double, 1>(to_foot, of_world); };
+    EXPECT_LT((in_target::J_fr_LF_foot(s.q) - rows_in_axes(to_foot, J)).norm(), kRounding);
+    EXPECT_LT((in_target::velocity_fr_LF_foot(s.q, s.qd, s.base_velocity) - turned(velocity)).norm(), kRounding);
+    EXPECT_LT((in_target::bias_fr_LF_foot(s.q, s.qd, s.base_velocity) - turned(bias)).norm(), kRounding);
+    EXPECT_LT(
+        (in_target::acceleration_fr_LF_foot(s.q, s.qd, qdd, s.base_velocity, base_acceleration) - turned(acceleration))
+            .norm(),
+        kRounding);
+
+    const auto A = world::centroidal_momentum_matrix(s.q, s.pose);
+    const Eigen::Matrix<double, 6, 6 + quadruped::kDof> change =
+        world::centroidal_momentum_matrix(up.q, up.pose) - world::centroidal_momentum_matrix(down.q, down.pose);
+    const Vector6 of_momentum = world::centroidal_momentum_bias(s.q, s.qd, s.pose, s.base_velocity);
+    constexpr double kMomentum = 1e-6;  // some tens of N m s, at differences of kStep
+    EXPECT_LT((change * v / (2 * kStep) - of_momentum).norm(), kMomentum);
+    EXPECT_LT((world::centroidal_momentum(s.q, s.qd, s.pose, s.base_velocity) - A * v).norm(), 100 * kRounding);
+    const Eigen::Vector3d com_velocity = world::center_of_mass_velocity(s.q, s.qd, s.pose, s.base_velocity);
+    EXPECT_LT((com_velocity - world::center_of_mass_jacobian(s.q, s.pose) * v).norm(), kRounding);
+    const Eigen::Vector3d step = world::center_of_mass(up.q, up.pose) - world::center_of_mass(down.q, down.pose);
+    EXPECT_LT((com_velocity - step / (2 * kStep)).norm(), kDifference);
+  }
+}
+
 // The rate of the momentum in world axes, and of the centre of mass: central differences.
 TEST(World, CentroidalMomentumChangesByMatrixAndBias) {
   constexpr double kMomentum = 1e-6;  // some tens of N m s, at differences of kStep

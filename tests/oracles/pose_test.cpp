@@ -123,6 +123,68 @@ TEST_F(PoseInMujoco, JacobiansWithBaseAgree) {
   }
 }
 
+// Of generated functions: the Jacobian and the motion of a foot, the centre of mass and the momentum.
+TEST_F(PoseInMujoco, FramesMoveInTheWorldAsTheyDo) {
+  namespace world = quadruped::world;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  std::mt19937_64 engine(45);
+  const int body = mj_name2id(model_.get(), mjOBJ_BODY, "LF_lowerleg");
+  const int trunk = mj_name2id(model_.get(), mjOBJ_BODY, "trunk");
+  ASSERT_GE(trunk, 0);
+  // Theirs of the base are the velocity in world axes, then the angular velocity.
+  const auto columns = [&](const auto& J, const Eigen::Matrix3d& R) {
+    Eigen::Matrix<double, Eigen::Dynamic, 6 + kDof> result(J.rows(), 6 + kDof);
+    result.template leftCols<3>() = J.template middleCols<3>(3) * R.transpose();
+    result.template middleCols<3>(3) = J.template leftCols<3>();
+    for (int j = 0; j < kDof; ++j) result.col(6 + order()[static_cast<std::size_t>(j)]) = J.col(6 + j);
+    return result;
+  };
+  for (int i = 0; i < kStates; ++i) {
+    randomise(engine);
+    mj_forward(model_.get(), data_.get());
+    mj_subtreeVel(model_.get(), data_.get());
+    mj_rnePostConstraint(model_.get(), data_.get());
+    const State s = state();
+    const Eigen::Matrix3d R = s.pose.rotation();
+    const Eigen::Vector3d foot = world::position_fr_LF_foot(s.q, s.pose);
+    Eigen::Matrix<double, 6, 6 + kDof, Eigen::RowMajor> theirs;
+    mj_jac(model_.get(), data_.get(), theirs.row(3).data(), theirs.row(0).data(), foot.data(), body);
+    EXPECT_LT((theirs - columns(world::J_fr_LF_foot(s.q, s.pose), R)).cwiseAbs().maxCoeff(), kAgreement);
+    const Eigen::Map<const Eigen::Matrix<double, 6 + kDof, 1>> velocities(data_->qvel), accelerations(data_->qacc);
+    const Vector6 velocity = world::velocity_fr_LF_foot(s.q, s.qd, s.pose, s.base_velocity);
+    EXPECT_LT((velocity - theirs * velocities).norm(), kAgreement * (1 + velocity.norm()));
+
+    // From the body's origin to the foot; MuJoCo's accelerations carry gravity.
+    Vector6 origin;
+    mj_objectAcceleration(model_.get(), data_.get(), mjOBJ_XBODY, body, origin.data(), 0);
+    const Eigen::Vector3d arm = foot - Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * body);
+    const Eigen::Vector3d w = velocity.head<3>(), wd = origin.head<3>();
+    const Eigen::Vector3d gravity(model_->opt.gravity);
+    Vector6 expected;
+    expected << wd, origin.tail<3>() + gravity + wd.cross(arm) + w.cross(w.cross(arm));
+    quadruped::JointState qdd;
+    order().from(data_->qacc + 6, qdd);
+    const ClassicalAcceleration base(
+        accelerations.segment<3>(3), s.pose.to_base_axes(Eigen::Vector3d(accelerations.head<3>())));
+    const Vector6 ours = world::acceleration_fr_LF_foot(
+        s.q, s.qd, qdd, s.pose, s.base_velocity, spatial_from_classical(base, s.base_velocity));
+    EXPECT_LT((ours - expected).norm(), kAgreement * (1 + expected.norm()));
+
+    const Eigen::Map<const Eigen::Vector3d> com(data_->subtree_com + 3 * trunk);
+    const Eigen::Map<const Eigen::Vector3d> linear(data_->subtree_linvel + 3 * trunk);
+    const Eigen::Map<const Eigen::Vector3d> angular(data_->subtree_angmom + 3 * trunk);
+    EXPECT_LT((world::center_of_mass(s.q, s.pose) - com).norm(), kAgreement);
+    const Eigen::Vector3d com_velocity = world::center_of_mass_velocity(s.q, s.qd, s.pose, s.base_velocity);
+    EXPECT_LT((com_velocity - linear).norm(), kAgreement * (1 + linear.norm()));
+    const Vector6 momentum = world::centroidal_momentum(s.q, s.qd, s.pose, s.base_velocity);
+    EXPECT_LT((momentum.head<3>() - angular).norm(), kAgreement * (1 + angular.norm()));
+    EXPECT_LT((momentum.tail<3>() - quadruped::kTotalMass * linear).norm(), kAgreement * (1 + momentum.norm()));
+    Eigen::Matrix<double, 3, 6 + kDof, Eigen::RowMajor> of_com;
+    mj_jacSubtreeCom(model_.get(), data_.get(), of_com.data(), trunk);
+    EXPECT_LT((of_com - columns(world::center_of_mass_jacobian(s.q, s.pose), R)).cwiseAbs().maxCoeff(), kAgreement);
+  }
+}
+
 // MuJoCo moves the origin along the velocity at the start, in a straight line; turns are the same.
 TEST_F(PoseInMujoco, OrientationsTurnEqually) {
   std::mt19937_64 engine(43);

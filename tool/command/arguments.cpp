@@ -217,7 +217,8 @@ Argument array_argument(const InputArray& array) {
     return {array.name, Shape::square, meaning_of(array.role), {}, n, {}};
   }
   std::string meaning = meaning_of(array.role);
-  if (!array.quaternions.empty()) meaning += "; of spherical joints unit quaternions, scalar part first";
+  if (!array.quaternions.empty() && array.role == Role::joint_position)
+    meaning += "; of spherical joints unit quaternions, scalar part first";
   if (array.followers > 0)
     meaning += fmt::format("; the last {}, which follow through loops, may be left out", array.followers);
   return {array.name, Shape::vector, std::move(meaning), array.elements, size, {}, array.quaternions, array.followers};

@@ -15,38 +15,50 @@ namespace {
 
 using algorithm::RobotFunction;
 
-// The names of functions of two frames: `jacobians.` A `_J_` B.
+// The names of functions of two frames, `jacobians.` A `_J_` B, and of one that the base sees, `world.J_` B.
 struct NamePattern {
   std::string group;
   std::string prefix;
-  std::string separator;
+  std::string separator;  // empty: of one frame
 
-  std::string name(const model::FramePair& pair) const { return prefix + pair.left.name + separator + pair.right.name; }
+  std::string name(const model::FramePair& pair) const {
+    return prefix + (separator.empty() ? "" : pair.left.name) + separator + pair.right.name;
+  }
 };
 
 // From the functions between two frames of the robot.
 std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::FormulationChoices& formulations) {
   const std::vector<model::Frame> frames = tree.frames();
-  const model::FramePair pair = {frames.front(), frames.back()};
+  // Of a link that moves, if one does.
+  const auto last = std::find_if(
+      frames.rbegin(), frames.rend(), [](const model::Frame& frame) { return frame.kind == model::Frame::Kind::link; });
+  const model::FramePair pair = {frames.front(), *last};
   const model::DesiredTransforms desired = {{pair}, {pair}, {}};
   std::vector<NamePattern> found;
   for (const std::string& group : algorithm::groups_between_frames())
     for (const RobotFunction& f : algorithm::functions(tree, desired, group, formulations)) {
       if (f.frames.left.name.empty()) continue;  // of the whole robot
-      const std::size_t begin = pair.left.name.size();
-      found.push_back(
-          {group, dotted(f.scope, ""), f.name.substr(begin, f.name.size() - begin - pair.right.name.size())});
+      const std::string before = f.name.substr(0, f.name.size() - pair.right.name.size());
+      const bool is_of_two = before.size() > pair.left.name.size() && before.starts_with(pair.left.name);
+      if (is_of_two)
+        found.push_back({group, dotted(f.scope, ""), before.substr(pair.left.name.size())});
+      else
+        found.push_back({group, dotted(f.scope, before), ""});
     }
   return found;
 }
 
-// A name that matches a pattern with two frames of the robot.
+// A name that matches a pattern with frames of the robot.
 std::optional<model::FramePair> frames_in(
     const model::KinematicTree& tree,
     const NamePattern& pattern,
     const std::string& name) {
   if (!name.starts_with(pattern.prefix)) return std::nullopt;
   const std::string rest = name.substr(pattern.prefix.size());
+  if (pattern.separator.empty()) {
+    const auto frame = tree.find_frame(rest);
+    return frame ? std::optional(model::FramePair{tree.frames().front(), *frame}) : std::nullopt;
+  }
   for (std::size_t at = rest.find(pattern.separator); at != std::string::npos;
        at = rest.find(pattern.separator, at + 1)) {
     const auto left = tree.find_frame(rest.substr(0, at));

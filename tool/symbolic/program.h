@@ -81,6 +81,7 @@ enum class Role {
   joint_acceleration,       // rad/s^2 or m/s^2
   joint_force,              // N m or N
   gravity,                  // 3: m/s^2, base coordinates
+  base_pose,                // 7: unit quaternion w, x, y, z from base axes to world axes, base origin in the world
   base_velocity,            // 6: twist, angular first, base coordinates
   base_acceleration,        // 6: spatial acceleration, base coordinates, gravity not included
   base_wrench,              // 6: about the base origin, base coordinates

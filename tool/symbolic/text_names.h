@@ -19,6 +19,7 @@ inline constexpr std::array kRoles = {
     RoleName{Role::joint_acceleration, "joint_acceleration"},
     RoleName{Role::joint_force, "joint_force"},
     RoleName{Role::gravity, "gravity"},
+    RoleName{Role::base_pose, "base_pose"},
     RoleName{Role::base_velocity, "base_velocity"},
     RoleName{Role::base_acceleration, "base_acceleration"},
     RoleName{Role::base_wrench, "base_wrench"},

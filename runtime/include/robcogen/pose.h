@@ -43,7 +43,7 @@ class BasicBasePose {
       Scalar y,
       Scalar z,
       const Vector3& position = Vector3::Zero()) noexcept {
-    return BasicBasePose(Vector4(x, y, z, w), position);
+    return BasicBasePose(Vector4(w, x, y, z), position);
   }
   static BasicBasePose from_quaternion_xyzw(
       Scalar x,
@@ -51,10 +51,10 @@ class BasicBasePose {
       Scalar z,
       Scalar w,
       const Vector3& position = Vector3::Zero()) noexcept {
-    return BasicBasePose(Vector4(x, y, z, w), position);
+    return BasicBasePose(Vector4(w, x, y, z), position);
   }
   static BasicBasePose from_quaternion(const Quaternion& q, const Vector3& position = Vector3::Zero()) noexcept {
-    return BasicBasePose(q.coeffs(), position);
+    return BasicBasePose(Vector4(q.w(), q.x(), q.y(), q.z()), position);
   }
 
   // R maps base axes to world axes; its columns are the axes of the base. Its elements may be rounded to four digits.
@@ -81,17 +81,14 @@ class BasicBasePose {
     return from_quaternion(about_z * about_y * about_x, position);
   }
 
-  Quaternion quaternion() const noexcept {
-    return Quaternion(quaternion_[3], quaternion_[0], quaternion_[1], quaternion_[2]);
-  }
-  Vector4 quaternion_wxyz() const noexcept {
-    return Vector4(quaternion_[3], quaternion_[0], quaternion_[1], quaternion_[2]);
-  }
-  Vector4 quaternion_xyzw() const noexcept {
-    return Vector4(quaternion_[0], quaternion_[1], quaternion_[2], quaternion_[3]);
-  }
+  Quaternion quaternion() const noexcept { return Quaternion(elements_[0], elements_[1], elements_[2], elements_[3]); }
+  Vector4 quaternion_wxyz() const noexcept { return Vector4(elements_[0], elements_[1], elements_[2], elements_[3]); }
+  Vector4 quaternion_xyzw() const noexcept { return Vector4(elements_[1], elements_[2], elements_[3], elements_[0]); }
   Matrix3 rotation() const noexcept { return quaternion().toRotationMatrix(); }
-  Vector3 position() const noexcept { return Vector3(position_[0], position_[1], position_[2]); }
+  Vector3 position() const noexcept { return Vector3(elements_[4], elements_[5], elements_[6]); }
+
+  // What kernels take: w, x, y, z of the quaternion, then the position.
+  const Scalar* data() const noexcept { return elements_; }
 
   // world_X_base: times a homogeneous transform of the robot, the pose of its frame in the world.
   Matrix4 homogeneous() const noexcept {
@@ -119,17 +116,16 @@ class BasicBasePose {
   // Elements of R^T R - 1: far above what printed matrices have, far below a mistake.
   static constexpr double kRotationTolerance = 1e-3;
 
-  BasicBasePose(const Vector4& xyzw, const Vector3& position) noexcept {
+  BasicBasePose(const Vector4& wxyz, const Vector3& position) noexcept {
     using std::sqrt;
     // Eigen would leave zeros as they are, and make the identity of them.
-    Eigen::Map<Vector4> unit(quaternion_);
-    unit = xyzw / sqrt(xyzw.squaredNorm());
-    Eigen::Map<Vector3> origin(position_);
+    Eigen::Map<Vector4> unit(elements_);
+    unit = wxyz / sqrt(wxyz.squaredNorm());
+    Eigen::Map<Vector3> origin(elements_ + 4);
     origin = position;
   }
 
-  Scalar quaternion_[4] = {Scalar(0), Scalar(0), Scalar(0), Scalar(1)};  // x y z w
-  Scalar position_[3] = {Scalar(0), Scalar(0), Scalar(0)};
+  Scalar elements_[7] = {Scalar(1), Scalar(0), Scalar(0), Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
 };
 
 using BasePose = BasicBasePose<double>;

@@ -263,6 +263,16 @@ TEST(RobotPrograms, OfFrames) {
       (List{"fr_base_Jd_fr_two: q qd -> Jd 6x2", "fr_base_Jd_qd_fr_two: q qd -> a 6x1"}));
   EXPECT_EQ(signatures(tree, "velocities"), (List{"fr_base_V_fr_two: q qd -> V 6x1"}));
   EXPECT_EQ(signatures(tree, "accelerations"), (List{"fr_base_A_fr_two: q qd qdd -> A 6x1"}));
+  EXPECT_EQ(
+      signatures(tree, "world"),
+      (List{
+          "in_world_X_fr_one: q base_pose -> X 4x4", "in_world_X_fr_two: q base_pose -> X 4x4",
+          "in_world_position_fr_one: q base_pose -> p 3x1", "in_world_position_fr_two: q base_pose -> p 3x1",
+          "in_world_velocity_fr_two: q qd base_pose -> v 6x1",
+          "in_world_acceleration_fr_two: q qd qdd base_pose -> a 6x1", "in_world_J_fr_two: q base_pose -> J 6x2",
+          "in_world_bias_fr_two: q qd base_pose -> a 6x1", "world_in_target_velocity_fr_two: q qd -> v 6x1",
+          "world_in_target_acceleration_fr_two: q qd qdd -> a 6x1", "world_in_target_J_fr_two: q -> J 6x2",
+          "world_in_target_bias_fr_two: q qd -> a 6x1"}));
 }
 
 TEST(RobotPrograms, OfContacts) {

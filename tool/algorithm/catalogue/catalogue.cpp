@@ -83,7 +83,9 @@ constexpr std::array kGroups = {
     Group{"jacobians_with_base", false, kNothing, nullptr, jacobians_with_base_functions},
     Group{"jacobian_derivatives", false, kNothing, nullptr, jacobian_derivatives_functions},
     Group{"velocities", false, kNothing, nullptr, velocities_functions},
-    Group{"accelerations", false, kNothing, nullptr, accelerations_functions}};
+    Group{"accelerations", false, kNothing, nullptr, accelerations_functions},
+    Group{"world", false, kNothing, nullptr, world_functions},
+    Group{"world_centroidal", false, kMass, world_centroidal_functions, nullptr, nullptr, true}};
 
 const Group* group_of(const std::string& name) {
   const auto found =

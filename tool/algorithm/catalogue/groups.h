@@ -90,4 +90,9 @@ std::vector<RobotFunction> accelerations_functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired);
 
+// ---- In the world: of each frame that is desired, and of the whole robot.
+
+std::vector<RobotFunction> world_functions(const model::KinematicTree& tree, const model::DesiredTransforms& desired);
+std::vector<RobotFunction> world_centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+
 }  // namespace robcogen::algorithm

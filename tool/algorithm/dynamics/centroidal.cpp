@@ -57,6 +57,42 @@ void append(std::vector<Expression>& columns, const Vector3& v) {
   columns.insert(columns.end(), v.element.begin(), v.element.end());
 }
 
+// What the velocity of the centre of mass is multiplied by: base twist first.
+std::vector<Vector3> velocity_columns(const WholeBody& body) {
+  Trace& trace = body.robot.trace;
+  std::vector<Vector3> columns;
+  if (body.robot.floating()) {
+    for (std::size_t k = 0; k < 3; ++k) columns.push_back(cross(unit_vector(trace.graph, k), body.com));
+    for (std::size_t k = 0; k < 3; ++k) columns.push_back(unit_vector(trace.graph, k));
+  }
+  for (const std::vector<Share>& moved : shares(trace))
+    columns.push_back(body.per_mass * unit_momentum(body, moved).linear);
+  return columns;
+}
+
+// The momentum about the centre of mass at unit velocities.
+std::vector<Force> momentum_columns(const WholeBody& body) {
+  Trace& trace = body.robot.trace;
+  const Vector3& first_moment = body.total.first_moment;
+  std::vector<Force> columns;
+  if (body.robot.floating()) {
+    // About the centre of mass, turning has no part in what sliding causes; with the inertia tensor I about the base
+    // origin, that about the centre of mass is I + [h]x [com]x.
+    const Matrix3 inertia = inertia_tensor(body.total);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 e = unit_vector(trace.graph, k), velocity = cross(e, body.com);
+      const Vector3 moment = Vector3{inertia[0][k], inertia[1][k], inertia[2][k]} - cross(first_moment, velocity);
+      columns.push_back({moment, cross(e, first_moment)});
+    }
+    for (std::size_t k = 0; k < 3; ++k) columns.push_back({{}, body.total.mass * unit_vector(trace.graph, k)});
+  }
+  for (const std::vector<Share>& moved : shares(trace)) {
+    const Force momentum = unit_momentum(body, moved);
+    columns.push_back({momentum.moment - cross(body.com, momentum.linear), momentum.linear});
+  }
+  return columns;
+}
+
 // The rate of momentum of a link and all beyond it that its motion takes, about its origin; of a fixed base only that
 // of the links beyond.
 Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& motions, const StateInputs& in, int link) {
@@ -72,21 +108,45 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
   return total;
 }
 
+// The inputs of a function, with the pose of the base where its results are in axes of the world.
+std::vector<State> with_pose(CentroidalAxes axes, std::vector<State> list, const std::vector<State>& more = {}) {
+  if (axes == CentroidalAxes::of_world) list.push_back(State::base_pose);
+  list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
+// From axes of the base.
+Vector3 turned(CentroidalAxes axes, const StateInputs& in, const Vector3& v) {
+  return axes == CentroidalAxes::of_world ? multiply(in.base_rotation, v) : v;
+}
+
+// Calls add(velocity, its column) for each velocity, base twist first.
+template <class Column, class Add>
+void for_each_velocity(const StateInputs& in, const Trace& trace, const std::vector<Column>& columns, const Add& add) {
+  std::vector<Expression> velocities;
+  if (trace.tree.floating_base)
+    for (const Vector3& part : {in.base_velocity.angular, in.base_velocity.linear})
+      velocities.insert(velocities.end(), part.element.begin(), part.element.end());
+  for (const int joint : trace.tree.coordinates()) velocities.push_back(in.qd[at(joint)]);
+  for (std::size_t k = 0; k < columns.size(); ++k) add(velocities[k], columns[k]);
+}
+
 }  // namespace
 
 Program centroidal_momentum_bias(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative) {
+    const RepresentativeLinks& representative,
+    CentroidalAxes axes) {
   Trace trace(tree);
-  const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
+  const StateInputs in(trace, with_pose(axes, {State::position, State::velocity}, {State::base_velocity}));
   const TracedRobot robot(trace, in.q, representative);
   const WholeBody body(robot);
   const std::vector<Expression> at_rest = trace.accelerations_at_rest();
   const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
   Force rate = momentum_rate(robot, forces.motions, in, 0);
   rate.moment -= cross(body.com, rate.linear);
-  trace.output("bias", Role::value, rate);
+  trace.output("bias", Role::value, Force{turned(axes, in, rate.moment), turned(axes, in, rate.linear)});
   return trace.program(name);
 }
 
@@ -102,28 +162,26 @@ Program total_mass(const model::KinematicTree& tree, const std::string& name) {
 Program center_of_mass(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative) {
+    const RepresentativeLinks& representative,
+    CentroidalAxes axes) {
   Trace trace(tree);
-  const TracedRobot robot(trace, trace.joint_input("q", Role::joint_position), representative);
-  const WholeBody body(robot);
-  trace.output("com", Role::position, std::vector<Expression>{body.com[0], body.com[1], body.com[2]});
+  const StateInputs in(trace, with_pose(axes, {State::position}));
+  const TracedRobot robot(trace, in.q, representative);
+  const Vector3 com = in.base_position + turned(axes, in, WholeBody(robot).com);
+  trace.output("com", Role::position, std::vector<Expression>{com[0], com[1], com[2]});
   return trace.program(name);
 }
 
 Program center_of_mass_jacobian(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative) {
+    const RepresentativeLinks& representative,
+    CentroidalAxes axes) {
   Trace trace(tree);
-  const TracedRobot robot(trace, trace.joint_input("q", Role::joint_position), representative);
-  const WholeBody body(robot);
+  const StateInputs in(trace, with_pose(axes, {State::position}));
+  const TracedRobot robot(trace, in.q, representative);
   std::vector<Expression> columns;
-  if (tree.floating_base) {
-    for (std::size_t k = 0; k < 3; ++k) append(columns, cross(unit_vector(trace.graph, k), body.com));
-    for (std::size_t k = 0; k < 3; ++k) append(columns, unit_vector(trace.graph, k));
-  }
-  for (const std::vector<Share>& moved : shares(trace))
-    append(columns, body.per_mass * unit_momentum(body, moved).linear);
+  for (const Vector3& column : velocity_columns(WholeBody(robot))) append(columns, turned(axes, in, column));
   trace.output("J", Role::matrix, 3, static_cast<int>(columns.size() / 3), columns);
   return trace.program(name);
 }
@@ -131,32 +189,51 @@ Program center_of_mass_jacobian(
 Program centroidal_momentum_matrix(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative) {
+    const RepresentativeLinks& representative,
+    CentroidalAxes axes) {
   Trace trace(tree);
-  const TracedRobot robot(trace, trace.joint_input("q", Role::joint_position), representative);
-  const WholeBody body(robot);
-  const Vector3& first_moment = body.total.first_moment;
+  const StateInputs in(trace, with_pose(axes, {State::position}));
+  const TracedRobot robot(trace, in.q, representative);
   std::vector<Expression> columns;
-  if (tree.floating_base) {
-    // About the centre of mass, turning has no part in what sliding causes; with the inertia tensor I about the base
-    // origin, that about the centre of mass is I + [h]x [com]x.
-    const Matrix3 inertia = inertia_tensor(body.total);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3 e = unit_vector(trace.graph, k), velocity = cross(e, body.com);
-      append(columns, Vector3{inertia[0][k], inertia[1][k], inertia[2][k]} - cross(first_moment, velocity));
-      append(columns, cross(e, first_moment));
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      append(columns, Vector3());
-      append(columns, body.total.mass * unit_vector(trace.graph, k));
-    }
-  }
-  for (const std::vector<Share>& moved : shares(trace)) {
-    const Force momentum = unit_momentum(body, moved);
-    append(columns, momentum.moment - cross(body.com, momentum.linear));
-    append(columns, momentum.linear);
+  for (const Force& column : momentum_columns(WholeBody(robot))) {
+    append(columns, turned(axes, in, column.moment));
+    append(columns, turned(axes, in, column.linear));
   }
   trace.output("A", Role::matrix, 6, static_cast<int>(columns.size() / 6), columns);
+  return trace.program(name);
+}
+
+Program center_of_mass_velocity(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const auto axes = CentroidalAxes::of_world;
+  const StateInputs in(trace, with_pose(axes, {State::position, State::velocity}, {State::base_velocity}));
+  const TracedRobot robot(trace, in.q, representative);
+  Vector3 sum;
+  for_each_velocity(in, trace, velocity_columns(WholeBody(robot)), [&](const Expression& v, const Vector3& column) {
+    sum += v * column;
+  });
+  const Vector3 velocity = turned(axes, in, sum);
+  trace.output("v", Role::value, std::vector<Expression>{velocity[0], velocity[1], velocity[2]});
+  return trace.program(name);
+}
+
+Program centroidal_momentum(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative) {
+  Trace trace(tree);
+  const auto axes = CentroidalAxes::of_world;
+  const StateInputs in(trace, with_pose(axes, {State::position, State::velocity}, {State::base_velocity}));
+  const TracedRobot robot(trace, in.q, representative);
+  Force sum;
+  for_each_velocity(in, trace, momentum_columns(WholeBody(robot)), [&](const Expression& v, const Force& column) {
+    sum.moment += v * column.moment;
+    sum.linear += v * column.linear;
+  });
+  trace.output("h", Role::value, Force{turned(axes, in, sum.moment), turned(axes, in, sum.linear)});
   return trace.program(name);
 }
 

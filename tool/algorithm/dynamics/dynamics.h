@@ -183,26 +183,46 @@ symbolic::Program gravity_forces_derivative(
 
 // The mass of all that moves, which is every link but a fixed base; a function of the parameters alone: -> mass.
 symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
-// Its centre of mass: q -> com, base coordinates; zero where no moving link has mass.
+
+// Whether results are in axes of the base, positions in base coordinates, or in those of the world; then `base_pose`
+// (Role::base_pose) is an input behind those of the joints.
+enum class CentroidalAxes { of_base, of_world };
+
+// Its centre of mass: q -> com; in axes of the base zero where no moving link has mass.
 symbolic::Program center_of_mass(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {});
-// Velocity of that point, in base axes: q -> J, 3 x n, or 3 x (6 + n) base twist first.
+    const RepresentativeLinks& representative = {},
+    CentroidalAxes axes = CentroidalAxes::of_base);
+// Velocity of that point: q -> J, 3 x n, or 3 x (6 + n) base twist first.
 symbolic::Program center_of_mass_jacobian(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {});
-// Spatial momentum about that point, in base axes (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base twist
-// first; angular rows first.
+    const RepresentativeLinks& representative = {},
+    CentroidalAxes axes = CentroidalAxes::of_base);
+// Spatial momentum about that point (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base twist first; angular
+// rows first.
 symbolic::Program centroidal_momentum_matrix(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {});
+    const RepresentativeLinks& representative = {},
+    CentroidalAxes axes = CentroidalAxes::of_base);
 
-// What is added to that matrix times (base acceleration, qdd) in the rate of the momentum, in an inertial frame and in
-// base axes (Wensing and Orin 2016): q, qd [, base_velocity] -> bias, 6.
+// What is added to that matrix times (base acceleration, qdd) in the rate of the momentum, in an inertial frame
+// (Wensing and Orin 2016): q, qd [, base_velocity] -> bias, 6.
 symbolic::Program centroidal_momentum_bias(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative = {},
+    CentroidalAxes axes = CentroidalAxes::of_base);
+
+// The velocity of that point and the momentum about it, in axes of the world: q, qd, base_pose [, base_velocity] -> v,
+// or h, angular first.
+symbolic::Program center_of_mass_velocity(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    const RepresentativeLinks& representative = {});
+symbolic::Program centroidal_momentum(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative = {});

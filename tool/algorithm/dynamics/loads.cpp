@@ -1,10 +1,12 @@
 #include "algorithm/dynamics/loads.h"
 
+#include "algorithm/spatial/describe.h"
+
 namespace robcogen::algorithm {
 
 using symbolic::Role;
 
-StateInputs::StateInputs(Trace& trace, std::initializer_list<State> list) {
+StateInputs::StateInputs(Trace& trace, const std::vector<State>& list) {
   for (const State state : list) {
     switch (state) {
       case State::position:
@@ -19,6 +21,14 @@ StateInputs::StateInputs(Trace& trace, std::initializer_list<State> list) {
       case State::force:
         tau = trace.coordinate_input("tau", Role::joint_force);
         break;
+      case State::base_pose: {
+        const std::vector<Expression> pose = trace.base_pose_input();
+        trace.section("base", "pose of the base");
+        base_rotation = *rotation_by_quaternion(trace.graph, {pose[0], pose[1], pose[2], pose[3]}).matrix;
+        describe(base_rotation, "base_R");
+        base_position = {pose[4], pose[5], pose[6]};
+        break;
+      }
       case State::base_velocity:
         if (trace.tree.floating_base) base_velocity = trace.motion_input("base_velocity", Role::base_velocity);
         break;

@@ -1,7 +1,6 @@
 // Gravity and external wrenches, and the state that a program of the dynamics starts from, as inputs.
 #pragma once
 
-#include <initializer_list>
 #include <vector>
 
 #include "algorithm/spatial/pose.h"
@@ -23,14 +22,16 @@ inline Loads default_loads(const model::KinematicTree& tree) {
 
 inline constexpr double kStandardGravity = 9.81;  // m/s^2, along -z of the base frame
 
-enum class State { position, velocity, acceleration, force, base_velocity, base_acceleration };
+enum class State { position, velocity, acceleration, force, base_pose, base_velocity, base_acceleration };
 
 // By joint, forces by coordinate; the last two are of a floating base.
 struct StateInputs {
-  // Declares those that are listed, in this order; the base's only where it floats.
-  StateInputs(Trace& trace, std::initializer_list<State> list);
+  // Declares those that are listed, in this order; velocity and acceleration of the base only where it floats.
+  StateInputs(Trace& trace, const std::vector<State>& list);
 
   std::vector<Expression> q, qd, qdd, tau;
+  Matrix3 base_rotation;  // base axes to world axes
+  Vector3 base_position;  // in the world
   Motion base_velocity, base_acceleration;
 };
 

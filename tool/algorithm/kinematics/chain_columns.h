@@ -21,8 +21,12 @@ ChainColumns chain_columns(
     const model::FramePair& frames,
     JacobianReference reference);
 
-// The columns of jacobian_with_base.
-std::vector<Motion> columns_with_base(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames);
+// The columns of jacobian_with_base, in axes of `left` or of the target.
+std::vector<Motion> columns_with_base(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const model::FramePair& frames,
+    JacobianReference reference = JacobianReference::in_left);
 
 // Their linear parts alone, for a left frame of the base: the velocity of a point of the robot by each coordinate. They
 // are made in the cheaper of two ways: axes and origins of the joints are placed in the base, or the columns are found

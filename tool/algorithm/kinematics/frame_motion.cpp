@@ -1,74 +1,15 @@
-// Velocities and accelerations of a frame with respect to another. What the target does is told from each frame of the
-// chain, from the last joint to the first: as seen from a frame, a joint adds to what is seen from behind it, and
-// everything turns into the axes of the frame before.
+// Velocities and accelerations of a frame with respect to another, from the last joint of the chain to the first.
 #include <algorithm>
 
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/path.h"
+#include "algorithm/kinematics/seen.h"
 
 namespace robcogen::algorithm {
 namespace {
 
 using symbolic::Program;
 using symbolic::Role;
-
-// The path with the segment of the target first.
-Path path_from_target(const model::KinematicTree& tree, const model::FramePair& frames) {
-  Path path = path_between(tree, frames);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-// A joint's rate or acceleration, the way that the path passes it.
-Expression along(const JointOnPath& passed, const std::vector<Expression>& values) {
-  const Expression& value = values[at(passed.joint)];
-  return passed.backward ? -value : value;
-}
-
-// The target as seen from a frame of the chain: where its origin is, and how it and the target's axes move.
-struct Seen {
-  Vector3 position, velocity, acceleration;
-  Vector3 w, wd;
-};
-
-// A spherical joint, of which this is the rate.
-void add_rotation(Seen& target, const Vector3& rate) {
-  const Vector3 velocity = cross(rate, target.position);
-  target.acceleration += cross(rate, target.velocity + target.velocity + velocity);
-  target.velocity += velocity;
-  target.wd += cross(rate, target.w);
-  target.w += rate;
-}
-
-// `own`: of the joint, which follows others.
-void add_joint(Seen& target, const Joint& joint, const Expression& rate, const Expression& own, Graph& graph) {
-  const auto [axis, slide] = subspace(joint, graph);
-  if (!is_zero(axis)) {
-    const Expression twice = rate + rate, square = rate * rate;
-    target.acceleration += twice * cross(axis, target.velocity);
-    target.acceleration += square * cross(axis, cross(axis, target.position));
-    target.velocity += rate * cross(axis, target.position);
-    target.wd += rate * cross(axis, target.w);
-    target.w += rate * axis;
-    target.acceleration += own * cross(axis, target.position);
-    target.wd += own * axis;
-  }
-  target.velocity += rate * slide;
-  target.acceleration += own * slide;
-}
-
-// Of a spherical joint.
-Vector3 rotation_along(const std::vector<JointOnPath>& components, const std::vector<Expression>& qd) {
-  Vector3 rate;
-  for (std::size_t axis = 0; axis < 3; ++axis) rate[axis] = along(components[axis], qd);
-  return rate;
-}
-
-void step_back(Seen& target, const Pose& pose) {
-  target.position[2] += pose.slide;
-  target.position = pose.offset + to_parent(pose.rotation, target.position);
-  for (Vector3* v : {&target.velocity, &target.acceleration, &target.w, &target.wd}) *v = to_parent(pose.rotation, *v);
-}
 
 // Left to right, for the derivative: a joint's motion subspace in axes of the left frame, and how the frame before it
 // moves.
@@ -128,16 +69,7 @@ Program jacobian_derivative_times_velocity(
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   const Path path = path_from_target(tree, frames);
   const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  Seen target;
-  for (const PathSegment& segment : path) {
-    const Pose pose = pose_of(trace, segment, q);
-    if (segment.joints.size() > 1)
-      add_rotation(target, rotation_along(segment.joints, qd));
-    else
-      for (const JointOnPath& passed : segment.joints)
-        add_joint(target, joint_of(trace, passed.joint), along(passed, qd), along(passed, at_rest), trace.graph);
-    step_back(target, pose);
-  }
+  const Seen target = seen_from(trace, path, q, qd, at_rest);
   trace.output("a", Role::frame_bias_acceleration, Motion{target.wd, target.acceleration});
   return trace.program(name);
 }

@@ -78,12 +78,17 @@ Program geometric_jacobian(
   return trace.program(name);
 }
 
-std::vector<Motion> columns_with_base(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames) {
+std::vector<Motion> columns_with_base(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const model::FramePair& frames,
+    JacobianReference reference) {
   const model::KinematicTree& tree = trace.tree;
-  const ChainColumns chain = chain_columns(trace, q, frames, JacobianReference::in_left);
+  const ChainColumns chain = chain_columns(trace, q, frames, reference);
   std::vector<Motion> columns;
   if (tree.floating_base) {
-    const Path to_base = path_between(tree, {frames.left, tree.frames().front()});
+    const model::Frame& seen_from = reference == JacobianReference::in_target ? frames.right : frames.left;
+    const Path to_base = path_between(tree, {seen_from, tree.frames().front()});
     const Reached base = walk(trace, to_base, q, [](const PathSegment&, const Reached&) {});
     const Vector3 arm = chain.point - base.position;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -175,6 +175,12 @@ std::vector<std::vector<Expression>> Trace::reactions(
   return result;
 }
 
+std::vector<Expression> Trace::base_pose_input() {
+  std::vector<Expression> pose = input("base_pose", Role::base_pose, {"qw", "qx", "qy", "qz", "px", "py", "pz"});
+  inputs_.back().quaternions = {0};
+  return pose;
+}
+
 Vector3 Trace::vector_input(const std::string& name, Role role) {
   const std::vector<Expression> v = input(name, role, kAxes);
   return {v[0], v[1], v[2]};

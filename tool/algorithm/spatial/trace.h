@@ -84,6 +84,8 @@ class Trace : public ProgramTrace {
   // By loop: what its second end pushes its first one with (TracedClosure::reaction), by the forces that a motion needs
   // at all joints, at the positions q by joint.
   std::vector<std::vector<Expression>> reactions(const std::vector<Expression>& q, std::vector<Expression> forces);
+  // The pose of the base in the world: unit quaternion w, x, y, z, then position.
+  std::vector<Expression> base_pose_input();
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);
   // One wrench a link, base first, in link coordinates about the link's origin; zero for repeated links.

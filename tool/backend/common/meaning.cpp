@@ -21,6 +21,9 @@ std::string meaning(Role role) {
       return "joint forces (N m, N)";
     case Role::gravity:
       return "gravity (m/s^2) in base coordinates";
+    case Role::base_pose:
+      return "pose of the base in the world: unit quaternion w, x, y, z from base axes to world axes, then the base "
+             "origin (m)";
     case Role::base_velocity:
       return "velocity of the base (rad/s, m/s) in base coordinates, angular first";
     case Role::base_acceleration:

@@ -55,6 +55,8 @@ std::string alias(Role role) {
   switch (role) {
     case Role::gravity:
       return "Gravity";
+    case Role::base_pose:
+      return "BasePose";
     case Role::base_velocity:
     case Role::frame_velocity:
       return "Twist";
@@ -253,7 +255,8 @@ std::string matrix_type(int rows, int columns) {
 }
 
 std::string type_of(const InputArray& input) {
-  if (!input.quaternions.empty() || input.followers > 0) return "JointPositions";
+  const bool is_of_joints = input.role == Role::joint_position;
+  if (is_of_joints && (!input.quaternions.empty() || input.followers > 0)) return "JointPositions";
   const std::string name = alias(input.role);
   return name.empty() ? matrix_type(static_cast<int>(input.elements.size()), 1) : name;
 }

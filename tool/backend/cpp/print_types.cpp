@@ -1,4 +1,5 @@
 // <name>/types.h: the types of arguments and results.
+#include <algorithm>
 #include <cmath>
 
 #include "backend/cpp/layout.h"
@@ -25,8 +26,17 @@ std::string parameters_struct(const Api& api, const std::string& scalar) {
          "struct Parameters {\n  using Scalar = " + scalar + ";\n\n" + members + "};\n";
 }
 
+bool takes_pose(const Api& api) {
+  return std::any_of(api.callables.begin(), api.callables.end(), [](const Callable& c) {
+    const auto& inputs = c.function->program.inputs;
+    return std::any_of(
+        inputs.begin(), inputs.end(), [](const auto& array) { return array.role == symbolic::Role::base_pose; });
+  });
+}
+
 // One set of aliases; the text is the same for both scalars.
-std::string aliases(const Library& library, const std::string& scalar) {
+std::string aliases(const Api& api, const std::string& scalar) {
+  const Library& library = *api.library;
   const std::string size = library.floating_base ? "6 + kDof" : "kDof";
   std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
                        "using JointState = JointVector<" + scalar + ">;\n" +
@@ -35,6 +45,7 @@ std::string aliases(const Library& library, const std::string& scalar) {
                        "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
   for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
     result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
+  if (takes_pose(api)) result += "using BasePose = robcogen::BasicBasePose<" + scalar + ">;\n";
   if (library.floating_base)
     for (const std::string type : {"InverseDynamics", "GeneralizedForce", "GeneralizedAcceleration"})
       result += "using " + type + " = robcogen::" + type + "<" + scalar + ", kDof>;\n";
@@ -109,7 +120,9 @@ std::string print_types(const Api& api, const std::string& path) {
          library.parameters.empty() ? "" : includes({"<limits>"}),
          includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, types)});
   }
-  std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\"", "\"robcogen/spatial.h\""};
+  std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\""};
+  if (takes_pose(api)) runtime.push_back("\"robcogen/pose.h\"");
+  runtime.push_back("\"robcogen/spatial.h\"");
   if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
   std::vector<std::string> headers = {header_path(folder(library), "model")};
   if (api.is_parametric()) headers.push_back(header_path(folder(library), kParameters));
@@ -117,7 +130,7 @@ std::string print_types(const Api& api, const std::string& path) {
   if (!trigonometry.empty() || !factor.empty()) headers.push_back(kernels_path(folder(library)));
   for (std::string& header : headers) header = cpp::quoted(header);
   const auto both = [&](const std::string& scalar) {
-    return paragraphs({aliases(library, scalar), aliases_of_classes(api, scalar)});
+    return paragraphs({aliases(api, scalar), aliases_of_classes(api, scalar)});
   };
   const std::string body = paragraphs(
       {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "

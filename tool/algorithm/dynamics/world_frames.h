@@ -1,0 +1,53 @@
+// Frames of a robot whose base has a pose in the world: where they are and how they move there.
+//
+// Velocities and accelerations are the angular one of the frame, then that of its origin, with respect to the world:
+// numbers that a sensor on the frame would measure (no gravity), not spatial vectors. They are in axes of the world, or
+// in those of the frame itself, where no pose is needed. Columns have the order of the joint-space inertia matrix: base
+// twist in base coordinates first.
+#pragma once
+
+#include <string>
+
+#include "model/kinematic_tree.h"
+#include "symbolic/program.h"
+
+namespace robcogen::algorithm {
+
+enum class Axes { of_world, of_frame };
+
+// q, base_pose -> X: world_X_frame, 4 x 4.
+symbolic::Program world_transform(const model::KinematicTree& tree, const model::Frame& frame, const std::string& name);
+
+// q, base_pose -> p: the origin of the frame.
+symbolic::Program world_position(const model::KinematicTree& tree, const model::Frame& frame, const std::string& name);
+
+// q, qd [, base_pose] [, base_velocity] -> v.
+symbolic::Program world_velocity(
+    const model::KinematicTree& tree,
+    const model::Frame& frame,
+    Axes axes,
+    const std::string& name);
+
+// q, qd, qdd [, base_pose] [, base_velocity, base_acceleration] -> a: the time derivative of the velocity in axes of
+// the world.
+symbolic::Program world_acceleration(
+    const model::KinematicTree& tree,
+    const model::Frame& frame,
+    Axes axes,
+    const std::string& name);
+
+// q [, base_pose] -> J: v = J (base_velocity, qd), 6 x n or 6 x (6 + n).
+symbolic::Program world_jacobian(
+    const model::KinematicTree& tree,
+    const model::Frame& frame,
+    Axes axes,
+    const std::string& name);
+
+// q, qd [, base_pose] [, base_velocity] -> a - J (base_acceleration, qdd).
+symbolic::Program world_bias(
+    const model::KinematicTree& tree,
+    const model::Frame& frame,
+    Axes axes,
+    const std::string& name);
+
+}  // namespace robcogen::algorithm

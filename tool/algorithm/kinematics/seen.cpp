@@ -1,0 +1,80 @@
+#include "algorithm/kinematics/seen.h"
+
+#include <algorithm>
+
+namespace robcogen::algorithm {
+namespace {
+
+// A spherical joint, of which these are the rate and its derivative.
+void add_rotation(Seen& target, const Vector3& rate, const Vector3& own) {
+  const Vector3 velocity = cross(rate, target.position);
+  target.acceleration += cross(rate, target.velocity + target.velocity + velocity);
+  target.velocity += velocity;
+  target.wd += cross(rate, target.w);
+  target.w += rate;
+  target.acceleration += cross(own, target.position);
+  target.wd += own;
+}
+
+void add_joint(Seen& target, const Joint& joint, const Expression& rate, const Expression& own, Graph& graph) {
+  const auto [axis, slide] = subspace(joint, graph);
+  if (!is_zero(axis)) {
+    const Expression twice = rate + rate, square = rate * rate;
+    target.acceleration += twice * cross(axis, target.velocity);
+    target.acceleration += square * cross(axis, cross(axis, target.position));
+    target.velocity += rate * cross(axis, target.position);
+    target.wd += rate * cross(axis, target.w);
+    target.w += rate * axis;
+    target.acceleration += own * cross(axis, target.position);
+    target.wd += own * axis;
+  }
+  target.velocity += rate * slide;
+  target.acceleration += own * slide;
+}
+
+// Of a spherical joint.
+Vector3 rotation_along(const std::vector<JointOnPath>& components, const std::vector<Expression>& values) {
+  Vector3 rotation;
+  for (std::size_t axis = 0; axis < 3; ++axis) rotation[axis] = along(components[axis], values);
+  return rotation;
+}
+
+void step_back(Seen& target, const Pose& pose) {
+  target.position[2] += pose.slide;
+  target.position = pose.offset + to_parent(pose.rotation, target.position);
+  for (Vector3* v : {&target.velocity, &target.acceleration, &target.w, &target.wd}) *v = to_parent(pose.rotation, *v);
+}
+
+}  // namespace
+
+Path path_from_target(const model::KinematicTree& tree, const model::FramePair& frames) {
+  Path path = path_between(tree, frames);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+Expression along(const JointOnPath& passed, const std::vector<Expression>& values) {
+  const Expression& value = values[at(passed.joint)];
+  return passed.backward ? -value : value;
+}
+
+Seen seen_from(
+    Trace& trace,
+    const Path& path,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& qdd) {
+  Seen target;
+  for (const PathSegment& segment : path) {
+    const Pose pose = pose_of(trace, segment, q);
+    if (segment.joints.size() > 1)
+      add_rotation(target, rotation_along(segment.joints, qd), rotation_along(segment.joints, qdd));
+    else
+      for (const JointOnPath& passed : segment.joints)
+        add_joint(target, joint_of(trace, passed.joint), along(passed, qd), along(passed, qdd), trace.graph);
+    step_back(target, pose);
+  }
+  return target;
+}
+
+}  // namespace robcogen::algorithm
