@@ -82,11 +82,13 @@ AxisPlacement split_numerically(const Placement& placement, const std::array<std
   const auto length = [&](double value) {
     return std::abs(value) <= kRounding * size / sine ? Quantity() : Quantity(value);
   };
-  // Exact where it is a multiple of 90 degrees: turns by those are free.
+  // Exact where it is a right angle but for the rounding here: turns by those are free. Numbers of the model that are
+  // only near one stay what they are.
   const auto angle = [](double value) {
-    constexpr double kQuarter = std::numbers::pi / 2;
+    constexpr double kQuarter = std::numbers::pi / 2, kRoundingOfQuarter = 4.5e-16;
     const double quarters = std::round(value / kQuarter);
-    if (std::abs(value - quarters * kQuarter) > kRounding) return Quantity(value);
+    if (std::abs(value - quarters * kQuarter) > (quarters == 0.0 ? kRounding : kRoundingOfQuarter))
+      return Quantity(value);
     return Quantity(Number::pi_multiple(static_cast<std::int64_t>(quarters), 2));
   };
   AxisPlacement result;
