@@ -40,10 +40,12 @@ INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), 
 TEST(Messages, OfEveryCodeHaveADocument) {
   const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([^"]+)")re");
   std::set<std::string> codes;
-  for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/urdf", {".cpp"})) {
-    const std::string text = test::contents(file);
-    codes.merge(test::matches(text, kebab));
-    codes.merge(test::matches(text, reported));
+  for (const char* folder_of_reader : {"tool/import/urdf", "tool/import/xml"}) {
+    for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / folder_of_reader, {".cpp"})) {
+      const std::string text = test::contents(file);
+      codes.merge(test::matches(text, kebab));
+      codes.merge(test::matches(text, reported));
+    }
   }
   codes.erase("urdf-unavailable");  // of a generator without urdfdom
   test::expect_documents(codes, folder());

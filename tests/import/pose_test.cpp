@@ -1,5 +1,5 @@
 // Angles of rotations: exact where they can be, and always those of the same rotation.
-#include "import/urdf/pose.h"
+#include "import/pose.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import {
 namespace {
 
 Number decimal(const char* text) {
@@ -174,4 +174,4 @@ TEST(Pose, TurnsZToAnyAxis) {
 }
 
 }  // namespace
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import

@@ -45,6 +45,10 @@ struct RigidBodyInertia {
 // Moves the properties from `reference` to the link frame: constants are folded exactly.
 RigidBodyInertia in_link_frame(const Inertia& inertia);
 
+// The sum of the parts, each with a `reference`: about the origin and in the axes of the frame that the references are
+// in. nullopt for no parts.
+std::optional<Inertia> sum_of(const std::vector<Inertia>& parts);
+
 // parent_R_frame, row by row: maps coordinates in the placed frame to coordinates in its parent. Exact for multiples of
 // PI/2.
 std::array<std::array<Quantity, 3>, 3> rotation_matrix(const Placement& placement);

@@ -4,18 +4,12 @@
 
 #include <utility>
 
-#include "import/urdf/mass.h"
 #include "support/index.h"
 #include "support/unique_names.h"
 
 namespace robcogen::import::from_mjcf {
 
 namespace {
-
-using from_urdf::inverse;
-using from_urdf::placement_of;
-using from_urdf::rotation_about;
-using from_urdf::rotation_to_axis;
 
 // Where a body is: its link, and its pose in the frame of that link.
 struct Carried {
@@ -71,7 +65,7 @@ class Describer {
     carried_.resize(document_.bodies.size());
     for (std::size_t b = 0; b < document_.bodies.size(); ++b) add_body(b, base);
     for (std::size_t l = 0; l < links_.size(); ++l) {
-      links_[l].inertia = from_urdf::sum_of(parts_[l]);
+      links_[l].inertia = model::sum_of(parts_[l]);
       if (l > 0) description_.links.push_back(std::move(links_[l]));
     }
     description_.base = std::move(links_[0]);

@@ -119,7 +119,7 @@ class GeomReader {
       for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(half * (n[i] + n[i + 3]));
       length = std::hypot(along[0].value(), along[1].value(), along[2].value());
       if (length > 0.0)
-        pose.rotation = from_urdf::rotation_to_axis(along);
+        pose.rotation = rotation_to_axis(along);
       else
         context_.diagnostics.error("no-direction", ends->place, "this 'fromto' gives no direction");
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "import/mjcf/element.h"
-#include "import/urdf/xml.h"
+#include "import/xml/xml.h"
 #include "support/files.h"
 
 namespace robcogen::import::from_mjcf {
@@ -21,7 +21,7 @@ std::string without_prefix(const std::string& fault, const fs::path& path) {
 }
 
 // The name stands before `=` and the value.
-Span name_span(const from_urdf::Attribute& attribute, std::string_view text) {
+Span name_span(const xml::Attribute& attribute, std::string_view text) {
   const std::size_t equals = text.rfind('=', attribute.span.begin);
   const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
   return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
@@ -33,7 +33,7 @@ class IncludeReader {
       : folder_(std::move(folder)), included_(included), diagnostics_(diagnostics) {}
 
   std::optional<Element> read(const std::shared_ptr<const Source>& source) {
-    const std::optional<from_urdf::Element> root = from_urdf::read_xml(source, diagnostics_);
+    const std::optional<xml::Element> root = xml::read(source, diagnostics_);
     if (!root) return std::nullopt;
     Element result;
     return copy(*root, source, result) ? std::optional(std::move(result)) : std::nullopt;
@@ -56,12 +56,12 @@ class IncludeReader {
   }
 
   // Returns whether all that the element includes was read.
-  bool copy(const from_urdf::Element& from, const std::shared_ptr<const Source>& source, Element& to) {
+  bool copy(const xml::Element& from, const std::shared_ptr<const Source>& source, Element& to) {
     to.name = from.name;
     to.place = {source, from.span};
-    for (const from_urdf::Attribute& a : from.attributes)
+    for (const xml::Attribute& a : from.attributes)
       to.attributes.push_back({a.name, a.value, {source, a.span}, {source, name_span(a, source->text())}});
-    for (const from_urdf::Element& child : from.children) {
+    for (const xml::Element& child : from.children) {
       Element copied;
       if (!copy(child, source, copied)) return false;
       if (child.name != "include") {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "import/identifier.h"
 #include "import/mjcf/describe.h"
-#include "import/urdf/names.h"
 #include "support/unique_names.h"
 
 namespace robcogen::import::from_mjcf {
@@ -17,7 +17,7 @@ class Namer {
   // Names of the file come first, so that made ones give way.
   Identifiers name() {
     Identifiers result;
-    result.robot = from_urdf::identifier(document_.name.text.empty() ? "robot" : document_.name.text);
+    result.robot = identifier(document_.name.text.empty() ? "robot" : document_.name.text);
     check_length("model", document_.name);
     result.bodies.resize(document_.bodies.size());
     result.joints.resize(document_.bodies.size());
@@ -74,7 +74,7 @@ class Namer {
         return "";
       }
     }
-    std::string identifier = from_urdf::identifier(wanted);
+    std::string identifier = import::identifier(wanted);
     if (taken.contains(identifier)) identifier += suffix;
     identifier = taken.add(identifier);
     if (identifier == name.text) return identifier;

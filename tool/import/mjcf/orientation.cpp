@@ -10,8 +10,6 @@ namespace robcogen::import::from_mjcf {
 
 namespace {
 
-using from_urdf::rotation_about;
-
 using Real = long double;
 using Vector = std::array<Real, 3>;
 using Matrix = std::array<Vector, 3>;  // rows

@@ -2,12 +2,9 @@
 #pragma once
 
 #include "import/mjcf/settings.h"
-#include "import/urdf/pose.h"
+#include "import/pose.h"
 
 namespace robcogen::import::from_mjcf {
-
-using from_urdf::Pose;
-using from_urdf::Rotation;
 
 // Reports more than one orientation, and those without a direction. Angles within rounding of a multiple of PI/4 are
 // exact.

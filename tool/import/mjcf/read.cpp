@@ -163,7 +163,7 @@ class DocumentReader {
     for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(Number::rational(1, 2) * (n[i] + n[i + 3]));
     const std::array<Number, 3> along = {n[3] - n[0], n[4] - n[1], n[5] - n[2]};
     if (std::any_of(along.begin(), along.end(), [](const Number& x) { return !x.is_zero(); }))
-      pose.rotation = from_urdf::rotation_to_axis(along);
+      pose.rotation = rotation_to_axis(along);
     return pose;
   }
 

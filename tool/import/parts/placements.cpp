@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "import/urdf/pose.h"
+#include "import/pose.h"
 
 namespace robcogen::import::parts {
 namespace {
@@ -46,10 +46,9 @@ Vector terms(const std::array<Number, 3>& values, Span span) {
   return {term(values[0], span), term(values[1], span), term(values[2], span)};
 }
 
-from_urdf::Rotation rotation(const std::array<Number, 3>& angles) {
-  using from_urdf::rotation_about;
-  return rotation_about(0, angles[0]) * rotation_about(1, angles[1]) * rotation_about(2, angles[2]);
-}
+import::Rotation rotation(const std::array<Number, 3>& angles){
+    return rotation_about(0, angles[0]) * rotation_about(1, angles[1]) * rotation_about(2, angles[2]);
+}  // namespace
 
 // The turns of both rotations, one after the other, as angles about x, y, z, where they follow one another in this
 // order.
@@ -90,7 +89,7 @@ std::array<Number, 3> least_angles(std::array<Number, 3> angles) {
   return size(other) < size(angles) - kClearly ? other : angles;
 }
 
-}  // namespace
+}  // namespace robcogen::import::parts
 
 Placement identity(Span span) {
   const ExpressionPtr null = zero(span);

@@ -1,8 +1,8 @@
 // From a document to the description of a model: lumps links on fixed joints, and turns frames to the axes of joints.
 #pragma once
 
+#include "import/pose.h"
 #include "import/urdf/names.h"
-#include "import/urdf/pose.h"
 #include "import/urdf/topology.h"
 #include "model/description.h"
 

@@ -8,11 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "import/urdf/xml.h"
+#include "import/xml/xml.h"
 #include "model/kinematic_tree.h"
 #include "support/number.h"
 
 namespace robcogen::import::from_urdf {
+
+using xml::Attribute;
+using xml::Element;
 
 struct Name {
   std::string text;  // as written

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "import/identifier.h"
 #include "import/urdf/describe.h"
 #include "import/urdf/mass.h"
 #include "model/name_index.h"

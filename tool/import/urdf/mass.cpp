@@ -106,13 +106,6 @@ model::Inertia part_of_body(const PlacedInertial& part) {
   return result;
 }
 
-void add(model::RigidBodyInertia& sum, const model::RigidBodyInertia& part) {
-  sum.mass = sum.mass + part.mass;
-  for (std::size_t k = 0; k < 3; ++k) sum.first_moment[k] = sum.first_moment[k] + part.first_moment[k];
-  sum.ixx = sum.ixx + part.ixx, sum.iyy = sum.iyy + part.iyy, sum.izz = sum.izz + part.izz;
-  sum.ixy = sum.ixy + part.ixy, sum.ixz = sum.ixz + part.ixz, sum.iyz = sum.iyz + part.iyz;
-}
-
 }  // namespace
 
 void check_inertials(const Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics) {
@@ -129,25 +122,7 @@ Pose pose_of(const Origin& origin) {
 std::optional<model::Inertia> lumped(const std::vector<PlacedInertial>& parts) {
   std::vector<model::Inertia> all;
   for (const PlacedInertial& part : parts) all.push_back(part_of_body(part));
-  return sum_of(all);
-}
-
-std::optional<model::Inertia> sum_of(const std::vector<model::Inertia>& parts) {
-  if (parts.empty()) return std::nullopt;
-  model::RigidBodyInertia sum;
-  model::Inertia result;
-  for (const model::Inertia& part : parts) {
-    add(sum, model::in_link_frame(part));
-    result.com = part.reference->translation;
-  }
-  result.mass = sum.mass;
-  if (parts.size() > 1) {
-    for (std::size_t k = 0; k < 3; ++k)
-      result.com[k] = sum.mass.is_zero() ? Quantity() : sum.first_moment[k] / sum.mass;
-  }
-  result.ixx = sum.ixx, result.iyy = sum.iyy, result.izz = sum.izz;
-  result.ixy = sum.ixy, result.ixz = sum.ixz, result.iyz = sum.iyz;
-  return result;
+  return model::sum_of(all);
 }
 
 }  // namespace robcogen::import::from_urdf

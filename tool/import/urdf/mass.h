@@ -1,8 +1,8 @@
 // Mass properties of links, and of bodies that consist of several links.
 #pragma once
 
+#include "import/pose.h"
 #include "import/urdf/document.h"
-#include "import/urdf/pose.h"
 #include "import/urdf/topology.h"
 
 namespace robcogen::import::from_urdf {
@@ -17,10 +17,6 @@ struct PlacedInertial {
 };
 
 Pose pose_of(const Origin& origin);
-
-// The sum of the parts, each with a `reference`: about the origin and in the axes of the frame that the references are
-// in. nullopt for no parts.
-std::optional<model::Inertia> sum_of(const std::vector<model::Inertia>& parts);
 
 // About the origin and in the axes of the body's frame; nullopt for no parts.
 std::optional<model::Inertia> lumped(const std::vector<PlacedInertial>& parts);

@@ -11,9 +11,6 @@ struct Identifiers {
   std::vector<std::string> joints;  // likewise; empty for those that the model does not have
 };
 
-// The name with `_` instead of each character that an identifier cannot have, and before a digit at its beginning.
-std::string identifier(const std::string& name);
-
 // A joint with the name of a link becomes `<name>_joint`, with a note. Reports two names of one kind that become equal,
 // and names that are too long for a robot document.
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);

@@ -63,7 +63,7 @@ std::optional<model::KinematicTree> urdf(
   const auto failed = [&] { return diagnostics.error_count() > errors_before; };
 
   if (language::refuse_foreign(source, diagnostics)) return std::nullopt;
-  const std::optional<Element> root = read_xml(source, diagnostics);
+  const std::optional<Element> root = xml::read(source, diagnostics);
   if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
   read_transmissions(*root, document, diagnostics);

@@ -9,7 +9,7 @@
 
 #include "support/diagnostics.h"
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import::xml {
 
 struct Attribute {
   std::string name;
@@ -30,6 +30,6 @@ struct Element {
 bool check_tags(const std::shared_ptr<const Source>& source, std::string_view text, Diagnostics& diagnostics);
 
 // The root element. Reports text that is not well-formed XML.
-std::optional<Element> read_xml(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
+std::optional<Element> read(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import::xml

@@ -1,4 +1,4 @@
-#include "import/urdf/pose.h"
+#include "import/pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "support/index.h"
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import {
 
 namespace {
 
@@ -262,4 +262,4 @@ model::Placement placement_of(const Pose& pose) {
   return {pose.translation, {model::Quantity(angles[0]), model::Quantity(angles[1]), model::Quantity(angles[2])}};
 }
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import

@@ -1,9 +1,9 @@
-#include "import/urdf/xml.h"
+#include "import/xml/xml.h"
 
 #include <fmt/format.h>
 #include <tinyxml.h>
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import::xml {
 
 namespace {
 
@@ -78,7 +78,7 @@ const char* reason(const TiXmlDocument& document) {
 
 }  // namespace
 
-std::optional<Element> read_xml(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
+std::optional<Element> read(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics) {
   const std::string text = with_plain_line_ends(source->text());
   const auto fault = [&](const Span& span, const std::string& message) {
     diagnostics.error("not-xml", {source, span}, message);
@@ -113,4 +113,4 @@ std::optional<Element> read_xml(const std::shared_ptr<const Source>& source, Dia
   return element;
 }
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import::xml

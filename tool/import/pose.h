@@ -6,7 +6,7 @@
 
 #include "model/kinematic_tree.h"
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import {
 
 // About a coordinate axis, by an angle in radians.
 struct Turn {
@@ -43,4 +43,4 @@ struct Pose {
 Pose operator*(const Pose& a, const Pose& b);
 model::Placement placement_of(const Pose& pose);
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "import/urdf/xml.h"
+#include "import/xml/xml.h"
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import::xml {
 
 namespace {
 
@@ -187,4 +187,4 @@ bool check_tags(const std::shared_ptr<const Source>& source, std::string_view te
   return TagScanner(source, text, diagnostics).scan();
 }
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import::xml
