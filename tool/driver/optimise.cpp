@@ -55,6 +55,7 @@ Functions separate_right_sides(Functions functions, const Passes& passes, const 
     outer.solved->right_sides.name = stage.traced.name;
     outer.solved->right_sides.outputs = {stage.traced.program.outputs.back()};
     outer.solved->solution = pass::run(std::move(outer.solved->solution), passes_of_solution);
+    if (auto& limbs = outer.solved->limbs) limbs->solution = pass::run(std::move(limbs->solution), passes_of_solution);
     for (symbolic::OutputArray& array : outer.program.outputs)
       array.values.assign(array.values.size(), symbolic::Operand{});
     outer.program.constants = {symbolic::Constant()};

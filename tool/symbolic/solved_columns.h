@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +22,22 @@ struct SolvedColumns {
   struct Block {
     int output = 0;
     int columns = 0;
+    bool of_limbs = false;  // with Limbs: a column for each joint of each limb, zero in the rows of other limbs
   };
   std::vector<Block> blocks;
+
+  // Limbs of equal structure, one after another in rows and columns behind the rows that they have in common: a column
+  // of each limb is solved at a time, one in each lane.
+  struct Limbs {
+    int count = 0;
+    int joints = 0;  // of each
+    // Elements of the factor: those of the first limb, each followed by its counterparts.
+    std::vector<int> own;
+    // Inputs `factor`; `own`, those of the lane's limb; `is_limb`, one for that limb and zero for others; `b`, common
+    // rows and those of the limb. Output `x`, all rows.
+    Program solution;
+  };
+  std::optional<Limbs> limbs = {};
 
   // Makes outputs of these names blocks, in their own order: all of their columns, or so many.
   struct NamedBlock {

@@ -1,6 +1,9 @@
 // A loop of generated functions over the right-hand sides of a linear system, one in each lane.
 #pragma once
 
+#include <type_traits>
+#include <utility>
+
 #include "robcogen/batch_body.h"
 
 namespace robcogen {
@@ -29,7 +32,12 @@ class ColumnSolver {
 template <int kRows, int kFactor, class Scalar>
 class ColumnSolver<kRows, kFactor, Scalar, true> {
  public:
+  static constexpr int kRowCount = kRows;
+  using Number = Scalar;
+
   explicit ColumnSolver(const Scalar* factor) noexcept { batch::spread(factor, kFactor, factor_); }
+
+  const NativeLanes<Scalar>* factor() const noexcept { return factor_; }
 
   template <class Solve>
   void solve(Scalar* columns, int count, Solve solve_one) const noexcept {
@@ -60,6 +68,58 @@ class ColumnSolver<kRows, kFactor, Scalar, true> {
   }
 
   Value factor_[kFactor];
+};
+
+// Whether values of that many limbs fill a register.
+template <class Scalar, int kLimbs>
+constexpr bool kFillsLanes = kPrefersLanes<Scalar>&& lanes::kInRegister<Scalar> == kLimbs;
+
+// Solves for columns of limbs: those of the same joint of each limb at a time, which are zero in the rows of other
+// limbs. Limbs have kJoints rows and columns each, one limb after another; what they have in common precedes.
+// `own`: where the factor has the kOwn numbers of the first limb, each followed by its counterparts of the others.
+template <int kLimbs, int kJoints, int kOwn, class Solver>
+class LimbSolver {
+  using Scalar = typename Solver::Number;
+  using Value = NativeLanes<Scalar>;
+  static constexpr int kRows = Solver::kRowCount, kCommon = kRows - kLimbs * kJoints;
+  using Limbs = std::make_integer_sequence<int, kLimbs>;
+
+ public:
+  LimbSolver(const Solver& solver, const Scalar* factor, const short (&own)[kOwn * kLimbs]) noexcept
+      : factor_(solver.factor()) {
+    for (int i = 0; i < kOwn; ++i) own_[i] = picked(factor, own + i * kLimbs, Limbs());
+    for (int i = 0; i < kLimbs; ++i) is_limb_[i] = one_at(i, Limbs());
+  }
+
+  // `solve(factor, own, is_limb, b, x)` solves for a column of each limb.
+  template <class Solve>
+  void solve(Scalar* columns, Solve solve_one) const noexcept {
+    constexpr std::ptrdiff_t kNextLimb = kJoints * kRows;
+    const batch::Block<Scalar> block(kLimbs);
+    for (int joint = 0; joint < kJoints; ++joint) {
+      Scalar* const first = columns + joint * kRows;
+      Value b[kCommon + kJoints], x[kRows];
+      block.template load<kCommon>(batch::Strided<const Scalar>{first, 1, kNextLimb}, b);
+      block.template load<kJoints>(batch::Strided<const Scalar>{first + kCommon, 1, kNextLimb + kJoints}, b + kCommon);
+      solve_one(
+          factor_, static_cast<const Value*>(own_), static_cast<const Value*>(is_limb_), static_cast<const Value*>(b),
+          x);
+      block.template store<kRows>(x, batch::Strided<Scalar>{first, 1, kNextLimb});
+    }
+  }
+
+ private:
+  const Value* factor_;
+  Value own_[kOwn], is_limb_[kLimbs];
+
+  template <int... kLimb>
+  static Value picked(const Scalar* factor, const short* places, std::integer_sequence<int, kLimb...>) noexcept {
+    return Value::of(factor[places[kLimb]]...);
+  }
+  template <int... kLimb>
+  static Value one_at(int limb, std::integer_sequence<int, kLimb...>) noexcept {
+    return Value::of(Scalar(kLimb == limb ? 1 : 0)...);
+  }
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "algorithm/dynamics/elimination.h"
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
+#include "algorithm/dynamics/limb_columns.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/dynamics/ordered_inertia.h"
 #include "algorithm/spatial/describe.h"
@@ -80,18 +81,6 @@ symbolic::Program forward_dynamics(
 
 namespace {
 
-// Where the elimination in H leaves elements of L, by row and column of the ordered matrix.
-std::vector<std::pair<int, int>> elements_of_factor(const model::KinematicTree& tree) {
-  const EliminationTree elimination = elimination_tree(tree);
-  std::vector<int> rank(elimination.order.size());
-  for (std::size_t k = 0; k < rank.size(); ++k) rank[at(elimination.order[k])] = static_cast<int>(k);
-  std::vector<std::pair<int, int>> elements;
-  for (std::size_t k = 0; k < rank.size(); ++k)
-    for (const int ancestor : elimination.ancestors[at(elimination.order[k])])
-      elements.emplace_back(static_cast<int>(k), rank[at(ancestor)]);
-  return elements;
-}
-
 enum class Solutions { written_out, in_columns };
 
 // With H x = (base wrench, tau) - …: the derivatives of x are -H^-1 times those of inverse dynamics at x (Carpentier
@@ -141,7 +130,8 @@ symbolic::Program derivatives(
   if (solutions == Solutions::in_columns) {
     const LdlFactors factors = ldl_factors(H.a, H.names);
     std::vector<Expression> factor;
-    for (const auto& [row, column] : elements_of_factor(tree)) factor.push_back(factors.l(row, column));
+    for (const auto& [row, column] : elements_of_factor(elimination_tree(tree)))
+      factor.push_back(factors.l(row, column));
     factor.insert(factor.end(), factors.inverse_d.begin(), factors.inverse_d.end());
     trace.output("factor", Role::value, factor);
   }
@@ -150,18 +140,11 @@ symbolic::Program derivatives(
 
 // x of H x = b.
 symbolic::Program solution_with_factor(const model::KinematicTree& tree, const std::string& name) {
-  const std::vector<std::pair<int, int>> elements = elements_of_factor(tree);
   const std::vector<std::string> names = coordinate_names(tree);
   const OrderedInertia H(tree, SquareMatrix(static_cast<int>(names.size())));
-  std::vector<std::string> labels;
-  for (const auto& [row, column] : elements) labels.push_back(H.names[at(row)] + "_" + H.names[at(column)]);
-  labels.insert(labels.end(), H.names.begin(), H.names.end());
   ProgramTrace trace;
-  const std::vector<Expression> given = trace.input("factor", Role::value, labels);
+  const LdlFactors factors = given_factors(trace, elimination_tree(tree), H.names);
   const std::vector<Expression> b = trace.input("b", Role::value, names);
-  LdlFactors factors{SquareMatrix(H.a.size()), {}};
-  for (std::size_t k = 0; k < elements.size(); ++k) factors.l(elements[k].first, elements[k].second) = given[k];
-  factors.inverse_d.assign(given.end() - H.a.size(), given.end());
   trace.section("solution", "one column of the solution");
   const std::vector<Expression> half = first_half(factors, H.ordered(b));
   for (std::size_t k = 0; k < half.size(); ++k) describe(half[k], "b_" + H.names[k]);
@@ -191,6 +174,7 @@ symbolic::SolvedColumns forward_dynamics_derivatives_in_columns(
       solution_with_factor(tree, "forward_dynamics_derivatives_column"),
       {}};
   result.add_blocks({{"d_q"}, {"d_qd"}, {"d_tau"}, {"d_base_velocity", 3}});
+  find_limbs(tree, "forward_dynamics_derivatives_of_limbs", result);
   return result;
 }
 

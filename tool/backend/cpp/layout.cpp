@@ -28,20 +28,6 @@ std::string lines(const Field& field, std::size_t indent) {
   return blanks(indent) + "{\n" + blanks(indent + 4) + joined(field.items, separator) + ",\n" + blanks(indent) + "},\n";
 }
 
-// The items with commas in as few lines as hold them, and the end behind the last one.
-std::string filled(const std::vector<std::string>& items, const std::string& end, std::size_t indent) {
-  std::string result, row = blanks(indent);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const std::string next = items[i] + (i + 1 < items.size() ? "," : end);
-    if (row.size() > indent && row.size() + 1 + next.size() > kColumns) {
-      result += row + "\n";
-      row = blanks(indent);
-    }
-    row += (row.size() > indent ? " " : "") + next;
-  }
-  return result + row + "\n";
-}
-
 }  // namespace
 
 std::string comment(const std::string& text, std::size_t indent) {
@@ -53,6 +39,19 @@ std::string comment(const std::string& text, std::size_t indent) {
   while (!clean.empty() && clean.back() == ' ') clean.pop_back();
   const std::string prefix = blanks(indent) + "// ";
   return wrapped_text(clean, kColumns, prefix, prefix);
+}
+
+std::string filled(const std::vector<std::string>& items, const std::string& end, std::size_t indent) {
+  std::string result, row = blanks(indent);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string next = items[i] + (i + 1 < items.size() ? "," : end);
+    if (row.size() > indent && row.size() + 1 + next.size() > kColumns) {
+      result += row + "\n";
+      row = blanks(indent);
+    }
+    row += (row.size() > indent ? " " : "") + next;
+  }
+  return result + row + "\n";
 }
 
 std::string declaration(

@@ -6,6 +6,7 @@
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
 #include "backend/cpp/small_angles.h"
+#include "backend/cpp/solve_columns.h"
 #include "support/parallel.h"
 #include "symbolic/count.h"
 
@@ -252,27 +253,8 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
 
 // A kernel that calls a stage for right-hand sides, and solves for them column by column.
 std::string print_solver(const Callable& callable) {
-  const symbolic::SolvedColumns& solved = *callable.function->solved;
-  const std::string factor = solved.right_sides.outputs.front().name;
-  const std::string size = std::to_string(solved.right_sides.outputs.front().rows);
-  const std::vector<symbolic::OutputArray>& outputs = callable.function->program.outputs;
-  const std::string rows = std::to_string(outputs[static_cast<std::size_t>(solved.blocks.front().output)].rows);
-  std::vector<std::string> arguments;
-  for (const Parameter& p : callable.parameters) arguments.push_back(p.name);
-  const std::size_t first = arguments.size() - outputs.size();
-  std::string text = signature("void " + callable.kernel, callable.parameters, " noexcept {");
-  text += "  Scalar " + factor + "[" + size + "];\n";
-  std::vector<std::string> with_factor = arguments;
-  with_factor.push_back(factor);
-  text += call(solved.right_sides.name, with_factor, 2);
-  text += declaration("  const auto solve = []", {"const auto* f", "const auto* b", "auto* x"}, " noexcept {") +
-          "    " + solved.solution.name + "(f, b, x);\n  };\n";
-  text += "  const robcogen::ColumnSolver<" + rows + ", " + size + ", Scalar> solver(" + factor + ");\n";
-  for (const symbolic::SolvedColumns::Block& block : solved.blocks)
-    text += call(
-        "solver.solve",
-        {arguments[first + static_cast<std::size_t>(block.output)], std::to_string(block.columns), "solve"}, 2);
-  return summary(callable) + text + "}\n";
+  return summary(callable) + signature("void " + callable.kernel, callable.parameters, " noexcept {") +
+         solve_columns(callable) + "}\n";
 }
 
 // What these kernels solve with, column by column; overloads have it in common.
@@ -282,10 +264,15 @@ std::string print_solutions(const std::vector<const Callable*>& callables) {
     if (!c->function->solved) continue;
     const symbolic::Program& solution = c->function->solved->solution;
     if (std::find(names.begin(), names.end(), solution.name) != names.end()) continue;
+    const auto& limbs = c->function->solved->limbs;
     names.push_back(solution.name);
     texts.push_back(
         comment("One column of the solutions of " + c->name + ".") + comment(counts(solution)) +
         definition(lower(solution, solution.name)));
+    if (!limbs) continue;
+    texts.push_back(
+        comment("A column of each limb: `own` and `b` are those of the limb of the lane, `is_limb` is 1 there.") +
+        comment(counts(limbs->solution)) + definition(lower(limbs->solution, limbs->solution.name)));
   }
   return paragraphs(texts);
 }

@@ -1,0 +1,29 @@
+// Right-hand sides that belong to limbs, solved for one of each limb at a time.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algorithm/dynamics/elimination.h"
+#include "algorithm/dynamics/ldl.h"
+#include "algorithm/spatial/trace.h"
+#include "symbolic/solved_columns.h"
+
+namespace robcogen::algorithm {
+
+// Where the elimination leaves elements of L, by row and column of the ordered matrix.
+std::vector<std::pair<int, int>> elements_of_factor(const EliminationTree& elimination);
+
+// Declares the input `factor`: these elements, then the reciprocals of D. `names`: of the ordered rows.
+LdlFactors given_factors(
+    ProgramTrace& trace,
+    const EliminationTree& elimination,
+    const std::vector<std::string>& names);
+
+// Sets `limbs` where a free base has two, four, eight or sixteen limbs of as many coordinates and of the same
+// structure, and some blocks of right-hand sides are zero in the rows of other limbs: elimination then starts in the
+// limb of the column alone. `name`: of the program.
+void find_limbs(const model::KinematicTree& tree, const std::string& name, symbolic::SolvedColumns& solved);
+
+}  // namespace robcogen::algorithm
