@@ -3,8 +3,15 @@
 # These functions read the variables library_<KEYWORD> of the calling function. A level is avx2 or avx512; the baseline is
 # what the options of the library say.
 
-set(_robcogen_avx2_options -mavx2 -mfma)
-set(_robcogen_avx512_options ${_robcogen_avx2_options} -mavx512f -mavx512dq -mavx512vl)
+# Sets `result` to the options for a level. (A variable of this file would not be seen by callers in a directory above the
+# one that includes it, as those of add_subdirectory(robcogen) are.)
+function(_robcogen_level_options level result)
+  set(options -mavx2 -mfma)
+  if(level STREQUAL "avx512")
+    list(APPEND options -mavx512f -mavx512dq -mavx512vl)
+  endif()
+  set(${result} ${options} PARENT_SCOPE)
+endfunction()
 
 # Sets `result` to whether units can be compiled for levels, with a choice when the program starts.
 function(_robcogen_has_levels result)
@@ -90,7 +97,8 @@ function(_robcogen_set_levels target)
     if(source MATCHES "/batch/[a-z_]+_baseline\\.cpp$")
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${all})
     elseif(source MATCHES "/(kernels|batch/[a-z_]+)_(avx2|avx512)\\.cpp$")
-      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${_robcogen_${CMAKE_MATCH_2}_options} ${all})
+      _robcogen_level_options(${CMAKE_MATCH_2} options)
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${options} ${all})
     endif()
     # gcc orders the instructions of the highest level's kernels by latency, as long as registers last: 4 % faster on average.
     # Bodies over many states would take up to a half longer: there, registers do not last.
