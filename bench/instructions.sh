@@ -9,23 +9,14 @@
 # how many times ours these are. Environment: CXX (g++), CXXFLAGS (-O2 -mavx2 -mfma and the flags of the CMake function).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=flags.sh
+source "$here/flags.sh"
 
 published_of() {
   case $1 in
     hyq) echo "6378 15518 5971" ;;
     iiwa14) echo "3146 7265 3016" ;;
   esac
-}
-
-# The flags of the CMake function for generated code, except the level of optimisation.
-flags_of_gcc() {
-  local flags
-  flags=$(sed -n 's/^ *set(of_gcc \(.*\))$/\1/p' "$here/../cmake/Robcogen.cmake")
-  if [[ -z $flags ]]; then
-    echo "bench/instructions.sh: no flags of gcc in cmake/Robcogen.cmake" >&2
-    return 1
-  fi
-  echo "$flags"
 }
 
 # The instructions of a run with this number of calls.
@@ -55,7 +46,7 @@ count_model() { # name model folder
     return 1
   fi
   local flags="-O2 -mavx2 -mfma" of_gcc
-  if ${CXX:-g++} --version | grep -q "Free Software Foundation"; then
+  if is_gcc "${CXX:-g++}"; then
     of_gcc=$(flags_of_gcc)
     flags+=" $of_gcc"
   fi

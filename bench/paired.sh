@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Times kernels of one state, as a library has them for AVX2, against each other: of several generators, or with several
+# flags of the compiler.
+#
+#     bench/paired.sh MODEL GENERATOR[,FLAG…] …
+#
+# For each function and variant: cycles of a call and how much of those of the first variant that is, for calls in a row
+# and for calls of which each waits for the result of the one before; medians over 5 processes, whose code stands at
+# other addresses, of medians over 21 interleaved rounds of 256 states. MODEL: a robot with a fixed base and at most 16
+# joints, none of them with a parameter; of a .urdf, angles are snapped. Environment: CXX (g++).
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=flags.sh
+source "$here/flags.sh"
+
+if (($# < 2)); then
+  sed -n '2,11s/^# \{0,1\}//p' "$0"
+  exit 2
+fi
+model=$1
+shift
+cxx=${CXX:-g++}
+flags="-O2 -mavx2 -mfma -fno-math-errno"
+if is_gcc "$cxx"; then
+  of_gcc=$(flags_of_gcc) of_order=$(flags_of_order)
+  flags+=" $of_gcc $of_order"
+else
+  flags+=" -ffp-contract=fast"
+fi
+if ! { grep -qw avx2 /proc/cpuinfo && grep -qw fma /proc/cpuinfo; } 2>/dev/null; then
+  echo "bench/paired.sh: this processor has no AVX2, or the system does not say" >&2
+  exit 77
+fi
+options=()
+if [[ $model == *.urdf ]]; then
+  options=(--snap-angles)
+fi
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+libraries=()
+for variant; do
+  folder=$scratch/$((${#libraries[@]} + 1))
+  mkdir "$folder"
+  generator=${variant%%,*}
+  own=${variant#"$generator"}
+  # Its messages about the model do not matter here.
+  if ! "$generator" generate "$model" -o "$folder" --name subject "${options[@]}" --processors baseline avx2 \
+    --algorithms inverse_dynamics forward_dynamics joint_space_inertia 2>"$folder/remarks"; then
+    cat "$folder/remarks" >&2
+    exit 1
+  fi
+  # shellcheck disable=SC2086  # words
+  "$cxx" -std=c++17 $flags ${own//,/ } -fPIC -shared -I"$folder" -I"$here/../runtime/include" \
+    "$here/paired_kernels.cpp" -o "$folder/kernels.so"
+  libraries+=("$folder/kernels.so")
+done
+"$cxx" -std=c++17 -O2 "$here/paired.cpp" -o "$scratch/paired" -ldl
+joints=$("${1%%,*}" ops "$model" "${options[@]}" --algorithms joint_space_inertia 2>/dev/null |
+  sed -n '1s/.*: \([0-9]*\) joints.*/\1/p')
+
+middle() { # column, of the lines of one variant
+  sort -n -k "$1" | awk -v column="$1" '{ value[NR] = $column } END { print value[int((NR + 1) / 2)] }'
+}
+
+printf '%-20s %-8s %10s %6s %12s %6s\n' function variant "in a row" ratio "one by one" ratio
+for function in inverse_dynamics forward_dynamics joint_space_inertia; do
+  : >"$scratch/times"
+  for _ in 1 2 3 4 5; do
+    "$scratch/paired" "$joints" "$function" "${libraries[@]}" >>"$scratch/times"
+  done
+  for i in $(seq ${#libraries[@]}); do
+    grep "^$i " "$scratch/times" >"$scratch/lines"
+    printf '%-20s %-8s %10.0f %6.3f %12.0f %6.3f\n' "$function" "$i" "$(middle 2 <"$scratch/lines")" \
+      "$(middle 3 <"$scratch/lines")" "$(middle 4 <"$scratch/lines")" "$(middle 5 <"$scratch/lines")"
+  done
+done
