@@ -120,8 +120,12 @@ async function preview() {
   text = right.replace('Robot HyL', 'Robot');
   await commands['robcogen.view']();
   assert.match(panels[1].webview.html, /^<pre>hyl\.kindsl:\d+:\d+: error/);
+  panels[1].dispose();
+  settings['robcogen.path'] = '/nowhere/robcogen';
+  await commands['robcogen.view']();
+  assert.match(panels[2].webview.html, /cannot start '\/nowhere\/robcogen': .*robcogen\.path/);
   subscribed.subscriptions.forEach((s) => s.dispose());
-  assert.ok(panels[1].disposed);
+  assert.ok(panels[2].disposed);
   assert.deepStrictEqual(seen.clients[0].server.args, ['language-server']);
   assert.deepStrictEqual(seen.clients[0].options.initializationOptions, { importFolders: ['parts', '/opt/parts'] });
   assert.strictEqual(seen.clients[0].options.synchronize.configurationSection, 'robcogen');

@@ -36,8 +36,7 @@ function activate(context) {
     vscode.workspace.onDidChangeTextDocument((event) => preview.changed(event.document)),
     { dispose: preview.close_all });
   return client.start().catch((fault) => {
-    vscode.window.showErrorMessage(
-      `RobCoGen: cannot start '${command}': ${fault.message}. The setting robcogen.path names the program.`);
+    vscode.window.showErrorMessage(preview.not_started(command, fault));
   });
 }
 

@@ -10,6 +10,10 @@ const vscode = require('vscode');
 const kDelay = 400; // ms without a change
 const previews = new Map(); // by the document's path
 
+// Why the program cannot be started, and what to do.
+const not_started = (program, fault) =>
+  `RobCoGen: cannot start '${program}': ${fault.message}. The setting robcogen.path names the program.`;
+
 const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
 
 class Preview {
@@ -49,7 +53,7 @@ class Preview {
       this.has_page = true;
       this.panel.webview.html = fs.readFileSync(page, 'utf8');
     } else if (!this.has_page) {
-      this.panel.webview.html = `<pre>${escaped(messages || fault.message)}</pre>`;
+      this.panel.webview.html = `<pre>${escaped(messages || not_started(this.program, fault))}</pre>`;
     }
   }
 
@@ -90,4 +94,4 @@ function close_all() {
   for (const preview of [...previews.values()]) preview.panel.dispose();
 }
 
-module.exports = { show, changed, close_all };
+module.exports = { show, changed, close_all, not_started };
