@@ -54,14 +54,15 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ament_index/robcogen DESTINATION share
 
 configure_file(cmake/robcogen.pc.in robcogen.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/robcogen.pc DESTINATION share/pkgconfig)
-# The guides where their links to each other hold.
+# The guides where their links to each other hold, and the examples that they are about.
 install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/robcogen)
-file(GLOB guides RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} README.md CONTRIBUTING.md cmake/*.md runtime/*.md bench/*.md bench/*.svg robots/*.md
-     robots/*/*.md robots/*/*.svg tool/*.md tool/*/*.md tool/*/*.svg tool/editors/*/*.md)
+file(GLOB guides RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} README.md CONTRIBUTING.md cmake/*.md runtime/*.md runtime/*/*.md bench/*.md bench/*.svg
+     tool/*.md tool/*/*.md tool/*/*.svg tool/editors/*/*.md)
 foreach(guide IN LISTS guides)
   cmake_path(GET guide PARENT_PATH folder)
   install(FILES ${guide} DESTINATION share/doc/robcogen/${folder})
 endforeach()
+install(DIRECTORY robots DESTINATION share/doc/robcogen PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY tool/editors DESTINATION share/robcogen PATTERN "*.cpp" EXCLUDE PATTERN "*.md" EXCLUDE)
 
 # What the generator prints of its own command line: the manual page, completions where shells look for them.

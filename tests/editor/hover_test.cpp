@@ -124,5 +124,36 @@ TEST(Hover, HasTheNumbersOfTheGenerator) {
   }
 }
 
+// 2 m along x of a frame that is turned by 90 degrees about z is 2 m along y; there a turn about the new x axis.
+TEST(Hover, OfFramesOfMotions) {
+  Client client;
+  const std::string uri = "file:///crane.motdsl", list = "file:///crane.dtdsl";
+  client.open(
+      uri,
+      "Model crane\nConvention = local\n\npost -> jib : rotz(swing + PI/2.0)\njib -> trolley : trx(2.0 + reach[0.5])\n"
+      "trolley -> hook : trz(-rope) rotx(PI/6.0)\nother -> alone : try(1.0)\n");
+  client.open(list, "Model crane\nFrames { post, hook }\nTransforms { post <- hook }\n");
+  EXPECT_EQ(hover(client, uri, "po|st ->"), "**frame** `post` of model `crane`");
+  const std::string hook =
+      "**frame** `hook` of model `crane`\n\n- origin (0, 2.5, 0) m in `post` where variables are zero\n- rotation (0, "
+      "30, 90)° about x, y', z''\n- from `post`: rotz(swing + PI/2.0) trx(2.0 + reach) trz(-rope) rotx(PI/6.0)";
+  EXPECT_EQ(hover(client, uri, "ho|ok :"), hook);
+  EXPECT_EQ(hover(client, list, "ho|ok }"), hook);
+  EXPECT_EQ(
+      hover(client, uri, "alo|ne"),
+      "**frame** `alone` of model `crane`\n\n- origin (0, 1, 0) m in `other` where variables are zero\n- rotation (0, "
+      "0, 0)° about x, y', z''\n- from `other`: try(1.0)");
+  EXPECT_EQ(
+      hover(client, uri, "rea|ch["), "**parameter** `reach`, a length (m)\n\n- default 0.5\n- 1 use in this document");
+  EXPECT_EQ(hover(client, uri, "trz(-ro|pe)"), "**variable** `rope`\n\n- 1 use in this document");
+  // The same motion as transforms that map the other way, from the frame that is moved.
+  const std::string other = "file:///crane.ctdsl";
+  client.open(
+      other, "Model crane\nMovedFramePos = left\n{jib}_X_{post} = Rz(swing + PI/2.0)\n{trolley}_X_{jib} = Tx(2.5)\n");
+  const std::string of_transforms = hover(client, other, "{pos|t}");
+  EXPECT_NE(of_transforms.find("- origin (0, 0, 0) m in `jib` where variables"), std::string::npos) << of_transforms;
+  EXPECT_NE(of_transforms.find("- rotation (0, 0, -90)°"), std::string::npos) << of_transforms;
+}
+
 }  // namespace
 }  // namespace robcogen::test

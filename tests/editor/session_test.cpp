@@ -168,5 +168,61 @@ TEST(Session, FollowsSettingsAndFolders) {
   EXPECT_TRUE(client.capabilities.at("workspace").at("workspaceFolders").at("changeNotifications").get<bool>());
 }
 
+// An editor that gives its settings when it is asked for them: at the beginning, and when they have changed.
+TEST(Session, AsksForSettings) {
+  const Scratch scratch("asked-settings");
+  std::filesystem::create_directory(scratch.path / "parts");
+  write_text(
+      scratch.path / "parts" / "leg.kindsl",
+      "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
+      "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n");
+  const std::string uri = file_uri(scratch.path / "biped.kindsl");
+  const std::string text = "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n";
+  server::Session session;
+  const auto tell = [&](const Json& message) {
+    bool is_message = false;
+    return session.receive(server::text_of(message), is_message);
+  };
+  const auto respond = [&](const Json& id, const Json& result) {
+    return tell({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
+  };
+  tell(request(
+      1, "initialize",
+      {{"rootUri", file_uri(scratch.path)}, {"capabilities", {{"workspace", {{"configuration", true}}}}}}));
+  const std::vector<Json> first = tell(notification("initialized"));
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].at("method"), "workspace/configuration");
+  EXPECT_EQ(first[0].at("params").dump(), R"({"items":[{"section":"robcogen"}]})");
+  const auto is_found = [](const std::vector<Json>& published) {
+    return published.at(0).at("params").at("diagnostics").dump().find("unknown-file") == std::string::npos;
+  };
+  EXPECT_FALSE(is_found(
+      tell(notification("textDocument/didOpen", {{"textDocument", {{"uri", uri}, {"version", 1}, {"text", text}}}}))));
+  EXPECT_TRUE(is_found(respond(first[0].at("id"), {{{"path", "robcogen"}, {"importFolders", {"parts"}}}})));
+
+  const std::vector<Json> second = tell(notification("workspace/didChangeConfiguration", {{"settings", nullptr}}));
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_NE(second[0].at("id"), first[0].at("id"));
+  // Answers of other shapes, and to questions that are not the last one.
+  for (const Json& other : {Json(nullptr), Json::array(), Json::array({nullptr}), Json("parts")})
+    EXPECT_TRUE(respond(second[0].at("id"), other).empty()) << other;
+  const Json none = Json::array({Json({{"importFolders", Json::array()}})});
+  for (const Json& id : {first[0].at("id"), Json(1), Json(nullptr)}) EXPECT_TRUE(respond(id, none).empty()) << id;
+  EXPECT_FALSE(is_found(respond(second[0].at("id"), none)));
+}
+
+TEST(Session, DoesNotAskAnEditorThatGivesNoSettings) {
+  for (const Json& workspace : {Json(nullptr), Json::object(), Json({{"configuration", false}}), Json(3)}) {
+    const std::vector<Json> answers =
+        served(
+            frames(
+                {request(1, "initialize", {{"capabilities", {{"workspace", workspace}}}}), notification("initialized"),
+                 notification("workspace/didChangeConfiguration", {{"settings", nullptr}}), request(2, "shutdown"),
+                 notification("exit")}))
+            .answers;
+    EXPECT_EQ(answers.size(), 2U) << workspace;
+  }
+}
+
 }  // namespace
 }  // namespace robcogen::test

@@ -21,6 +21,8 @@ class Documents(unittest.TestCase):
         # With a floating base gravity says how the base is oriented: it has no default.
         self.assertIsNot(inspect.signature(walker.inverse_dynamics).parameters["gravity"].default, None)
         self.assertIn("recursive Newton-Euler", arm.inverse_dynamics.__doc__)
+        self.assertIn("gravity: (3,); default (0, 0, -9.81)\nexternal: (8, 6); default zero\n", arm.inverse_dynamics.__doc__)
+        self.assertIn("gravity: (3,)\n", walker.inverse_dynamics.__doc__)
 
     def test_stubs_have_every_function(self):
         for module in (arm, leg, walker):

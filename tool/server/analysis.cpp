@@ -83,4 +83,16 @@ std::shared_ptr<const Analysis> analyse(const OpenDocument& document, const Docu
   return analysis;
 }
 
+std::optional<model::RigidMotions> motions_in(const fs::path& path, const Documents& documents) {
+  const std::optional<driver::Language> language = driver::language_of_suffix(path);
+  if (language != driver::Language::motions && language != driver::Language::transforms) return std::nullopt;
+  try {
+    Diagnostics ignored;
+    std::set<fs::path> read;
+    return driver::load_motions_of(path, ignored, load_options(documents, read).open_texts);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace robcogen::server

@@ -22,4 +22,7 @@ struct Analysis {
 // robot, if one is found that has no errors itself. What cannot be read is a diagnostic, too.
 std::shared_ptr<const Analysis> analyse(const OpenDocument& document, const Documents& documents, RobotFinder& robots);
 
+// Those of a document of motions or of transforms, all that it names; nullopt of another one, or where it has errors.
+std::optional<model::RigidMotions> motions_in(const std::filesystem::path& path, const Documents& documents);
+
 }  // namespace robcogen::server

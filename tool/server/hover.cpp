@@ -1,148 +1,17 @@
 // What a name or a number is, in numbers of the robot at q = 0.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "server/analysis.h"
 #include "server/features.h"
+#include "server/hover_texts.h"
 #include "server/lookup.h"
-#include "server/mechanics.h"
 #include "server/values.h"
 #include "support/files.h"
 
 namespace robcogen::server {
 namespace {
-
-// Six digits, and 0 for what is rounding.
-std::string text_of_number(double value) {
-  if (std::isnan(value)) return "?";
-  return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
-}
-
-std::string text_of_vector(const Vector3& v) {
-  return fmt::format("({}, {}, {})", text_of_number(v[0]), text_of_number(v[1]), text_of_number(v[2]));
-}
-
-std::string text_of_degrees(const Vector3& radians) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  return text_of_vector({radians[0] * kDegrees, radians[1] * kDegrees, radians[2] * kDegrees});
-}
-
-// Lines of a hover text about an element of a robot.
-class RobotText {
- public:
-  explicit RobotText(const model::KinematicTree& tree) : tree_(tree), resting_(tree) {}
-
-  std::string link(int l) const {
-    const model::Link& link = tree_.links[static_cast<std::size_t>(l)];
-    std::string text = fmt::format("**link** `{}`", link.name);
-    if (link.parent_joint >= 0) {
-      // Between the components of a spherical joint its child is repeated.
-      int parent = link.parent_joint;
-      while (tree_.links[static_cast<std::size_t>(tree_.joints[static_cast<std::size_t>(parent)].parent)].is_repeated)
-        parent = tree_.parent_joint_of(parent);
-      const model::Joint& joint = tree_.joints[static_cast<std::size_t>(parent)];
-      text += fmt::format(
-          ", child of `{}` via `{}`", tree_.links[static_cast<std::size_t>(joint.parent)].name, joint.declared_name());
-    } else {
-      text += tree_.floating_base ? ", the floating base" : ", the base";
-    }
-    if (link.inertia) {
-      text += fmt::format("\n\n- mass {} kg", text_of_number(resting_.mass(l)));
-      text += fmt::format("\n- centre of mass {} m, in the link frame", text_of_vector(resting_.com(l)));
-      text += fmt::format(
-          "\n- principal moments {} kg m², about the centre of mass", text_of_vector(resting_.principal_moments(l)));
-    } else {
-      text += "\n\n- massless";
-    }
-    const Carried& carried = resting_.carried(l);
-    if (carried.mass != 0.0 && !link.child_joints.empty())
-      text += fmt::format(
-          "\n- with all it carries: {} kg, centre of mass {} m in the base at q = 0", text_of_number(carried.mass),
-          text_of_vector(carried.com));
-    return text + unknown_parameters();
-  }
-
-  std::string joint(int j) const {
-    const model::Joint& joint = tree_.joints[static_cast<std::size_t>(j)];
-    const char* type = joint.type == model::JointType::revolute    ? "revolute"
-                       : joint.type == model::JointType::prismatic ? "prismatic"
-                       : joint.type == model::JointType::helical   ? "helical"
-                                                                   : "spherical";
-    const bool turns = model::turns(joint.type);
-    std::string text = fmt::format(
-        "**{} joint** `{}`, from `{}` to `{}`\n\n", type, joint.declared_name(),
-        tree_.links[static_cast<std::size_t>(joint.parent)].name,
-        tree_.links[static_cast<std::size_t>(joint.child)].name);
-    text += joint.type == model::JointType::spherical
-                ? "- turns in any way about the origin of its frame"
-                : fmt::format("- axis {} in the base at q = 0", text_of_vector(resting_.axis(j)));
-    if (joint.type == model::JointType::helical)
-      text += fmt::format("\n- pitch {} m/rad", text_of_number(resting_.value(joint.pitch)));
-    const model::JointLimits& limits = joint.limits;
-    if (std::isfinite(limits.lower) || std::isfinite(limits.upper))
-      text += fmt::format(
-          "\n- limits {} to {} {}", text_of_number(limits.lower), text_of_number(limits.upper), turns ? "rad" : "m");
-    if (std::isfinite(limits.velocity))
-      text += fmt::format("\n- velocity up to {} {}", text_of_number(limits.velocity), turns ? "rad/s" : "m/s");
-    if (std::isfinite(limits.effort))
-      text += fmt::format("\n- effort up to {} {}", text_of_number(limits.effort), turns ? "N m" : "N");
-    if (tree_.coupling_of(j) != nullptr)
-      text += tree_.coupling_of(j)->is_linear() ? "\n- coupled to other joints: no coordinate of its own"
-                                                : "\n- follows through a loop: no coordinate of its own";
-    return text + unknown_parameters();
-  }
-
-  std::string loop(std::size_t l) const {
-    const model::LoopJoint& loop = tree_.loops[l];
-    std::string text =
-        fmt::format("**loop** `{}`, {}", loop.name, model::kLoopTypes[static_cast<std::size_t>(loop.type)]);
-    if (loop.type == model::LoopType::distance)
-      text += fmt::format(" {} m", text_of_number(resting_.value(loop.length)));
-    const char* separator = "\n\n- frame";
-    for (const model::LoopEnd& end : loop.ends) {
-      const std::string& link = tree_.links[static_cast<std::size_t>(end.link)].name;
-      text += fmt::format("{} `{}` of link `{}`", std::exchange(separator, " and"), end.frame, link);
-    }
-    for (const model::Closure& closure : tree_.closures) {
-      if (std::find(closure.loops.begin(), closure.loops.end(), static_cast<int>(l)) == closure.loops.end()) continue;
-      for (const int j : closure.dependents)
-        text += fmt::format("\n- `{}` follows", tree_.joints[static_cast<std::size_t>(j)].declared_name());
-    }
-    return text + unknown_parameters();
-  }
-
-  std::string frame(const model::Frame& frame) const {
-    const BasePose pose = resting_.frame(frame);
-    const std::string& link = tree_.links[static_cast<std::size_t>(tree_.link_of(frame))].name;
-    return fmt::format(
-               "**frame** `{}` of link `{}`\n\n- origin {} m in the base at q = 0\n- rotation {}° about x, y', z''",
-               frame.name, link, text_of_vector(pose.translation), text_of_degrees(angles_of(pose))) +
-           unknown_parameters();
-  }
-
-  std::string parameter(const model::Parameter& p) const {
-    const char* kind = p.kind == model::ParameterKind::length  ? "a length (m)"
-                       : p.kind == model::ParameterKind::angle ? "an angle (rad)"
-                       : p.kind == model::ParameterKind::ratio ? "a ratio"
-                                                               : "of dynamics";
-    return fmt::format(
-        "**parameter** `{}`, {}{}\n\n- default {}", p.name, kind, p.is_in_masses_too ? ", in mass properties too" : "",
-        p.default_value ? print_double(*p.default_value) : "none");
-  }
-
- private:
-  const model::KinematicTree& tree_;
-  RestingRobot resting_;
-
-  std::string unknown_parameters() const {
-    for (const model::Parameter& p : tree_.parameters)
-      if (!p.default_value) return "\n- ? depends on parameters without a default";
-    return "";
-  }
-};
 
 // The robots that may tell about a symbol: that of the document, of the list's, or those that use its part.
 std::vector<model::KinematicTree> trees_for(Workspace& workspace, Lookup& lookup) {
@@ -169,7 +38,10 @@ std::string word_at_place(const Lookup& lookup) {
 
 class NameText {
  public:
-  NameText(Workspace& workspace, Lookup& lookup) : lookup_(lookup), trees_(trees_for(workspace, lookup)) {}
+  NameText(Workspace& workspace, Lookup& lookup) : lookup_(lookup), trees_(trees_for(workspace, lookup)) {
+    const Parsed* of_list = lookup.names.model_of(*lookup.document);
+    motions_ = motions_in((of_list != nullptr ? of_list : lookup.document)->path, workspace.documents());
+  }
 
   // Empty where nothing is known.
   std::string operator()() {
@@ -177,6 +49,7 @@ class NameText {
     for (const model::KinematicTree& tree : trees_)
       if (std::string text = of_word(tree, word); !text.empty()) return text + uses();
     if (lookup_.at_place == nullptr) return "";
+    if (std::string text = motions_ ? of_motions(lookup_.at_place->symbol) : ""; !text.empty()) return text + uses();
     for (const model::KinematicTree& tree : trees_)
       if (std::string text = of_declaration(tree); !text.empty()) return text;
     return fmt::format("**{}** `{}`", describe(lookup_.at_place->symbol.kind), lookup_.at_place->symbol.name) + uses();
@@ -185,6 +58,15 @@ class NameText {
  private:
   Lookup& lookup_;
   std::vector<model::KinematicTree> trees_;
+  std::optional<model::RigidMotions> motions_;
+
+  std::string of_motions(const Symbol& symbol) const {
+    if (symbol.kind == NameKind::frame) return text_of_frame(*motions_, symbol.name);
+    if (symbol.kind != NameKind::parameter) return "";
+    for (const model::Parameter& p : motions_->parameters)
+      if (p.name == symbol.name) return text_of(p);
+    return fmt::format("**variable** `{}`\n", symbol.name);
+  }
 
   std::string uses() {
     if (lookup_.at_place == nullptr || lookup_.at_place->symbol.kind != NameKind::parameter) return "";
@@ -211,7 +93,7 @@ class NameText {
         if (tree.loops[l].name == word) return text.loop(l);
     } else if (kind == NameKind::parameter) {
       for (const model::Parameter& p : tree.parameters)
-        if (p.name == word) return text.parameter(p);
+        if (p.name == word) return text_of(p);
     }
     return "";
   }

@@ -21,8 +21,8 @@ Vector3 added(const Vector3& a, const Vector3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-BasePose composed(const BasePose& a, const BasePose& b) {
-  BasePose result;
+Pose composed(const Pose& a, const Pose& b) {
+  Pose result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       result.rotation[i][j] = 0.0;
@@ -32,13 +32,34 @@ BasePose composed(const BasePose& a, const BasePose& b) {
   return result;
 }
 
+// A translation along an axis, or a rotation about it.
+Pose elementary(bool is_rotation, std::size_t axis, double amount) {
+  Pose pose;
+  if (is_rotation) {
+    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+    pose.rotation[i][i] = pose.rotation[j][j] = std::cos(amount);
+    pose.rotation[j][i] = std::sin(amount);
+    pose.rotation[i][j] = -pose.rotation[j][i];
+  } else {
+    pose.translation[axis] = amount;
+  }
+  return pose;
+}
+
+std::vector<double> defaults_of(const std::vector<model::Parameter>& parameters) {
+  std::vector<double> values;
+  for (const model::Parameter& p : parameters)
+    values.push_back(p.default_value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  return values;
+}
+
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
 }  // namespace
 
-Vector3 angles_of(const BasePose& pose) {
+Vector3 angles_of(const Pose& pose) {
   const Rows& r = pose.rotation;
   const double y = std::asin(std::fmin(1.0, std::fmax(-1.0, r[0][2])));
   // At the poles x and z turn about one axis: all of it is x.
@@ -46,9 +67,19 @@ Vector3 angles_of(const BasePose& pose) {
   return {std::atan2(-r[1][2], r[2][2]), y, std::atan2(-r[0][1], r[0][0])};
 }
 
-RestingRobot::RestingRobot(const model::KinematicTree& tree) : tree_(tree), links_(tree.links.size()) {
-  for (const model::Parameter& p : tree.parameters)
-    parameters_.push_back(p.default_value.value_or(std::numeric_limits<double>::quiet_NaN()));
+Pose pose_of(const model::CoordinateTransform& transform, const model::RigidMotions& motions) {
+  const std::vector<double> parameters = defaults_of(motions.parameters), variables(motions.variables.size());
+  Pose pose;
+  for (const model::PrimitiveTransform& p : transform.primitives) {
+    if (!p.quaternion.empty()) continue;
+    const double amount = model::evaluate(p.amount, parameters, variables);
+    pose = composed(pose, elementary(p.rotation, static_cast<std::size_t>(p.axis), amount));
+  }
+  return pose;
+}
+
+RestingRobot::RestingRobot(const model::KinematicTree& tree)
+    : tree_(tree), parameters_(defaults_of(tree.parameters)), links_(tree.links.size()) {
   const std::vector<int> order = tree.topological();
   for (const int j : order) {
     const model::Joint& joint = tree.joints[index(j)];
@@ -76,8 +107,8 @@ double RestingRobot::value(const model::Quantity& q) const {
   return model::evaluate(q, parameters_);
 }
 
-BasePose RestingRobot::placed(const BasePose& parent, const model::Placement& placement) const {
-  BasePose local;
+Pose RestingRobot::placed(const Pose& parent, const model::Placement& placement) const {
+  Pose local;
   const auto rotation = model::rotation_matrix(placement);
   for (std::size_t i = 0; i < 3; ++i) {
     local.translation[i] = value(placement.translation[i]);
@@ -86,21 +117,17 @@ BasePose RestingRobot::placed(const BasePose& parent, const model::Placement& pl
   return composed(parent, local);
 }
 
-BasePose RestingRobot::moved(const BasePose& frame, int j) const {
+Pose RestingRobot::moved(const Pose& frame, int j) const {
   const model::Coupling* coupling = tree_.coupling_of(j);
   const double q = coupling == nullptr ? 0.0 : value(coupling->offset);
   if (q == 0.0) return frame;
   const model::Joint& joint = tree_.joints[index(j)];
-  BasePose motion;
-  if (model::turns(joint.type)) {
-    const double c = std::cos(q), s = std::sin(q);
-    motion.rotation = {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
-  }
+  Pose motion = elementary(model::turns(joint.type), 2, q);
   motion.translation[2] = value(model::slide_of(joint)) * q;
   return composed(frame, motion);
 }
 
-BasePose RestingRobot::frame(const model::Frame& frame) const {
+Pose RestingRobot::frame(const model::Frame& frame) const {
   switch (frame.kind) {
     case model::Frame::Kind::link:
       return link(frame.index);
@@ -147,7 +174,7 @@ Vector3 RestingRobot::principal_moments(int link) const {
 
 Vector3 RestingRobot::axis(int j) const {
   const model::Joint& joint = tree_.joints[index(j)];
-  const BasePose pose = placed(link(joint.parent), joint.placement);
+  const Pose pose = placed(link(joint.parent), joint.placement);
   return {pose.rotation[0][2], pose.rotation[1][2], pose.rotation[2][2]};
 }
 

@@ -5,20 +5,25 @@
 #include <array>
 #include <vector>
 
+#include "model/coordinate_transforms.h"
 #include "model/kinematic_tree.h"
 
 namespace robcogen::server {
 
 using Vector3 = std::array<double, 3>;
 
-// base_X_frame: the pose of a frame in the base.
-struct BasePose {
+// left_X_right: the pose of a frame in another one; of a robot, in its base.
+struct Pose {
   std::array<Vector3, 3> rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // row by row
   Vector3 translation = {};
 };
 
 // Angles about the intrinsic axes x, y', z'' (R = Rx Ry Rz), rad.
-Vector3 angles_of(const BasePose& pose);
+Vector3 angles_of(const Pose& pose);
+
+// Of a transform between frames of these motions, in the convention `right`, where variables are zero and joints that
+// are quaternions do not turn.
+Pose pose_of(const model::CoordinateTransform& transform, const model::RigidMotions& motions);
 
 struct Carried {
   double mass = 0.0;
@@ -30,8 +35,8 @@ class RestingRobot {
   // Independent joints are at zero, coupled ones where the couplings put them.
   explicit RestingRobot(const model::KinematicTree& tree);
 
-  const BasePose& link(int link) const { return links_[static_cast<std::size_t>(link)]; }
-  BasePose frame(const model::Frame& frame) const;
+  const Pose& link(int link) const { return links_[static_cast<std::size_t>(link)]; }
+  Pose frame(const model::Frame& frame) const;
   // The link with all beyond it.
   const Carried& carried(int link) const { return carried_[static_cast<std::size_t>(link)]; }
   double mass(int link) const;
@@ -43,11 +48,11 @@ class RestingRobot {
  private:
   const model::KinematicTree& tree_;
   std::vector<double> parameters_;
-  std::vector<BasePose> links_;
+  std::vector<Pose> links_;
   std::vector<Carried> carried_;
 
-  BasePose placed(const BasePose& parent, const model::Placement& placement) const;
-  BasePose moved(const BasePose& frame, int joint) const;
+  Pose placed(const Pose& parent, const model::Placement& placement) const;
+  Pose moved(const Pose& frame, int joint) const;
 };
 
 }  // namespace robcogen::server

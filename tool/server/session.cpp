@@ -9,6 +9,14 @@
 namespace robcogen::server {
 namespace {
 
+// The settings of ours among those of an editor.
+constexpr const char* kSection = "robcogen";
+
+// The id of a request to the editor.
+std::string question(int number) {
+  return fmt::format("robcogen.settings.{}", number);
+}
+
 Json error_response(const Json& id, ErrorCode code, const std::string& message) {
   return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", message}}}};
 }
@@ -90,13 +98,28 @@ void Session::set_folders() {
 
 // Editors send their settings as they are or below the name of the server; some send others' settings, or none.
 std::vector<Json> Session::change_settings(const Json& settings) {
-  const Json& named = member(settings, "robcogen");
+  const Json& named = member(settings, kSection);
   const Json& ours = named.is_object() ? named : settings;
   if (!member(ours, "importFolders").is_array()) return {};
   settings_ = ours;
   set_folders();
   workspace_.forget_all();
   return workspace_.publish("");
+}
+
+std::vector<Json> Session::ask_settings() {
+  if (!gives_settings_) return {};
+  return {
+      {{"jsonrpc", "2.0"},
+       {"id", question(++questions_)},
+       {"method", "workspace/configuration"},
+       {"params", {{"items", {{{"section", kSection}}}}}}}};
+}
+
+// To an earlier question the editor says what no longer holds.
+std::vector<Json> Session::answered(const Json& id, const Json& result) {
+  const bool is_last = questions_ > 0 && id == question(questions_);
+  return is_last && result.is_array() && !result.empty() ? change_settings(result.front()) : std::vector<Json>();
 }
 
 std::vector<Json> Session::change_folders(const Json& event) {
@@ -115,6 +138,7 @@ Json Session::initialize(const Json& parameters) {
   workspace_.encoding = encoding_of(parameters);
   workspace_folders_ = folders_of(parameters);
   settings_ = member(parameters, "initializationOptions");
+  gives_settings_ = member(member(member(parameters, "capabilities"), "workspace"), "configuration") == true;
   set_folders();
   Json capabilities = capabilities_of_answers();
   capabilities["positionEncoding"] = workspace_.encoding == PositionEncoding::utf8 ? "utf-8" : "utf-16";
@@ -173,7 +197,11 @@ std::vector<Json> Session::notice(const std::string& method, const Json& paramet
     workspace_.forget_all();
     return workspace_.publish("");
   }
-  if (method == "workspace/didChangeConfiguration") return change_settings(member(parameters, "settings"));
+  if (method == "initialized") return ask_settings();
+  if (method == "workspace/didChangeConfiguration") {
+    const Json& settings = member(parameters, "settings");
+    return settings.is_null() ? ask_settings() : change_settings(settings);
+  }
   if (method == "workspace/didChangeWorkspaceFolders") return change_folders(parameters.at("event"));
   if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") {
     workspace_.forget_all();
@@ -187,7 +215,7 @@ std::vector<Json> Session::handle(const Json& message) {
   const Json& id = member(message, "id");
   if (!method.is_string()) {
     const bool is_response = message.is_object() && (message.contains("result") || message.contains("error"));
-    if (is_response) return {};
+    if (is_response) return state_ == State::running ? answered(id, member(message, "result")) : std::vector<Json>();
     return {error_response(id, ErrorCode::invalid_request, "not a request: it has no method")};
   }
   if (!message.contains("id")) {

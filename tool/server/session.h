@@ -51,6 +51,8 @@ class Session {
   std::vector<std::filesystem::path> import_folders_;     // of the command line
   std::vector<std::filesystem::path> workspace_folders_;  // that the editor has open
   Json settings_;                                         // the last ones that name folders of imports
+  bool gives_settings_ = false;                           // the editor does, when it is asked
+  int questions_ = 0;                                     // that it was asked; the last one counts
 
   std::vector<Json> handle(const Json& message);
   Json answer(const std::string& method, const Json& parameters);
@@ -59,6 +61,8 @@ class Session {
   std::vector<Json> change(const Json& parameters);
   void set_folders();
   std::vector<Json> change_settings(const Json& settings);
+  std::vector<Json> ask_settings();
+  std::vector<Json> answered(const Json& id, const Json& result);
   std::vector<Json> change_folders(const Json& event);
 };
 

@@ -24,4 +24,11 @@ inline std::string joined(const std::vector<std::string>& items, const std::stri
   return result;
 }
 
+// With `with` in each place of `old`.
+inline std::string replaced(std::string text, std::string_view old, std::string_view with) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
+    text.replace(at, old.size(), with);
+  return text;
+}
+
 }  // namespace robcogen

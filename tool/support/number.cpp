@@ -256,13 +256,26 @@ std::string print(const Number& n) {
   return factor + " PI" + divisor;
 }
 
-std::string print_double(double value) {
-  if (value == 0.0) return "0.0";
+namespace {
+
+template <class Real>
+std::string print_real(Real value) {
+  if (value == Real(0)) return "0.0";
   char buffer[40];
   const auto [end, fault] = std::to_chars(buffer, buffer + sizeof buffer, value);
   std::string text(buffer, fault == std::errc() ? end : buffer);
   const bool plain = text.find_first_of(".eEni") == std::string::npos;
   return plain ? text + ".0" : text;
+}
+
+}  // namespace
+
+std::string print_double(double value) {
+  return print_real(value);
+}
+
+std::string print_float(float value) {
+  return print_real(value);
 }
 
 }  // namespace robcogen

@@ -62,5 +62,6 @@ std::string print(const Number& n);
 // Shortest text that reads back as exactly this double, always with a '.' or an exponent: `1.0`, `0.35`, `1e-09`.
 // Independent of the locale.
 std::string print_double(double value);
+std::string print_float(float value);
 
 }  // namespace robcogen

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backend/javascript/javascript.h"
+#include "support/concat.h"
 #include "support/index.h"
 #include "view/canvas.h"
 #include "view/page_files.h"
@@ -20,16 +21,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kScripts[] = {"vectors.js", "positions.js", "posture.js", "camera.js",
                                     "picture.js", "panels.js",    "main.js"};
 
-void replace_all(std::string& text, std::string_view old, std::string_view with) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
-    text.replace(at, old.size(), with);
-}
-
 // As the text of a script element, which these sequences would end or change; in strings they mean the same.
-std::string in_script(std::string text) {
-  replace_all(text, "</", "<\\/");
-  replace_all(text, "<!--", "<\\!--");
-  return text;
+std::string in_script(const std::string& text) {
+  return replaced(replaced(text, "</", "<\\/"), "<!--", "<\\!--");
 }
 
 constexpr std::string_view kExport = "export ", kImport = "import ";
@@ -162,8 +156,7 @@ std::string page(
   std::string script = generated(robot.library);
   for (const char* name : kScripts) script += "\n" + inlined(page_file(name));
   const Json data = data_of(model, robot, diagnostics, options);
-  std::string json = data.dump(1, ' ', true, Json::error_handler_t::replace);
-  replace_all(json, "<", "\\u003c");
+  const std::string json = replaced(data.dump(1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
   // One after the other: no text that is put in is searched for what follows.
   std::string result;
   std::string_view rest = page_file("page.html");

@@ -11,7 +11,7 @@
 
 #include "../../unit/command/run_tool.h"
 #include "algorithm/catalogue/catalogue.h"
-#include "backend/c/c.h"
+#include "backend/c/printers.h"
 #include "backend/casadi/casadi.h"
 #include "driver/derivatives.h"
 #include "driver/driver.h"
@@ -172,7 +172,7 @@ std::string differences(const Library& library, const std::filesystem::path& fol
   if (!loaded) return dlerror();
   std::mt19937 dice(7);
   std::string report;
-  for (const c::Callable& c : c::callables(library)) {
+  for (const c::Callable& c : c::names(library).callables) {
     for (int state = 0; state < 3; ++state) {
       report += differences<double>(library, c, dlsym(loaded, c.name.c_str()), dice);
       report += differences<float>(library, c, dlsym(loaded, c.name_in_float.c_str()), dice);
@@ -352,7 +352,7 @@ TEST(C, NamesOfBothPrecisionsDiffer) {
   for (const char* kernel : {"x", "xf", "parameters", "xff"})
     library.functions.push_back({"group", "", "", kernel, {}, {}, {}, -1, -1, {}});
   std::vector<std::string> names;
-  for (const c::Callable& c : c::callables(library)) names.insert(names.end(), {c.name, c.name_in_float});
+  for (const c::Callable& c : c::names(library).callables) names.insert(names.end(), {c.name, c.name_in_float});
   EXPECT_EQ(
       names, (std::vector<std::string>{
                  "a_b_hyl_x", "a_b_hyl_xf_2", "a_b_hyl_xf", "a_b_hyl_xff_2", "a_b_hyl_parameters_2",

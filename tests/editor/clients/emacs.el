@@ -36,6 +36,8 @@
     (find-file (expand-file-name "arm.kindsl"))
     (check "mode" (eq major-mode 'kindsl-mode) major-mode)
     (setq-local eglot-sync-connect t)
+    (setq-default eglot-workspace-configuration
+                  `((:robcogen . (:importFolders [,(expand-file-name "parts")]))))
     (apply #'eglot (eglot--guess-contact))
     (setq flymake-no-changes-timeout 0.1)
     (flymake-mode 1)
@@ -66,7 +68,12 @@
       (check "rename in the list" (string-match-p "fr_arm" (buffer-string)) (buffer-string)))
     (eglot-format-buffer)
     (check "formatting" (string-match-p "\n    link arm {\n        id = 1\n" (buffer-string)) (buffer-string))
-    (check "comment is kept" (string-match-p "// \U0001F916 the arm" (buffer-string)) (buffer-string))))
+    (check "comment is kept" (string-match-p "// \U0001F916 the arm" (buffer-string)) (buffer-string))
+    (find-file (expand-file-name "biped.kindsl"))
+    (search-forward "Leg")
+    (backward-char 2)
+    (let ((part (jsonrpc-request (eglot-current-server) :textDocument/definition (eglot--TextDocumentPositionParams))))
+      (check "imports from folders of the settings" (string-match-p "parts/leg.kindsl" (format "%s" part)) part))))
 
 (let ((fault (condition-case e (progn (run) nil) (error e))))
   (check "no fault" (null fault) fault))

@@ -16,7 +16,10 @@ local function run()
   vim.opt.runtimepath:prepend(vim.env.PLUGIN)
   vim.o.hidden = true
   vim.cmd('runtime plugin/robcogen.lua')
-  require('robcogen').setup({ command = { vim.env.ROBCOGEN, 'language-server' } })
+  require('robcogen').setup({
+    command = { vim.env.ROBCOGEN, 'language-server' },
+    settings = { importFolders = { vim.env.FOLDER .. '/parts' } },
+  })
 
   vim.cmd('edit ' .. vim.env.FOLDER .. '/arm.kindsl')
   local robot = vim.api.nvim_get_current_buf()
@@ -67,6 +70,11 @@ local function run()
   end
   vim.wait(200, function() return false end)
   check('still no diagnostics', #vim.diagnostic.get(robot) == 0, vim.diagnostic.get(robot))
+
+  vim.cmd('edit ' .. vim.env.FOLDER .. '/biped.kindsl')
+  robot = vim.api.nvim_get_current_buf()
+  local part = ask('textDocument/definition', 1, 44)
+  check('imports from folders of the settings', vim.inspect(part):find('parts/leg.kindsl', 1, true) ~= nil, part)
 end
 
 local sound, fault = pcall(run)

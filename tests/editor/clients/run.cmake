@@ -27,6 +27,16 @@ file(WRITE ${FOLDER}/arm.kindsl
 ")
 file(WRITE ${FOLDER}/arm.dtdsl "Robot Arm\nFrames { fr_upper }\nTransforms { fr_base -> fr_upper }\n")
 
+# A folder of imports, which the client names in its settings.
+file(WRITE ${FOLDER}/parts/leg.kindsl
+"Part Leg {
+    root hip via HAA
+    link hip { children {} }
+    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }
+}
+")
+file(WRITE ${FOLDER}/biped.kindsl "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n")
+
 set(scripts ${SOURCE_DIR}/tests/editor/clients)
 set(result ${FOLDER}/result)
 if(CLIENT STREQUAL "neovim")
@@ -46,7 +56,7 @@ endif()
 file(READ ${result} checks)
 string(REGEX MATCHALL "(^|\n)ok " held "${checks}")
 list(LENGTH held count)
-if(checks MATCHES "FAILED" OR count LESS 7)
+if(checks MATCHES "FAILED" OR count LESS 8)
   message(FATAL_ERROR "${checks}\n${output}")
 endif()
 message("${checks}")

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "backend/c/dialect.h"
 #include "backend/library.h"
 
 namespace robcogen::backend::c {
@@ -13,23 +12,11 @@ namespace robcogen::backend::c {
 // enclosing namespaces, `left_arm`.
 std::string prefix(const std::string& name, const std::string& enclosing);
 
-// The files of a library with these groups, relative. They follow from the arguments alone.
-std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups);
-
-// A function under its names in C.
+// In front of the groups of a robot.
 inline constexpr const char* kParametersGroup = "parameters";
 
-struct Callable {
-  const Function* function = nullptr;
-  std::string name, name_in_float;
-
-  const std::string& name_in(const Precision& precision) const {
-    return precision.suffix.empty() ? name : name_in_float;
-  }
-};
-
-// In the order of Library::functions, then Library::updates.
-std::vector<Callable> callables(const Library& library);
+// The files of a library with these groups, relative. They follow from the arguments alone.
+std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups);
 
 // <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and
 // <prefix>_c.h, which includes all headers. Functions are <prefix>_<kernel>, in single precision with an f behind. All

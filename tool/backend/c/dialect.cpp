@@ -1,45 +1,18 @@
 #include "backend/c/dialect.h"
 
-#include <charconv>
 #include <cmath>
-#include <stdexcept>
 
 #include "backend/common/layout.h"
-#include "backend/cpp/layout.h"
 #include "backend/cpp/names.h"
 #include "support/concat.h"
+#include "support/number.h"
 
 namespace robcogen::backend::c {
 namespace {
 
-// A question mark behind another one begins a trigraph.
-std::string without_trigraphs(std::string text, const char* between) {
-  for (std::size_t at = text.find("??"); at != std::string::npos; at = text.find("??", at + 1))
-    text.insert(at + 1, between);
-  return text;
-}
-
-template <bool is_float>
-std::string line(const Line& l) {
-  switch (l.kind) {
-    case Line::Kind::section: {
-      const std::string text = comment(l.expression);
-      return text.substr(0, text.find('\n'));
-    }
-    case Line::Kind::binding:
-    case Line::Kind::definition:
-      return "const " + (is_float ? kFloat : kDouble).scalar + " " + l.targets.front() + " = " + l.expression + ";";
-    case Line::Kind::store:
-      return joined(l.targets, " = ") + " = " + l.expression + ";";
-    default:
-      throw std::logic_error("C has no lanes: " + l.expression);
-  }
-}
-
-template <bool is_float>
-Spelling literal(const Number& value, Texts& texts) {
-  const std::string text = number(value.value(), is_float ? kFloat : kDouble);
-  return backend::literal(texts.add({text}), texts.add({"-", text}));
+// Keywords of C and C++, since headers are for both, and macros of system headers.
+bool is_reserved(const std::string& name) {
+  return name == "restrict" || cpp::is_reserved(name);
 }
 
 std::vector<std::string> values(const std::vector<std::string>& labels) {
@@ -48,34 +21,37 @@ std::vector<std::string> values(const std::vector<std::string>& labels) {
   return elements;
 }
 
-template <bool is_float>
+template <const Precision& precision>
+std::string line(const Line& l) {
+  if (l.kind == Line::Kind::store) return joined(l.targets, " = ") + " = " + l.expression + ";";
+  return "const " + precision.scalar + " " + l.targets.front() + " = " + l.expression + ";";
+}
+
+template <const Precision& precision>
 Dialect make_dialect(bool reads_cache) {
-  const std::string& suffix = (is_float ? kFloat : kDouble).suffix;
   Dialect d;
   d.is_reserved = is_reserved;
-  d.sine = "sin" + suffix;
-  d.cosine = "cos" + suffix;
-  d.square_root = "sqrt" + suffix;
-  d.arc_tangent = "atan2" + suffix;
+  for (std::string* function : {&d.sine, &d.cosine, &d.square_root, &d.arc_tangent}) *function += precision.suffix;
   d.used_names = {d.sine, d.cosine, d.square_root, d.arc_tangent, "kept"};
-  d.line_limit = cpp::kColumns - 2;
+  d.line_limit = cpp::kColumns - d.indentation;
   d.pairs_angles = false;
   d.binds_parameters = true;
-  d.literal = literal<is_float>;
-  d.type = [](int) { return kDouble.scalar; };
+  d.literal = [](const Number& value, Texts& texts) { return literal(number(value.value(), precision), texts); };
   d.element = subscripted;
   d.members = reads_cache ? values : members;
   d.member_access = "->";
-  d.text = line<is_float>;
+  d.text = line<precision>;
+  d.section = [](const std::string& text) { return comment(text, 2); };
   return d;
 }
 
 }  // namespace
 
 const Dialect& dialect(const Precision& precision, bool reads_cache) {
-  static const Dialect all[] = {
-      make_dialect<false>(false), make_dialect<false>(true), make_dialect<true>(false), make_dialect<true>(true)};
-  return all[(precision.suffix.empty() ? 0 : 2) + (reads_cache ? 1 : 0)];
+  static const Dialect all[2][2] = {
+      {make_dialect<kDouble>(false), make_dialect<kDouble>(true)},
+      {make_dialect<kFloat>(false), make_dialect<kFloat>(true)}};
+  return all[precision.is_float][reads_cache];
 }
 
 std::vector<std::string> members(const std::vector<std::string>& parameters) {
@@ -83,26 +59,10 @@ std::vector<std::string> members(const std::vector<std::string>& parameters) {
   return claim_all(scope, parameters);
 }
 
-bool is_reserved(const std::string& name) {
-  return name == "restrict" || cpp::is_reserved(name);
-}
-
 std::string number(double value, const Precision& precision) {
-  if (precision.suffix.empty()) return backend::number(value, "(double)NAN", "(double)INFINITY");
+  if (!precision.is_float) return backend::number(value, "(double)NAN", "(double)INFINITY");
   const auto rounded = static_cast<float>(value);
-  if (!std::isfinite(rounded)) return backend::number(rounded, "(float)NAN", "HUGE_VALF");
-  char buffer[40];
-  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded).ptr);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text + "f";
-}
-
-std::string comment(const std::string& text, std::size_t indent) {
-  return cpp::comment(without_trigraphs(text, " "), indent);
-}
-
-std::string quoted(const std::string& text) {
-  return without_trigraphs(cpp::quoted(text), "\\");
+  return std::isfinite(rounded) ? print_float(rounded) + "f" : backend::number(rounded, "(float)NAN", "HUGE_VALF");
 }
 
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail) {

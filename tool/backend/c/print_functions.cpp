@@ -1,6 +1,4 @@
 // The functions of a group: declarations with their documentation, and bodies.
-#include <algorithm>
-
 #include "backend/c/printers.h"
 #include "backend/common/meaning.h"
 #include "backend/common/parts.h"
@@ -16,35 +14,21 @@ using symbolic::Role;
 // Longer functions take compilers more time than their length, in parts of so many lines less.
 constexpr std::size_t kLongest = 2000, kPart = 700;
 
-// Whether what it reads of the parameters was computed before.
-bool reads_cache(const Names& names, const Callable& c) {
-  return !names.library.updates.empty() && c.function->group != kParametersGroup;
-}
-
-// Of an argument, by its place among inputs and then outputs.
-std::string declared(
-    const Names& names,
-    const Callable& c,
-    std::size_t i,
-    const Parameter& p,
-    const Precision& precision) {
-  const std::vector<InputArray>& inputs = c.function->program.inputs;
-  const std::string start = p.output ? "" : "const ";
-  if (i < inputs.size() && inputs[i].role == Role::parameters)
-    return start + names.prefix + (reads_cache(names, c) ? "_cache" : "_parameters") + precision.suffix + " *" + p.name;
-  return start + precision.scalar + " *" + names.prefix + "_restrict " + p.name;
-}
-
+// `void f(const double *hyl_restrict q, …)`, or a part of it.
 std::string signature(
     const Names& names,
     const Callable& c,
+    const std::string& head,
     const std::vector<Parameter>& list,
     const Precision& precision,
     const std::string& end) {
+  const std::string structure = names.prefix + (c.reads_cache ? "_cache" : "_parameters") + precision.suffix + " *";
+  const std::string array = precision.scalar + " *" + names.prefix + "_restrict ";
   std::vector<std::string> arguments;
-  for (std::size_t i = 0; i < list.size(); ++i) arguments.push_back(declared(names, c, i, list[i], precision));
+  for (const Parameter& p : list)
+    arguments.push_back((p.output ? "" : "const ") + (p.is_structure ? structure : array) + p.name);
   if (arguments.empty()) arguments = {"void"};
-  return wrapped("void " + c.name_in(precision) + "(", arguments, ")" + end);
+  return wrapped(head + "(", arguments, ")" + end);
 }
 
 std::string describe(const InputArray& input, const std::string& name, bool is_cache) {
@@ -72,7 +56,7 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
   if (!f.method.empty()) text += comment(f.method);
   for (std::size_t i = 0; i < list.size(); ++i)
     text += comment(
-        i < count ? describe(f.program.inputs[i], list[i].name, reads_cache(names, c))
+        i < count ? describe(f.program.inputs[i], list[i].name, c.reads_cache)
                   : describe(f.program.outputs[i - count], list[i].name));
   if (const std::string remark = remark_on_positions(f.program); !remark.empty()) text += comment(remark);
   const std::vector<std::string> columns = column_joints(names.library, f);
@@ -82,40 +66,23 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
   return text;
 }
 
-std::string body(const Kernel& kernel, const Dialect& dialect) {
-  std::string text;
-  for (const Line& line : kernel.lines) {
-    if (line.kind == Line::Kind::section && !text.empty()) text += "\n";
-    text += "  " + dialect.text(line) + "\n";
-  }
-  return text;
-}
-
 std::string print_function(const Names& names, const Callable& c, const Precision& precision) {
-  const Dialect& d = dialect(precision, reads_cache(names, c));
+  const Dialect& d = dialect(precision, c.reads_cache);
   const Kernel kernel = lower(c.function->program, c.function->kernel, d);
-  std::string unused;
+  std::string head = signature(names, c, "void " + c.name_in(precision), kernel.parameters, precision, " {");
   for (const Parameter& p : kernel.parameters)
-    if (!p.used) unused += "  (void)" + p.name + ";\n";
-  const std::string head = signature(names, c, kernel.parameters, precision, " {") + unused;
+    if (!p.used) head += "  (void)" + p.name + ";\n";
   if (kernel.lines.size() <= kLongest) return head + body(kernel, d) + "}\n";
   const Parts parts = in_parts(kernel, kPart, d);
   std::string text, calls;
   for (const Handed& h : parts.handed)
     calls += "  " + precision.scalar + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
   for (const Kernel& part : parts.kernels) {
-    // Of its parameters, those that the whole function has not are handed from part to part.
-    std::vector<std::string> arguments, declarations;
-    for (const Parameter& p : part.parameters) {
-      arguments.push_back(p.name);
-      const auto place = std::find_if(
-          kernel.parameters.begin(), kernel.parameters.end(), [&](const Parameter& q) { return q.name == p.name; });
-      declarations.push_back(
-          declared(names, c, static_cast<std::size_t>(place - kernel.parameters.begin()), p, precision));
-    }
+    std::vector<std::string> arguments;
+    for (const Parameter& p : part.parameters) arguments.push_back(p.name);
     // No other name has two underscores that follow each other.
     const std::string name = names.prefix + "__" + part.name + precision.suffix;
-    text += wrapped("static void " + name + "(", declarations, ") {") + body(part, d) + "}\n\n";
+    text += signature(names, c, "static void " + name, part.parameters, precision, " {") + body(part, d) + "}\n\n";
     calls += wrapped("  " + name + "(", arguments, ");");
   }
   return text + head + calls + "}\n";
@@ -152,9 +119,10 @@ std::string print_header(const Names& names, const std::string& group) {
   text += "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
   for (const Callable& c : names.callables) {
     if (c.function->group != group) continue;
-    const std::vector<Parameter> list = parameters(c.function->program, dialect(kDouble, reads_cache(names, c)));
+    const std::vector<Parameter> list = parameters(c.function->program, dialect(kDouble, c.reads_cache));
     text += "\n" + documentation(names, c, list);
-    for (const Precision& precision : kPrecisions) text += signature(names, c, list, precision, ";");
+    for (const Precision& precision : kPrecisions)
+      text += signature(names, c, "void " + c.name_in(precision), list, precision, ";");
   }
   if (has_update(names, group)) {
     text +=
@@ -168,8 +136,7 @@ std::string print_header(const Names& names, const std::string& group) {
 }
 
 std::string print_functions(const Names& names, const std::string& group, const Precision& precision) {
-  const std::string end = precision.suffix.empty() ? ".c" : "_f.c";
-  std::string text = opening(names, group + end, group + " in " + precision.scalar);
+  std::string text = opening(names, group + precision.file_end, group + " in " + precision.scalar);
   text += "#include \"" + names.folder + "/" + group + ".h\"\n\n#include <math.h>\n";
   for (const Callable& c : names.callables)
     if (c.function->group == group) text += "\n" + print_function(names, c, precision);

@@ -3,22 +3,27 @@
 
 #include "backend/c/printers.h"
 #include "backend/common/constants.h"
+#include "backend/common/layout.h"
+#include "support/concat.h"
 
 namespace robcogen::backend::c {
 namespace {
 
-// Lists of names end with a null pointer: a list of none is legal.
-std::vector<std::string> values(const Table& table) {
-  std::vector<std::string> items;
-  for (const std::string& text : table.texts) items.push_back(quoted(text));
-  for (const double value : table.numbers) items.push_back(number(value, kDouble));
-  if (!table.is_numeric) items.emplace_back("0");
-  return items;
-}
+// What model.c defines: `const double hyl_joint_lower[3]`, and its values.
+struct Constant {
+  std::string head;
+  std::vector<std::string> values;
+  std::string open = " = {";
+};
 
-std::string head(const Names& names, const Table& table) {
-  return std::string("const ") + (table.is_numeric ? "double " : "char *const ") + names.prefix + "_" + table.name +
-         "[" + std::to_string(values(table).size()) + "]";
+// Lists of names end with a null pointer: a list of none is legal.
+Constant constant(const Names& names, const Table& table) {
+  std::vector<std::string> values;
+  for (const std::string& text : table.texts) values.push_back(quoted(text));
+  for (const double value : table.numbers) values.push_back(number(value, kDouble));
+  if (!table.is_numeric) values.emplace_back("0");
+  const std::string type = table.is_numeric ? "const double " : "const char *const ";
+  return {type + names.prefix + "_" + subscripted(table.name, values.size()), values};
 }
 
 std::string enumeration(const Names& names) {
@@ -39,7 +44,8 @@ std::string structures(const Names& names) {
   std::string text, caches;
   int size = 0;
   for (const Function& update : names.library.updates) size += update.program.outputs.front().rows;
-  for (const auto& [scalar, f] : kPrecisions) {
+  for (const Precision& precision : kPrecisions) {
+    const std::string &scalar = precision.scalar, &f = precision.suffix;
     const std::string type = names.prefix + "_parameters" + f;
     if (f.empty()) text += "\n" + comment("The parameters, and their values as declared; NAN where there is none.");
     text += "typedef struct {\n";
@@ -56,45 +62,53 @@ std::string structures(const Names& names) {
          caches;
 }
 
-// Of the limbs: types, and the declaration of the list.
-std::string limb_types(const Names& names) {
-  if (names.library.limbs.empty()) return "";
-  const std::string element = names.prefix + "_limb_element", limb = names.prefix + "_limb";
-  return "\n" + comment("A link, joint or user frame of a limb: its name in the part, and its index in the robot.") +
-         "typedef struct {\n  const char *own;\n  int index;\n} " + element + ";\n\n" +
-         comment(
-             "An instance of a part in the document. Elements without a name end lists; joints are in the order of "
-             "joint_names.") +
-         "typedef struct {\n  const char *name, *part;\n  int first_link;\n  const " + element +
-         " *links, *joints, *frames;\n} " + limb + ";\n\n" + comment("A limb without a name ends them.") +
-         "extern const " + limb + " " + names.prefix + "_limbs[" + std::to_string(names.library.limbs.size() + 1) +
-         "];\n";
+constexpr const char* kLimbTypes = R"(
+// A link, joint or user frame of a limb: its name in the part, and its index in the robot.
+typedef struct {
+  const char *own;
+  int index;
+} @_limb_element;
+
+// An instance of a part in the document. Elements without a name end lists; joints are in the order of joint_names.
+typedef struct {
+  const char *name, *part;
+  int first_link;
+  const @_limb_element *links, *joints, *frames;
+} @_limb;
+
+// A limb without a name ends them.
+)";
+
+// The elements of all limbs, which stand in one list, and the limbs; none where the robot has none.
+std::vector<Constant> limbs(const Names& names) {
+  if (names.library.limbs.empty()) return {};
+  const std::string limb = names.prefix + "_limb", elements = limb + "_elements";
+  std::vector<std::string> values, rows;
+  for (const LimbData& l : names.library.limbs) {
+    std::string row = "{" + quoted(l.name) + ", " + quoted(l.part) + ", " + std::to_string(l.first_link);
+    for (const std::vector<LimbData::Element>* list : {&l.links, &l.joints, &l.frames}) {
+      row += ", " + elements + " + " + std::to_string(values.size());
+      for (const LimbData::Element& e : *list)
+        values.push_back("{" + quoted(e.own) + ", " + std::to_string(e.index) + "}");
+      values.emplace_back("{0, -1}");
+    }
+    rows.push_back(row + "}");
+  }
+  rows.emplace_back("{0, 0, -1, 0, 0, 0}");
+  return {
+      {"static const " + limb + "_element " + elements + "[]", values},
+      {"const " + limb + " " + subscripted(limb + "s", rows.size()), rows, " = {\n    "}};
 }
 
-// The elements of all limbs stand in one list.
-std::string limb_tables(const Names& names) {
-  if (names.library.limbs.empty()) return "";
-  const std::string elements = names.prefix + "_limb_elements";
-  std::vector<std::string> values, limbs;
-  const auto add = [&](const std::vector<LimbData::Element>& list) {
-    const std::string begin = elements + " + " + std::to_string(values.size());
-    for (const LimbData::Element& e : list)
-      values.push_back("{" + quoted(e.own) + ", " + std::to_string(e.index) + "}");
-    values.emplace_back("{0, -1}");
-    return begin;
-  };
-  for (const LimbData& l : names.library.limbs) {
-    const std::string links = add(l.links), joints = add(l.joints), frames = add(l.frames);
-    limbs.push_back(
-        "{" + quoted(l.name) + ", " + quoted(l.part) + ", " + std::to_string(l.first_link) + ", " + links + ", " +
-        joints + ", " + frames + "}");
+std::vector<Constant> default_parameters(const Names& names) {
+  std::vector<Constant> list;
+  for (const Precision& precision : kPrecisions) {
+    const std::string& f = precision.suffix;
+    list.push_back({"const " + names.prefix + "_parameters" + f + " " + names.prefix + "_default_parameters" + f, {}});
+    for (const ParameterData& p : names.library.parameters)
+      list.back().values.push_back(number(p.default_value, precision));
   }
-  limbs.emplace_back("{0, 0, -1, 0, 0, 0}");
-  return "\n" + wrapped("static const " + names.prefix + "_limb_element " + elements + "[] = {", values, "};") + "\n" +
-         wrapped(
-             "const " + names.prefix + "_limb " + names.prefix + "_limbs[" + std::to_string(limbs.size()) +
-                 "] = {\n    ",
-             limbs, "};");
+  return list;
 }
 
 }  // namespace
@@ -119,27 +133,22 @@ std::string print_model_header(const Names& names) {
           " restrict\n#endif\n" + enumeration(names);
   for (const Table& table : tables(names.library))
     text += "\n" + comment(table.what + (table.is_numeric ? "" : "; a null pointer ends them.")) + "extern " +
-            head(names, table) + ";\n";
-  text += limb_types(names) + structures(names) + "\n#ifdef __cplusplus\n}\n#endif\n";
+            constant(names, table).head + ";\n";
+  if (const std::vector<Constant> list = limbs(names); !list.empty())
+    text += replaced(kLimbTypes, "@", names.prefix) + "extern " + list.back().head + ";\n";
+  text += structures(names) + "\n#ifdef __cplusplus\n}\n#endif\n";
   return header(names, "model.h", "names, limits, parameters", text);
 }
 
 std::string print_model(const Names& names) {
+  std::vector<Constant> list;
+  for (const Table& table : tables(names.library)) list.push_back(constant(names, table));
+  for (const Constant& c : limbs(names)) list.push_back(c);
+  if (!names.members.empty())
+    for (const Constant& c : default_parameters(names)) list.push_back(c);
   std::string text = opening(names, "model.c", "names, limits, parameters");
   text += "#include \"" + names.folder + "/model.h\"\n\n#include <math.h>\n";
-  for (const Table& table : tables(names.library))
-    text += "\n" + wrapped(head(names, table) + " = {", values(table), "};");
-  text += limb_tables(names);
-  if (names.members.empty()) return text;
-  for (const Precision& precision : kPrecisions) {
-    const std::string& f = precision.suffix;
-    std::vector<std::string> defaults;
-    for (const ParameterData& p : names.library.parameters) defaults.push_back(number(p.default_value, precision));
-    text += "\n" +
-            wrapped(
-                "const " + names.prefix + "_parameters" + f + " " + names.prefix + "_default_parameters" + f + " = {",
-                defaults, "};");
-  }
+  for (const auto& [head, values, open] : list) text += "\n" + wrapped(head + open, values, "};");
   return text;
 }
 

@@ -33,7 +33,9 @@ std::vector<Parameter> claim_parameters(const Program& program, const Dialect& d
   }
   std::vector<Parameter> result;
   for (std::size_t p = 0; p < program.inputs.size(); ++p)
-    result.push_back({scope.claim(program.inputs[p].name), false, true, std::move(elements[p])});
+    result.push_back(
+        {scope.claim(program.inputs[p].name), false, true, std::move(elements[p]), 1,
+         program.inputs[p].role == symbolic::Role::parameters});
   for (const symbolic::OutputArray& array : program.outputs) result.push_back({scope.claim(array.name), true});
   return result;
 }

@@ -293,4 +293,14 @@ Kernel lower(const Program& program, const std::string& name, const Dialect& dia
   return Emission(program, name, dialect).run();
 }
 
+std::string body(const Kernel& kernel, const Dialect& dialect, std::string text) {
+  for (const Line& line : kernel.lines) {
+    if (line.kind == Line::Kind::section)
+      text += (text.empty() ? "" : "\n") + dialect.section(line.expression);
+    else
+      text.append("  ").append(dialect.text(line)).append("\n");
+  }
+  return text;
+}
+
 }  // namespace robcogen::backend

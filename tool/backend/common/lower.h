@@ -20,6 +20,7 @@ struct Parameter {
   bool used = true;                        // an unused parameter needs no name
   std::vector<std::string> elements = {};  // by Dialect::names_variables: arguments of their own
   int width = 1;                           // of its elements: lanes
+  bool is_structure = false;               // parameters
 };
 
 struct Line {
@@ -87,8 +88,9 @@ struct Dialect {
   // Where parameters come as a structure: its members, by the labels of all parameters, and what stands before them.
   std::vector<std::string> (*members)(const std::vector<std::string>& labels) = nullptr;
   std::string member_access = ".";
-  // The line, ready to be printed.
+  // The line, ready to be printed; for `body`, the comment that heads a section, as lines that are indented by two.
   std::string (*text)(const Line& line) = nullptr;
+  std::string (*section)(const std::string& text) = nullptr;
 };
 
 // Of a language whose functions return their results: the sine and the cosine of an argument are two definitions, and
@@ -98,6 +100,9 @@ Dialect returning_dialect(std::size_t columns);
 // Inputs, then outputs, under the names that they have in the function; all marked as used. Variables keep their names
 // before arrays do.
 std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
+
+// The lines of the function, indented by two, behind other text, with an empty line in front of each section.
+std::string body(const Kernel& kernel, const Dialect& dialect, std::string text = "");
 
 // The rules:
 // - Parameters, sines and cosines that are read come first, where Dialect::binds_parameters is on.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "support/concat.h"
+
 namespace robcogen::backend {
 namespace {
 
@@ -79,9 +81,12 @@ std::vector<std::string> words(std::string_view text) {
   return result;
 }
 
-std::string dotted(std::string scope) {
-  for (std::size_t at; (at = scope.find("::")) != std::string::npos;) scope.replace(at, 2, ".");
-  return scope;
+std::string dotted(const std::string& scope) {
+  return replaced(scope, "::", ".");
+}
+
+std::string flat(const std::string& enclosing, const std::string& name) {
+  return replaced(enclosing.empty() ? name : enclosing + "::" + name, "::", "_");
 }
 
 }  // namespace robcogen::backend

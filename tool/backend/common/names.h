@@ -11,6 +11,11 @@ namespace robcogen::backend {
 // Whether the language reserves the name.
 using IsReserved = bool (*)(const std::string& name);
 
+// Where it reserves none.
+inline bool is_free(const std::string&) {
+  return false;
+}
+
 // The nearest legal identifier: illegal characters become '_', leading and double underscores vanish, a reserved word
 // gets a final '_'. A name that is legal already comes back unchanged.
 std::string identifier(const std::string& wanted, IsReserved is_reserved);
@@ -41,6 +46,9 @@ std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wa
 std::vector<std::string> words(std::string_view text);
 
 // `transforms.homogeneous` of `transforms::homogeneous`.
-std::string dotted(std::string scope);
+std::string dotted(const std::string& scope);
+
+// `a_b_hyl` of `hyl` in `a::b`, which may be empty.
+std::string flat(const std::string& enclosing, const std::string& name);
 
 }  // namespace robcogen::backend

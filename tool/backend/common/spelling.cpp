@@ -68,6 +68,10 @@ Spelling literal(std::string_view text, std::string_view opposite) {
   return result;
 }
 
+Spelling literal(std::string_view number, Texts& texts) {
+  return literal(texts.add({number}), texts.add({"-", number}));
+}
+
 Spelling binary(Op op, Spelling a, Spelling b, Texts& texts) {
   if (op == Op::subtract) b.negative = !b.negative;
   return op == Op::add || op == Op::subtract ? sum(a, b, texts) : product(op, a, b, texts);

@@ -25,6 +25,8 @@ struct Spelling {
 
 // A number as a literal and its negative: `Scalar(0.35)`, `Scalar(-0.35)`.
 Spelling literal(std::string_view text, std::string_view opposite);
+// The same where a sign stands in front of the number.
+Spelling literal(std::string_view number, Texts& texts);
 
 // The operation in the evaluation order of the program: the operands of one addition or multiplication may change
 // sides, nothing else.

@@ -6,6 +6,7 @@
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
+#include "support/concat.h"
 #include "support/parallel.h"
 
 namespace robcogen::backend::cpp {
@@ -30,9 +31,7 @@ std::vector<std::string> stems(bool has_robot) {
 }
 
 std::string folder(const std::string& name, const std::string& enclosing) {
-  std::string path = enclosing.empty() ? name : enclosing + "::" + name;
-  for (std::size_t at = path.find("::"); at != std::string::npos; at = path.find("::", at)) path.replace(at, 2, "/");
-  return path;
+  return replaced(enclosing.empty() ? name : enclosing + "::" + name, "::", "/");
 }
 
 std::string folder(const Library& library) {

@@ -31,7 +31,7 @@ std::string lines(const Field& field, std::size_t indent) {
 }  // namespace
 
 std::string comment(const std::string& text, std::size_t indent) {
-  std::string clean = text;
+  std::string clean = replaced(text, "??", "? ?");
   for (char& c : clean) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
     if (c == '\\') c = '/';  // at the end of a line it would swallow the next one
@@ -161,7 +161,7 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (char c : text) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') continue;
-    if (c == '"' || c == '\\') result += '\\';
+    if (c == '"' || c == '\\' || (c == '?' && result.back() == '?')) result += '\\';
     result += c;
   }
   return result + "\"";

@@ -10,7 +10,8 @@ namespace robcogen::backend::cpp {
 
 inline constexpr std::size_t kColumns = 120;
 
-// Comment lines, wrapped at blanks. Characters that would end or continue a comment are replaced.
+// Comment lines, wrapped at blanks. Characters that would end or continue a comment are replaced, and no question marks
+// follow each other: compilers warn of trigraphs.
 std::string comment(const std::string& text, std::size_t indent = 0);
 
 // `head(parameters) tail`, as in `inline JointState f(const JointState& q) noexcept {`.
@@ -66,7 +67,7 @@ std::string table(const std::string& head, const std::vector<std::vector<Field>>
 // `{0.0, 1.0}`
 std::string braced(const std::vector<std::string>& items);
 
-// A string literal.
+// A string literal, without trigraphs.
 std::string quoted(const std::string& text);
 
 // Text with blank lines between the parts; empty parts vanish.

@@ -82,6 +82,7 @@ const Dialect& dialect() {
     d.type = type;
     d.element = element;
     d.text = text;
+    d.section = [](const std::string& text) { return comment(text, 2); };
     return d;
   }();
   return cpp;

@@ -44,14 +44,7 @@ std::string body(const Kernel& kernel) {
   if (!kernel.widths.empty() && kernel.functions.empty()) result += "\n";
   for (const std::string& function : kernel.functions) result += "  using std::" + function + ";\n";
   if (!kernel.functions.empty()) result += "\n";
-  for (std::size_t i = 0; i < kernel.lines.size(); ++i) {
-    const Line& line = kernel.lines[i];
-    const bool is_section = line.kind == Line::Kind::section;
-    result += !is_section ? "  " : i ? "\n" : "";
-    result += is_section ? comment(line.expression, 2) : text(line);
-    if (!is_section) result += '\n';
-  }
-  return result;
+  return result + backend::body(kernel, dialect());
 }
 
 namespace {

@@ -34,6 +34,10 @@ constexpr const char* kChecks =
 #include "backend/javascript/checks.inc"
     ;
 
+constexpr const char* kParameterChecks =
+#include "backend/javascript/parameter_checks.inc"
+    ;
+
 // The text that checks an argument and puts it into the form that the lines read.
 std::string check(const std::string& function, const InputArray& input, const Parameter& parameter) {
   const std::string& name = parameter.name;
@@ -149,10 +153,7 @@ std::string signature(
 std::string body(const std::string& name, const symbolic::Program& program, const Kernel& kernel) {
   std::string text;
   for (std::size_t i = 0; i < program.inputs.size(); ++i) text += check(name, program.inputs[i], kernel.parameters[i]);
-  for (const Line& line : kernel.lines)
-    text += line.kind == Line::Kind::section ? "\n" + comment_lines({line.expression}, "  // ")
-                                             : "  " + dialect().text(line) + "\n";
-  return text;
+  return backend::body(kernel, dialect(), text);
 }
 
 // `head value tail`: a number, an array or the rows of a matrix.
@@ -209,28 +210,20 @@ std::string print_scopes(const std::vector<Callable>& all) {
 }
 
 std::string print_parameters(const Library& library) {
-  std::vector<std::string> names, values, initial;
+  std::vector<std::string> names, initial;
   for (const ParameterData& p : library.parameters) names.push_back(p.name);
   names = members(names);
   for (std::size_t i = 0; i < names.size(); ++i)
     initial.push_back(names[i] + ": " + number(library.parameters[i].default_value));
   return "\n/** Values of the parameters as the document declares them; NaN where one has no value. */\n"
          "export function parameters() {\n" +
-         wrapped("  return {", initial, " };") +
-         "}\n\nfunction $parameters(name, value) {\n"
-         "  if (typeof value !== \"object\" || value === null)\n"
-         "    throw new TypeError(`${name} must be an object, as parameters() returns it, is ${$kind(value)}`);\n"
-         "  for (const key in $declared)\n"
-         "    if (typeof value[key] !== \"number\" || Number.isNaN(value[key]))\n"
-         "      throw new TypeError(`${name}.${key} must be a number, is ${value[key]}`);\n"
-         "}\nconst $declared = parameters();\n";
+         wrapped("  return {", initial, " };") + "}\n" + kParameterChecks;
 }
 
 }  // namespace
 
 std::vector<OutputFile> print(const Library& library) {
-  std::string file = library.enclosing.empty() ? "" : library.enclosing + "_";
-  file = identifier(file + library.name, [](const std::string&) { return false; }) + ".mjs";
+  const std::string file = identifier(flat(library.enclosing, library.name), is_free) + ".mjs";
   std::vector<Callable> all = named_callables(library);
   std::vector<std::pair<const Function*, Callable>> products;
   if (library.primitives != PrimitiveConvention::none)

@@ -18,20 +18,6 @@ bool is_reserved(const std::string& name) {
   return kReserved.find(" " + name + " ") != std::string_view::npos;
 }
 
-// A member may have any name.
-bool is_free(const std::string&) {
-  return false;
-}
-
-Spelling literal(const Number& value, Texts& texts) {
-  const std::string text = number(value.value());
-  return backend::literal(texts.add({text}), texts.add({"-", text}));
-}
-
-std::string text(const Line& line) {
-  return "const " + line.targets.front() + " = " + line.expression + ";";
-}
-
 }  // namespace
 
 const Dialect& dialect() {
@@ -42,17 +28,18 @@ const Dialect& dialect() {
     d.name_limit = 26;  // three such operands and their operators fit in one line
     d.binds_parameters = true;
     d.names_variables = true;
-    d.literal = literal;
+    d.literal = [](const Number& value, Texts& texts) { return literal(number(value.value()), texts); };
     d.element = subscripted;
     d.members = members;
-    d.text = text;
+    d.text = [](const Line& line) { return "const " + line.targets.front() + " = " + line.expression + ";"; };
+    d.section = [](const std::string& text) { return comment_lines({text}, "  // "); };
     return d;
   }();
   return javascript;
 }
 
 std::vector<std::string> members(const std::vector<std::string>& parameters) {
-  NameScope scope(is_free);
+  NameScope scope(is_free);  // a member may have any name
   return claim_all(scope, parameters);
 }
 

@@ -118,13 +118,11 @@ bool is_quantity(const std::string& name) {
 }
 
 std::string text(const Line& line) {
-  if (line.kind == Line::Kind::section) return "% " + line.expression;
   return joined(line.targets, ", ") + " = " + line.expression + ";";
 }
 
 Spelling literal(const Number& value, Texts& texts) {
-  const std::string text = number(value.value());
-  return backend::literal(texts.add({text}), texts.add({"-", text}));
+  return backend::literal(number(value.value()), texts);
 }
 
 std::string element(const std::string& array, std::size_t k) {
@@ -154,6 +152,7 @@ const Dialect& dialect() {
     d.element = element;
     d.members = fields;
     d.text = text;
+    d.section = [](const std::string& text) { return comment(text, 2); };
     return d;
   }();
   return matlab;

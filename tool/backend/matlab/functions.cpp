@@ -33,15 +33,6 @@ std::string signature(const Program& program, const Kernel& kernel, const std::s
   return text.substr(0, last_line) + wrapped(text.substr(last_line), arguments, ")");
 }
 
-std::string lines(const Kernel& kernel) {
-  std::string text;
-  for (const Line& line : kernel.lines) {
-    const bool is_section = line.kind == Line::Kind::section;
-    text += is_section ? (text.empty() ? "" : "\n") + comment(line.expression, 2) : "  " + dialect().text(line) + "\n";
-  }
-  return text;
-}
-
 // Blocks with a blank line between them.
 std::string blocks(const std::vector<std::string>& parts) {
   std::string text;
@@ -68,7 +59,7 @@ std::string print_function(const Library& library, const Callable& callable) {
   const std::string checks = print_checks(
       whole_name(library, callable.scope, callable), program.inputs, kernel, required_inputs(library, callable));
   return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
-         blocks({origin(library), checks, lines(kernel), results}) + "end\n";
+         blocks({origin(library), checks, body(kernel, dialect()), results}) + "end\n";
 }
 
 std::string print_product(const Library& library, const Callable& callable) {
@@ -82,7 +73,8 @@ std::string print_product(const Library& library, const Callable& callable) {
   return signature(data.amounts, product.kernel, callable.name) +
          heading(callable.name, {convention_of_primitives(library)}) +
          describe_arguments(inputs, product.kernel, inputs.size()) + "\n" +
-         blocks({origin(library), checks, lines(product.kernel), wrapped(result, product.factors, ";", " *")}) +
+         blocks(
+             {origin(library), checks, body(product.kernel, dialect()), wrapped(result, product.factors, ";", " *")}) +
          "end\n";
 }
 

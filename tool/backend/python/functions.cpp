@@ -7,6 +7,7 @@
 #include "backend/common/meaning.h"
 #include "backend/common/names.h"
 #include "support/concat.h"
+#include "support/index.h"
 
 namespace robcogen::backend::python {
 namespace {
@@ -169,8 +170,11 @@ std::vector<std::string> documentation_of(const Function& f) {
   const backend::Function& function = f.longest();
   lines.insert(lines.end(), function.summary.begin(), function.summary.end());
   lines.emplace_back();
-  for (const Array& a : f.arguments) {
+  for (std::size_t i = 0; i < f.arguments.size(); ++i) {
+    const Array& a = f.arguments[i];
     lines.push_back(a.name + ": " + (a.is_parameters ? "Parameters" : shape(a)));
+    if (i >= at(f.required))
+      lines.back() += function.program.inputs[i].role == Role::gravity ? "; default (0, 0, -9.81)" : "; default zero";
     if (!a.elements.empty()) lines.push_back("    " + joined(a.elements));
   }
   for (const Array& a : f.results) lines.push_back("returns " + a.name + ": " + shape(a));

@@ -1,10 +1,11 @@
 -- Starts `robcogen language-server` for a buffer. Buffers of one folder share a server.
-local M = { command = { 'robcogen', 'language-server' } }
+local M = { command = { 'robcogen', 'language-server' }, settings = {} }
 local clients = {}
 
--- `opts.command`: the program and its arguments, where it is not on the path.
+-- `opts.command`: the program and its arguments, where it is not on the path. `opts.settings`: importFolders, a list.
 function M.setup(opts)
   M.command = (opts or {}).command or M.command
+  M.settings = (opts or {}).settings or M.settings
 end
 
 local function root_of(file)
@@ -20,6 +21,9 @@ function M.start(language)
     name = 'robcogen',
     cmd = M.command,
     root_dir = root,
+    -- Neovim 0.7 gives no settings when it is asked for them.
+    init_options = M.settings,
+    settings = { robcogen = M.settings },
     workspace_folders = { { uri = vim.uri_from_fname(root), name = root } },
     get_language_id = function()
       return language

@@ -1,0 +1,33 @@
+// Hover texts about the elements of robots and of coordinate transforms.
+#pragma once
+
+#include <string>
+
+#include "server/mechanics.h"
+
+namespace robcogen::server {
+
+// In numbers of the robot at q = 0.
+class RobotText {
+ public:
+  explicit RobotText(const model::KinematicTree& tree) : tree_(tree), resting_(tree) {}
+
+  std::string link(int l) const;
+  std::string joint(int j) const;
+  std::string loop(std::size_t l) const;
+  std::string frame(const model::Frame& frame) const;
+
+ private:
+  const model::KinematicTree& tree_;
+  RestingRobot resting_;
+
+  std::string unknown_parameters() const;
+};
+
+// Of a frame that motions name: its pose in the first one that it is connected with, where variables are zero, and the
+// motion from there. Empty for another name.
+std::string text_of_frame(const model::RigidMotions& motions, const std::string& frame);
+
+std::string text_of(const model::Parameter& parameter);
+
+}  // namespace robcogen::server
