@@ -95,15 +95,18 @@ TEST(Session, ChangesOfRangesAreUnderstood) {
   EXPECT_NE(d.at("message").get<std::string>().find("did you mean 'Robot'?"), std::string::npos) << d;
 }
 
+constexpr const char* kPartInFolder =
+    "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
+    "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n";
+constexpr const char* kImporter =
+    "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n";
+
 // Parts in folders that the command line or the editor names: relative ones are those of the workspace.
 TEST(Session, ImportsFromFolders) {
   const Scratch scratch("import-folders");
-  const std::string part =
-      "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
-      "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n";
   for (const char* folder : {"of_command", "of_editor"}) {
     std::filesystem::create_directory(scratch.path / folder);
-    write_text(scratch.path / folder / (std::string(folder) + ".kindsl"), part);
+    write_text(scratch.path / folder / (std::string(folder) + ".kindsl"), kPartInFolder);
   }
   const std::string uri = file_uri(scratch.path / "biped.kindsl");
   const auto told = [&](const std::string& import, const Json& options) {
@@ -140,13 +143,10 @@ TEST(Session, ImportsFromFolders) {
 TEST(Session, FollowsSettingsAndFolders) {
   const Scratch scratch("settings");
   std::filesystem::create_directory(scratch.path / "parts");
-  write_text(
-      scratch.path / "parts" / "leg.kindsl",
-      "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
-      "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n");
+  write_text(scratch.path / "parts" / "leg.kindsl", kPartInFolder);
   const std::string uri = file_uri(scratch.path / "biped.kindsl");
   Client client(scratch.path);
-  client.open(uri, "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n");
+  client.open(uri, kImporter);
   const auto is_found = [&] { return client.diagnostics.at(uri).dump().find("unknown-file") == std::string::npos; };
   const auto set = [&](const Json& settings) {
     client.tell("workspace/didChangeConfiguration", {{"settings", settings}});
@@ -172,12 +172,8 @@ TEST(Session, FollowsSettingsAndFolders) {
 TEST(Session, AsksForSettings) {
   const Scratch scratch("asked-settings");
   std::filesystem::create_directory(scratch.path / "parts");
-  write_text(
-      scratch.path / "parts" / "leg.kindsl",
-      "Part Leg {\n    root hip via HAA\n    link hip { children {} }\n"
-      "    r_joint HAA { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n");
+  write_text(scratch.path / "parts" / "leg.kindsl", kPartInFolder);
   const std::string uri = file_uri(scratch.path / "biped.kindsl");
-  const std::string text = "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n";
   server::Session session;
   const auto tell = [&](const Json& message) {
     bool is_message = false;
@@ -196,8 +192,8 @@ TEST(Session, AsksForSettings) {
   const auto is_found = [](const std::vector<Json>& published) {
     return published.at(0).at("params").at("diagnostics").dump().find("unknown-file") == std::string::npos;
   };
-  EXPECT_FALSE(is_found(
-      tell(notification("textDocument/didOpen", {{"textDocument", {{"uri", uri}, {"version", 1}, {"text", text}}}}))));
+  EXPECT_FALSE(is_found(tell(
+      notification("textDocument/didOpen", {{"textDocument", {{"uri", uri}, {"version", 1}, {"text", kImporter}}}}))));
   EXPECT_TRUE(is_found(respond(first[0].at("id"), {{{"path", "robcogen"}, {"importFolders", {"parts"}}}})));
 
   const std::vector<Json> second = tell(notification("workspace/didChangeConfiguration", {{"settings", nullptr}}));

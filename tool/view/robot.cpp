@@ -34,9 +34,9 @@ driver::Model held(const driver::Model& model) {
 }
 
 bool is_shown(const backend::Function& f) {
-  return f.scope == "transforms::homogeneous" ||
-         (f.scope.empty() &&
-          (f.name == "gravity_forces" || f.name == "forward_dynamics" || f.name == "joint_positions"));
+  if (!f.scope.empty()) return f.scope == "transforms::homogeneous";
+  return f.name == "gravity_forces" || f.name == "forward_dynamics" || f.name == "joint_positions" ||
+         f.name == "close_loops";
 }
 
 backend::Function numbers(const std::string& name, symbolic::Program program, const std::string& what) {

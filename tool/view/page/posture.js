@@ -26,13 +26,21 @@ export function makeState(robot, q, parameters) {
   return { q: [...q], coordinates, qd: coordinates.map(() => 0), parameters: { ...parameters } };
 }
 
+// Where loops cannot be closed there, it stays at the last place on the way where they can.
 export function setCoordinate(robot, state, j, value) {
-  const kSteps = robot.module.close_loops ? 10 : 1;  // Newton's method reaches a step
+  const kReach = 0.02;  // rad or m: Newton's method reaches such a step
   const before = state.coordinates[j];
+  const kSteps = robot.module.close_loops ? Math.max(1, Math.ceil(Math.abs(value - before) / kReach)) : 1;
   for (let step = 1; step <= kSteps; ++step) {
+    const last = state.coordinates[j];
     state.coordinates[j] = step < kSteps ? before + ((value - before) * step) / kSteps : value;
     const moved = elementsOf(robot.model.joints, state.coordinates);
-    state.q = closed(robot, state, [...moved, ...state.q.slice(moved.length)]);
+    const q = closed(robot, state, [...moved, ...state.q.slice(moved.length)]);
+    if (robot.module.close_loops && !q.every(Number.isFinite)) {
+      state.coordinates[j] = last;
+      break;
+    }
+    state.q = q;
   }
   state.qd.fill(0);
 }
