@@ -27,7 +27,7 @@ const options = ['--user-data-dir', path.join(home, 'user'), '--extensions-dir',
 
 function write_settings(more) {
   fs.mkdirSync(path.dirname(settings), { recursive: true });
-  fs.writeFileSync(settings, JSON.stringify({ 'workbench.startupEditor': 'none', 'editor.minimap.enabled': false, ...more }));
+  fs.writeFileSync(settings, JSON.stringify({ 'workbench.startupEditor': 'none', 'editor.minimap.enabled': false, 'files.autoSave': 'off', ...more }));
 }
 
 async function run(page) {
@@ -84,7 +84,7 @@ async function run(page) {
   await until('a message as one types', async () => /Errors: [1-9]/.test(await problems()));
   await until('the preview says so', async () => (await titles()).includes(`${file}: errors`));
   await until('and keeps the last page', canvas);
-  for (let i = 0; i < 9; ++i) await page.keyboard.press('Backspace');
+  await command('File: Revert File');
   await until('the message is gone', async () => !/Errors: [1-9]/.test(await problems()));
   await until('and from the preview', async () => !(await titles()).includes(`${file}: errors`));
 
