@@ -347,7 +347,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
   for (int i = 0; i < samples; ++i) {
     reference::Sample sample;
     const reference::AtLoops closed = draw(engine, tables, sample);
-    const reference::Case c(closed.robot(), sample, i);
+    const reference::Case c(closed.robot(), sample, i, &closed);
     check_inverse_dynamics(robot, c, checks);
     check_bias_forces(robot, c, checks);
     check_passive_forces(robot, c, checks);
@@ -372,11 +372,9 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
       check_energy_regressor(robot, c, checks);
       if (!has_loops) check_slotine_li_regressor(robot, c, checks);
     }
-    if (!has_loops) {
-      check_inverse_dynamics_derivatives(robot, c, checks);
-      check_free_inverse_dynamics_derivatives(robot, c, checks);
-      check_gravity_forces_derivative(robot, c, checks);
-    }
+    check_inverse_dynamics_derivatives(robot, c, checks);
+    check_free_inverse_dynamics_derivatives(robot, c, checks);
+    check_gravity_forces_derivative(robot, c, checks);
     // Large robots do not have these.
     if (robot.programs().contains("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
     check_center_of_mass(robot, c, checks);

@@ -2,6 +2,7 @@
 // together.
 #include <gtest/gtest.h>
 
+#include "algorithm/kinematics/loop_functions.h"
 #include "document_tree.h"
 #include "import/kinematics.h"
 #include "interpreted_robot.h"
@@ -10,6 +11,7 @@
 #include "random_robot.h"
 #include "reference_tables.h"
 #include "robcogen/reference/loops.h"
+#include "symbolic/derivative.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -61,6 +63,73 @@ TEST_P(IterativeLoops, CloseInAFewSteps) {
     const std::vector<double> open = robot.run("loop_error", {}, {{"positions", all}}).at("error");
     for (const double e : open) EXPECT_NEAR(e, 0.0, 1e-10);
   }
+}
+
+// By differences of sixth order in long double, through positions that are closed again.
+TEST_P(IterativeLoops, HaveDerivativesAlongClosedPositions) {
+  constexpr Real kStep = 2e-4L, kSame = 1e-9L;
+  model::KinematicTree tree = tree_of_text(GetParam().document);
+  tree.floating_base = false;
+  const InterpretedRobot robot(
+      tree, {}, {}, {}, {},
+      {"inverse_dynamics", "forward_dynamics", "energy", "inverse_dynamics_gradient",
+       "inverse_dynamics_second_derivatives"});
+  const auto with_derivatives = [&](const std::string& name) {
+    const symbolic::Program& program = robot.programs().at(name);
+    return *symbolic::with_derivatives(
+        program, {"q"}, symbolic::DerivativeMode::forward, 1'000'000, algorithm::follower_rates(tree));
+  };
+  const reflection::Robot tables = robot.tables();
+  std::mt19937_64 engine(23);
+  reference::Sample sample;
+  const reference::AtLoops closed = draw(engine, tables, sample);
+  const auto values = [](const Vector<Real>& v) { return std::vector<Real>(v.values().begin(), v.values().end()); };
+  const Vector<Real> weights = reference::uniform_vector(engine, tables.dof(), 1).cast<Real>();
+  const auto results = [&](const symbolic::Program& program, int coordinate, int steps) {
+    reference::Motion<Real> motion = reference::cast<Real>(sample.motion);
+    motion.q(tables.position_of(coordinate)) += static_cast<Real>(steps) * kStep;
+    closed.near(motion);
+    symbolic::Arrays<Real> inputs = {
+        {"q", values(motion.q)},
+        {"qd", values(motion.qd)},
+        {"qdd", values(motion.qdd)},
+        {"tau", values(motion.qdd)},
+        {"weights", values(weights)}};
+    for (const model::Parameter& p : tree.parameters)
+      inputs["parameters"].push_back(static_cast<Real>(p.default_value.value_or(1.0)));
+    std::erase_if(inputs, [&](const auto& given) {
+      return std::none_of(
+          program.inputs.begin(), program.inputs.end(), [&](const auto& array) { return array.name == given.first; });
+    });
+    return symbolic::interpret(program, inputs);
+  };
+  const auto expect_derivative = [&](const symbolic::Program& program, const std::string& of,
+                                     const symbolic::Program& derivative, const std::string& block) {
+    const std::vector<Real> here = results(program, 0, 0).at(of), found = results(derivative, 0, 0).at(block);
+    ASSERT_EQ(found.size(), here.size() * static_cast<std::size_t>(tables.dof())) << program.name;
+    Real size = 1;
+    for (const Real x : found) size = std::max(size, std::abs(x));
+    for (int c = 0; c < tables.dof(); ++c) {
+      std::vector<Real> slope(here.size());
+      for (const auto& [steps, weight] : {std::pair(1, 45), {2, -9}, {3, 1}})
+        for (const int sign : {1, -1}) {
+          const std::vector<Real> there = results(program, c, sign * steps).at(of);
+          for (std::size_t r = 0; r < here.size(); ++r)
+            slope[r] += static_cast<Real>(sign * weight) * there[r] / (60 * kStep);
+        }
+      for (std::size_t r = 0; r < here.size(); ++r)
+        EXPECT_NEAR(
+            static_cast<double>(found[static_cast<std::size_t>(c) * here.size() + r]), static_cast<double>(slope[r]),
+            static_cast<double>(kSame * size))
+            << program.name << " " << block << " " << r << " " << c;
+    }
+  };
+  for (const auto& [name, output] :
+       {std::pair("inverse_dynamics", "tau"), {"forward_dynamics", "qdd"}, {"kinetic_energy", "T"}})
+    expect_derivative(robot.programs().at(name), output, with_derivatives(name), "d_q");
+  const symbolic::Program& gradient = robot.programs().at("inverse_dynamics_gradient");
+  const symbolic::Program& second = robot.programs().at("inverse_dynamics_second_derivatives");
+  for (const std::string of : {"d_q", "d_qd", "d_qdd"}) expect_derivative(gradient, of, second, of + "_q");
 }
 
 // Where no position of the joints that follow closes the loops, they are not numbers.

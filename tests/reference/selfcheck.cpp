@@ -38,7 +38,7 @@ void check(const Robot& robot, const CompiledRobot<R>& subject, std::mt19937_64&
   for (int i = 0; i < samples; ++i) {
     Sample sample;
     const AtLoops closed = draw(engine, robot, sample);
-    const Case c(closed.robot(), sample, i);
+    const Case c(closed.robot(), sample, i, &closed);
     if constexpr (kHasInverseDynamics) check_inverse_dynamics(subject, c, checks);
     if constexpr (kHasBiasForces) check_bias_forces(subject, c, checks);
     if constexpr (kHasBiasForces) check_gravity_gradient(subject, c, checks);
@@ -110,7 +110,16 @@ void check_derivatives(
     std::mt19937_64& engine,
     int samples,
     Checks& checks) {
-  const auto inputs_of = [&](const reflection::Function& f) { return random_inputs(engine, robot, f, cache); };
+  std::optional<AtLoops> closed;  // of a robot with loops, at the inputs
+  const auto inputs_of = [&](const reflection::Function& f) {
+    std::vector<double> inputs = random_inputs(engine, robot, f, cache);
+    if (f.positions < 0 || !follows_through_loops(robot)) return inputs;
+    Sample sample;
+    closed.emplace(draw(engine, robot, sample));
+    const Vector<double>& q = sample.motion.q;
+    std::copy(q.data(), q.data() + q.rows(), inputs.begin() + f.positions);
+    return inputs;
+  };
   const auto cache_of = [](const std::vector<double>& moved) {
     if constexpr (kIsParametric<R>) {
       const auto parameters = parameters_of<R>(moved);
@@ -129,8 +138,9 @@ void check_derivatives(
     const auto begin = inputs.begin() + f.positions;
     std::copy(begin, begin + q.rows(), q.data());
     way(element) = step;
-    const Vector<double> there = moved(robot, q, way);
-    std::copy(there.data(), there.data() + q.rows(), begin);
+    Motion<double> there = at_rest(robot, moved(robot, q, way));
+    if (closed) closed->near(there);
+    std::copy(there.q.data(), there.q.data() + q.rows(), begin);
   };
   check_partial_derivatives(robot.functions, robot.derivatives, inputs_of, move, values, cache_of, samples, checks);
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "algorithm/kinematics/loop_functions.h"
 #include "driver/failure.h"
 #include "driver/find_function.h"
 #include "symbolic/derivative.h"
@@ -61,14 +62,6 @@ void require_inputs(const Derivative& derivative, const std::vector<const Progra
             is_result ? "a result, not" : "not", derivative.function, arguments),
         is_result ? "" : did_you_mean(input, known));
   }
-  for (const Program* program : all)
-    for (const symbolic::InputArray& array : program->inputs)
-      if (array.followers > 0 && std::count(derivative.inputs.begin(), derivative.inputs.end(), array.name) > 0)
-        refuse(
-            derivative, fmt::format(
-                            "the last elements of '{}' follow the others through loops that no formulas close "
-                            "[derivative-by-followers]",
-                            array.name));
   const bool together =
       std::any_of(all.begin(), all.end(), [&](const Program* program) { return takes_all(*program, derivative); });
   if (!together) refuse(derivative, fmt::format("no form of {} takes these together", derivative.function));
@@ -79,8 +72,12 @@ std::string suffix_of(const Derivative& derivative) {
   return fmt::format("_d_{}", fmt::join(derivative.inputs, "_"));
 }
 
-Program differentiated(const Program& program, const Derivative& derivative, DerivativeMode mode) {
-  std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMostExpressions);
+Program differentiated(
+    const Program& program,
+    const Derivative& derivative,
+    DerivativeMode mode,
+    const symbolic::FollowerRates& rates) {
+  std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMostExpressions, rates);
   if (!result)
     refuse(
         derivative,
@@ -104,26 +101,33 @@ std::string summary_of(const Derivative& derivative) {
 }
 
 template <class Function>
-Function differentiated(Function function, const Derivative& derivative, DerivativeMode mode) {
+Function differentiated(
+    Function function,
+    const Derivative& derivative,
+    DerivativeMode mode,
+    const symbolic::FollowerRates& rates = {}) {
   std::vector<symbolic::DerivativeBlock> blocks;
   const auto values = static_cast<int>(function.program.outputs.size());
   int place = values;
-  bool is_by_turns = false;
+  bool is_by_turns = false, has_followers = false;
   for (const std::string& input : derivative.inputs)
     for (int k = 0; k < values; ++k, ++place) {
-      const bool has_quaternions = std::any_of(
-          function.program.inputs.begin(), function.program.inputs.end(),
-          [&](const auto& array) { return array.name == input && !array.quaternions.empty(); });
-      is_by_turns = is_by_turns || has_quaternions;
+      for (const symbolic::InputArray& array : function.program.inputs) {
+        if (array.name != input) continue;
+        is_by_turns = is_by_turns || !array.quaternions.empty();
+        has_followers = has_followers || array.followers > 0;
+      }
       blocks.push_back({k, input, place});
     }
   function.derivatives = std::move(blocks);
-  function.program = differentiated(function.program, derivative, mode);
+  function.program = differentiated(function.program, derivative, mode, rates);
   function.name += suffix_of(derivative);
   function.summary.push_back(summary_of(derivative));
   if (is_by_turns)
     function.summary.emplace_back(
         "In place of the four elements of a quaternion: turns (rad) about the three axes of the child.");
+  if (has_followers)
+    function.summary.emplace_back("The last elements of q have no columns: they follow the others through the loops.");
   return function;
 }
 
@@ -187,6 +191,7 @@ std::vector<RobotFunction> derivative_functions(
   draft.is_draft = true;
   algorithm::FormulationChoices drafts(robot.tree, draft);  // fast: no frames are looked for
   const DerivativeMode mode = algorithm::derivative_mode(formulations.common());
+  const symbolic::FollowerRates rates = algorithm::follower_rates(robot.tree);
   for (const Derivative& derivative : distinct(robot.derivatives)) {
     const FoundFunctions found = find_functions(robot, derivative.function, drafts);
     if (found.overloads.empty())
@@ -201,7 +206,7 @@ std::vector<RobotFunction> derivative_functions(
              robot.tree, {{first.frames}, {first.frames}, robot.desired.contacts}, first.group, formulations)) {
       if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
       f.group = kDerivativesGroup;
-      list.push_back(differentiated(std::move(f), derivative, mode));
+      list.push_back(differentiated(std::move(f), derivative, mode, rates));
     }
   }
   return list;

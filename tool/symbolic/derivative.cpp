@@ -1,57 +1,17 @@
 #include "symbolic/derivative.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "support/index.h"
 #include "symbolic/count.h"
+#include "symbolic/partials.h"
 #include "symbolic/rebuild.h"
 
 namespace robcogen::symbolic {
 namespace {
-
-// Of an operation by its operands; the second on demand.
-struct Partials {
-  Expression a;
-  std::function<Expression()> b;
-};
-
-Partials partials(Graph& graph, std::size_t i) {
-  const Node node = graph.nodes()[i];
-  const Expression value = graph.expression(static_cast<int>(i), false);
-  const Expression a = graph.expression(node.a, false);
-  const Expression b = node.b < 0 ? Expression() : graph.expression(node.b, false);
-  const Expression one = graph.one();
-  switch (node.op) {
-    case Op::add:
-      return {one, [one] { return one; }};
-    case Op::subtract:
-      return {one, [one] { return -one; }};
-    case Op::multiply:
-      return {b, [a] { return a; }};
-    case Op::divide: {
-      const Expression reciprocal = one / b;
-      return {reciprocal, [value, reciprocal] { return -(value * reciprocal); }};
-    }
-    case Op::square_root: {
-      const Expression half = 0.5 * (one / value);
-      return {node.a_negative ? -half : half, {}};
-    }
-    case Op::sine:
-      return {cos(a), {}};
-    case Op::cosine:
-      return {-sin(a), {}};
-    case Op::arc_tangent: {  // of numbers whose squares have the sum one
-      const Expression cosine = node.b_negative ? -b : b;
-      return {cosine, [a, is_negative = node.b_negative] { return is_negative ? a : -a; }};
-    }
-    default:
-      throw std::logic_error("derivative of an operation on lanes");
-  }
-}
 
 // A program in a graph, to which more is added.
 class Differentiated {
@@ -97,6 +57,15 @@ class Differentiated {
       first += count;
     }
     throw std::logic_error("the program has no input '" + name + "'");
+  }
+
+  // The matrix of such rates, column by column.
+  std::vector<Expression> rates_of_followers(const Program& rates) {
+    graph().begin_section("rates of positions that follow", "rates");
+    std::vector<Expression> inputs;
+    for (const InputArray& array : rates.inputs)
+      for (const Expression& e : input(array.name)) inputs.push_back(e);
+    return outputs_of(graph(), rates, inputs).front();
   }
 
   std::vector<Expression> added() {
@@ -190,18 +159,6 @@ const InputArray& array_of(const Program& program, const std::string& input) {
 
 }  // namespace
 
-Expression derivative(const Expression& of, const Expression& by) {
-  if (!of.graph() || of.is_constant()) return {};
-  Graph& graph = *of.graph();
-  const Node node = graph.nodes()[at(of.node())];
-  if (of.node() == by.node()) return of.negative() ? -graph.one() : graph.one();
-  if (node.kind != Node::Kind::operation) return {};
-  const Partials p = partials(graph, at(of.node()));
-  Expression result = p.a * derivative(graph.expression(node.a, false), by);
-  if (node.b >= 0) result += p.b() * derivative(graph.expression(node.b, false), by);
-  return of.negative() ? -result : result;
-}
-
 namespace {
 
 // Derivatives of all results by one input array: of each output array a matrix, column by column.
@@ -251,6 +208,29 @@ std::vector<Expression> columns_by_turns(
   return result;
 }
 
+// Of a matrix, column by column, by all elements of an input but quaternions: that by those that do not follow others.
+std::vector<Expression> with_followers(
+    Differentiated& d,
+    const InputArray& array,
+    const FollowerRates& rates,
+    const std::vector<Expression>& columns) {
+  if (array.followers == 0) return columns;
+  const std::size_t count = at(array.followers), all = array.elements.size() - array.quaternions.size();
+  const std::size_t rows = columns.size() / all, kept = all - count;
+  const std::vector<Expression> factors = d.rates_of_followers(rates.value());
+  std::vector<Expression> result(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(rows * kept));
+  for (std::size_t c = 0; c < kept; ++c)
+    for (std::size_t f = 0; f < count; ++f)
+      for (std::size_t r = 0; r < rows; ++r)
+        result[r + c * rows] += factors[f + c * count] * columns[r + (kept + f) * rows];
+  return result;
+}
+
+// How many derivatives there are by an input.
+std::size_t columns_by(const InputArray& array) {
+  return array.elements.size() - array.quaternions.size() - at(array.followers);
+}
+
 std::string name_of_block(const Program& program, const OutputArray& of, const std::string& input) {
   const std::string name = "d_" + input;
   return program.outputs.size() == 1 && of.name != name ? name : of.name + "_" + name;
@@ -263,7 +243,8 @@ std::optional<Program> differentiated(
     const Program& program,
     const std::vector<std::string>& inputs,
     Mode mode,
-    std::size_t most) {
+    std::size_t most,
+    const FollowerRates& rates) {
   Differentiated d(program);
   d.limit = most;
   Indices all;
@@ -274,9 +255,12 @@ std::optional<Program> differentiated(
     const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
     Blocks columns = blocks(d, all, variables);
     if (d.is_full()) return std::nullopt;
-    const std::size_t count = variables.size() - array_of(program, input).quaternions.size();
-    for (std::size_t k = 0; k < columns.size() && count < variables.size(); ++k)
-      columns[k] = columns_by_turns(array_of(program, input), variables, columns[k]);
+    const InputArray& array = array_of(program, input);
+    const std::size_t count = columns_by(array);
+    for (std::vector<Expression>& block : columns) {
+      if (!array.quaternions.empty()) block = columns_by_turns(array, variables, block);
+      block = with_followers(d, array, rates, block);
+    }
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
       d.add_output(
@@ -289,17 +273,18 @@ std::optional<Program> differentiated(
 }  // namespace
 
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs) {
-  return *differentiated(program, inputs, Mode::forward, std::numeric_limits<std::size_t>::max());
+  return *differentiated(program, inputs, Mode::forward, std::numeric_limits<std::size_t>::max(), {});
 }
 
 std::optional<Program> with_derivatives(
     const Program& program,
     const std::vector<std::string>& inputs,
     DerivativeMode mode,
-    std::size_t most) {
-  std::optional<Program> forward = differentiated(program, inputs, Mode::forward, most);
+    std::size_t most,
+    const FollowerRates& rates) {
+  std::optional<Program> forward = differentiated(program, inputs, Mode::forward, most, rates);
   if (forward && mode == DerivativeMode::forward) return forward;
-  std::optional<Program> reverse = differentiated(program, inputs, Mode::reverse, most);
+  std::optional<Program> reverse = differentiated(program, inputs, Mode::reverse, most, rates);
   if (!forward || !reverse) return forward ? std::move(forward) : std::move(reverse);
   return work(*reverse) < work(*forward) ? std::move(reverse) : std::move(forward);
 }
@@ -321,7 +306,7 @@ void make_symmetric(std::vector<Expression>& block, std::size_t size) {
     for (std::size_t c = r + 1; c < size; ++c) block[r + c * size] = block[c + r * size];
 }
 
-Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mode) {
+Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mode, const FollowerRates& rates) {
   Differentiated d(gradient);
   for (const auto& [of, by] : pairs) {
     const std::vector<Expression> variables = d.input(by);
@@ -330,12 +315,11 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
     std::vector<Expression> block = blocks(d, {place_of_output(gradient, "d_" + of)}, variables).front();
     const InputArray& array = array_of(gradient, by);
     const std::size_t rows = variables.empty() ? 0 : block.size() / variables.size();
-    const std::size_t columns = variables.size() - array.quaternions.size();
+    const std::size_t columns = columns_by(array);
+    if (!array.quaternions.empty()) block = columns_by_turns(array, variables, block);
+    block = with_followers(d, array, rates, block);
     // Turns about two axes do not commute.
-    if (columns < variables.size())
-      block = columns_by_turns(array, variables, block);
-    else if (of == by)
-      make_symmetric(block, columns);
+    if (array.quaternions.empty() && of == by) make_symmetric(block, columns);
     d.add_output("d_" + of + "_" + by, Role::matrix, static_cast<int>(rows), static_cast<int>(columns), block);
   }
   return d.finish();
@@ -343,10 +327,14 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
 
 }  // namespace
 
-Program with_second_derivatives(const Program& gradient, const Pairs& pairs, DerivativeMode mode) {
-  Program forward = second_derivatives(gradient, pairs, Mode::forward);
+Program with_second_derivatives(
+    const Program& gradient,
+    const Pairs& pairs,
+    DerivativeMode mode,
+    const FollowerRates& rates) {
+  Program forward = second_derivatives(gradient, pairs, Mode::forward, rates);
   if (mode == DerivativeMode::forward) return forward;
-  Program reverse = second_derivatives(gradient, pairs, Mode::reverse);
+  Program reverse = second_derivatives(gradient, pairs, Mode::reverse, rates);
   return work(reverse) < work(forward) ? std::move(reverse) : std::move(forward);
 }
 
@@ -354,7 +342,8 @@ Program with_gradient(
     const Program& program,
     const std::vector<std::string>& outputs,
     const std::vector<std::string>& inputs,
-    std::size_t place) {
+    std::size_t place,
+    const FollowerRates& rates) {
   InputArray weights{"weights", Role::value, {}};
   const auto each = [&](const auto& f) {
     for (const std::string& name : outputs)
@@ -375,8 +364,9 @@ Program with_gradient(
   const std::vector<Expression> adjoints = d.adjoints(results, d.added());
   for (const std::string& input : inputs) {
     const std::vector<Expression> variables = d.input(input);
+    const InputArray& array = array_of(program, input);
     const std::vector<Expression> gradient =
-        by_turns(array_of(program, input), variables, signed_values(adjoints, variables));
+        with_followers(d, array, rates, by_turns(array, variables, signed_values(adjoints, variables)));
     d.add_output("d_" + input, Role::value, static_cast<int>(gradient.size()), 1, gradient);
   }
   return d.finish();

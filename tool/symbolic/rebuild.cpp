@@ -66,4 +66,27 @@ Program Rebuild::finish(std::vector<OutputArray> shapes, const std::vector<std::
   return graph.program(program_.name, inputs_, std::move(shapes), values);
 }
 
+std::vector<std::vector<Expression>> outputs_of(
+    Graph& graph,
+    const Program& program,
+    const std::vector<Expression>& inputs) {
+  std::vector<Expression> values;
+  const auto read = [&](const Operand& o) {
+    const Expression e = is_constant(o)                   ? graph.constant(program.constants[at(o.index)])
+                         : o.kind == Operand::Kind::input ? inputs[at(o.index)]
+                                                          : values[at(o.index)];
+    return o.negative ? -e : e;
+  };
+  for (const Statement& s : program.statements) {
+    const Expression a = read(s.a), b = is_binary(s.op) ? read(s.b) : Expression();
+    values.push_back(apply(s.op, a, b));
+  }
+  std::vector<std::vector<Expression>> outputs;
+  for (const OutputArray& array : program.outputs) {
+    std::vector<Expression>& list = outputs.emplace_back();
+    for (const Operand& o : array.values) list.push_back(read(o));
+  }
+  return outputs;
+}
+
 }  // namespace robcogen::symbolic

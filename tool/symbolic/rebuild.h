@@ -44,4 +44,10 @@ class Rebuild {
   int section_ = -1;
 };
 
+// The outputs of a program, by array, as expressions of a graph, from those of its inputs one after another.
+std::vector<std::vector<Expression>> outputs_of(
+    Graph& graph,
+    const Program& program,
+    const std::vector<Expression>& inputs);
+
 }  // namespace robcogen::symbolic

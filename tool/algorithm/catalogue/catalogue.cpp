@@ -22,7 +22,6 @@ enum Needs : unsigned {
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
   kFewElements = 1 << 5,     // a matrix has ten columns a link
   kNoLoops = 1 << 6,
-  kCoordinates = 1 << 7,  // they are derivatives by q
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -59,14 +58,14 @@ constexpr std::array kGroups = {
     Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
     Group{"coriolis_matrix", false, kInertia | kNoLoops, coriolis_matrix_functions, nullptr, nullptr, true},
-    Group{"inverse_dynamics_derivatives", false, kInertia | kNoLoops, inverse_dynamics_derivatives_functions, nullptr},
-    Group{"inverse_dynamics_gradient", false, kInertia | kCoordinates, inverse_dynamics_gradient_functions, nullptr},
+    Group{"inverse_dynamics_derivatives", false, kInertia, inverse_dynamics_derivatives_functions, nullptr},
+    Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
-        "inverse_dynamics_second_derivatives", false, kInertia | kFewPairs | kCoordinates,
+        "inverse_dynamics_second_derivatives", false, kInertia | kFewPairs,
         inverse_dynamics_second_derivatives_functions, nullptr},
     Group{
-        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations | kNoLoops,
-        forward_dynamics_derivatives_functions, nullptr},
+        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations, forward_dynamics_derivatives_functions,
+        nullptr},
     Group{"centroidal", true, kMass, centroidal_functions, nullptr, nullptr, true},
     Group{"energy", true, kInertia, energy_functions, nullptr},
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr, nullptr, true},
@@ -140,10 +139,7 @@ constexpr std::array kRequirements = {
         "with ten columns for each of so many links its matrix would have more than 16,000 elements, too many for the "
         "stacks of threads"},
     Requirement{
-        kNoLoops, [](const KinematicTree& tree) { return !tree.has_closures(); }, "joints follow through loops"},
-    Requirement{
-        kCoordinates, [](const KinematicTree& tree) { return tree.followers_in_q().empty(); },
-        "elements of q follow others through loops that no formulas close"}};
+        kNoLoops, [](const KinematicTree& tree) { return !tree.has_closures(); }, "joints follow through loops"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

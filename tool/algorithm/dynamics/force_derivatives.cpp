@@ -13,6 +13,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/spread.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
@@ -182,19 +183,6 @@ class JointWalks {
       for (std::size_t column = 0; column < reduced.size(); ++column) add_passive(independent, reduced, row, column);
   }
 
-  // What a turn of the base and its linear velocity change, they change like a linear acceleration of the base.
-  void fill_free_columns(const Vector3& gravity) {
-    for (std::size_t r = 0; r < names_.size(); ++r) {
-      Vector3 linear;
-      for (std::size_t k = 0; k < 3; ++k) linear[k] = result.base_acceleration[3 + k][r];
-      const Vector3 turn = cross(gravity, linear), slide = cross(linear, bodies_.w[0]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        result.base_rotation[k][r] = turn[k];
-        result.base_velocity[3 + k][r] = slide[k];
-      }
-    }
-  }
-
  private:
   using Row = std::vector<Expression>;
 
@@ -318,15 +306,31 @@ ForceDerivatives force_derivatives(
     const StateInputs& in,
     const Vector3& gravity,
     const Forces& forces) {
+  if (robot.tree().has_closures()) return looped_force_derivatives(robot, in, gravity, forces);
   JointWalks walks(robot, in, forces);
   for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) walks.fill_joint(j, in.base_velocity.linear);
   for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) walks.add_rotor_path(j);
   if (robot.floating()) {
     walks.fill_base(in.base_velocity.linear);
-    walks.fill_free_columns(gravity);
+    fill_free_columns(gravity, in.base_velocity.angular, walks.result);
   }
   walks.add_drives(in);
   return std::move(walks.result);
+}
+
+void fill_free_columns(const Vector3& gravity, const Vector3& base_w, ForceDerivatives& d) {
+  const std::size_t rows = d.base_acceleration.front().size();
+  d.base_rotation.resize(3, std::vector<Expression>(rows));
+  d.base_velocity.resize(6, std::vector<Expression>(rows));
+  for (std::size_t r = 0; r < rows; ++r) {
+    Vector3 linear;
+    for (std::size_t k = 0; k < 3; ++k) linear[k] = d.base_acceleration[3 + k][r];
+    const Vector3 turn = cross(gravity, linear), slide = cross(linear, base_w);
+    for (std::size_t k = 0; k < 3; ++k) {
+      d.base_rotation[k][r] = turn[k];
+      d.base_velocity[3 + k][r] = slide[k];
+    }
+  }
 }
 
 void fill_free_fall(Trace& trace, const Vector3& base_w, const Vector3& gravity, ForceDerivatives& d) {

@@ -16,12 +16,16 @@ struct ForceDerivatives {
 };
 
 // Rows and columns by coordinate, about the motion that the forces belong to. External wrenches are constant in the
-// coordinates of their links.
+// coordinates of their links. Of robots with loops by looped_derivatives.h, which says what that takes.
 ForceDerivatives force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,
     const Vector3& gravity,
     const Forces& forces);
+
+// The columns of a turn of the base and of its linear velocity: what these change, they change like a linear
+// acceleration of the base.
+void fill_free_columns(const Vector3& gravity, const Vector3& base_w, ForceDerivatives& d);
 
 // Of (base acceleration, joints) of a robot whose base nothing holds, by a turn and by the linear velocity of the base:
 // in the world the robot moves as before.

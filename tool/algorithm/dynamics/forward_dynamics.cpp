@@ -99,8 +99,9 @@ symbolic::Program derivatives(
   const auto [motion, H] = by_inertia_matrix(robot, in, load);
   in.base_acceleration = motion.base_acceleration;
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  const std::vector<Expression> qdd = trace.by_joint("qdd", Role::joint_acceleration, motion.qdd);
-  const Forces forces = newton_euler_forces(robot, base, in.qd, qdd, &load);
+  in.qdd = trace.by_joint("qdd", Role::joint_acceleration, motion.qdd);
+  Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
+  if (tree.has_closures()) add_passive_forces(trace, in, forces.tau);
   ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);
   trace.section("solution", "derivatives of the solution");
   const int n = tree.dof(), rows = H.a.size(), first = rows - n;

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
@@ -88,6 +89,47 @@ bool commute(const model::KinematicTree& tree, int a, int b) {
 
 }  // namespace
 
+namespace {
+
+// With joints that follow through loops: by the chain rule (looped_derivatives.h).
+Program looped_gravity_derivative(
+    Trace& trace,
+    const StateInputs& in,
+    const LoadInputs& load,
+    const HeldRobot& held,
+    const std::string& name) {
+  const model::KinematicTree& tree = trace.tree;
+  std::vector<Expression> of;
+  if (tree.floating_base) {
+    const Force wrench = wrench_of(held.body[0], -load.gravity);
+    for (const Vector3& part : {wrench.moment, wrench.linear})
+      of.insert(of.end(), part.element.begin(), part.element.end());
+  }
+  const std::vector<Expression> tau = by_coordinate(trace, held.tau);
+  of.insert(of.end(), tau.begin(), tau.end());
+  Columns d_q = derivatives_by_positions(trace, of, in.q);
+  const std::vector<int> coordinates = tree.coordinates();
+  const std::size_t base = of.size() - tau.size();
+  for (std::size_t r = 0; r < tau.size(); ++r)
+    for (std::size_t c = r + 1; c < tau.size(); ++c)
+      if (commute(tree, coordinates[r], coordinates[c])) d_q[c][base + r] = d_q[r][base + c];
+  const int rows = static_cast<int>(of.size());
+  trace.output("d_q", Role::matrix, rows, d_q);
+  if (!tree.floating_base) return trace.program(name);
+  trace.section(tree.links[0].name, "derivatives by a turn of the base");
+  Columns d_base;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3 change = cross(load.gravity, unit_vector(trace.graph, k));
+    std::vector<symbolic::Rate> changes;
+    for (std::size_t i = 0; i < 3; ++i) changes.push_back({load.gravity[i], change[i]});
+    d_base.push_back(symbolic::rates_of(of, changes));
+  }
+  trace.output("d_base_rotation", Role::matrix, rows, d_base);
+  return trace.program(name);
+}
+
+}  // namespace
+
 // The potential is minus gravity times the first moment of all, which changes per unit of a joint's position by f, the
 // force of the joint's unit acceleration: so tau = f lift, and the rest follows from how lift turns.
 Program gravity_forces_derivative(
@@ -100,6 +142,7 @@ Program gravity_forces_derivative(
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
   const HeldRobot held = hold(robot, load.gravity);
+  if (tree.has_closures()) return looped_gravity_derivative(trace, in, load, held, name);
   const int base = tree.floating_base ? 6 : 0, joints = static_cast<int>(tree.joints.size());
   const std::vector<Expression> zeros(at(base + joints));
   Columns d_q(at(joints), zeros), d_base(3, zeros);

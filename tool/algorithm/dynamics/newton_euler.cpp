@@ -4,6 +4,7 @@
 
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
+#include "algorithm/kinematics/loop_functions.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
 #include "symbolic/derivative.h"
@@ -170,7 +171,7 @@ Program inverse_dynamics_gradient(
   }
   std::size_t place = 0;  // the first of the loads
   while (place < forces.inputs.size() && forces.inputs[place].role != Role::gravity) ++place;
-  return symbolic::with_gradient(forces, outputs, inputs, place);
+  return symbolic::with_gradient(forces, outputs, inputs, place, follower_rates(tree));
 }
 
 Program inverse_dynamics_second_derivatives(
@@ -186,7 +187,8 @@ Program inverse_dynamics_second_derivatives(
                       {"base_velocity", "qd"},
                       {"base_velocity", "base_velocity"}});
   return symbolic::with_second_derivatives(
-      inverse_dynamics_gradient(tree, name, loads, formulation), pairs, derivative_mode(formulation));
+      inverse_dynamics_gradient(tree, name, loads, formulation), pairs, derivative_mode(formulation),
+      follower_rates(tree));
 }
 
 }  // namespace robcogen::algorithm

@@ -162,6 +162,19 @@ Program close_loops(const model::KinematicTree& tree, const std::string& name) {
   return trace.program(name);
 }
 
+symbolic::FollowerRates follower_rates(const model::KinematicTree& tree) {
+  const std::vector<int> followers = tree.followers_in_q();
+  if (followers.empty()) return std::nullopt;
+  Trace trace(tree);
+  trace.joint_input("q", Role::joint_position);
+  Columns columns(at(tree.dof()), std::vector<Expression>(followers.size()));
+  for (std::size_t row = 0; row < followers.size(); ++row)
+    for (const RateShare& share : trace.rates_of(*tree.coupling_of(followers[row])))
+      columns[at(tree.coordinate_of(share.joint))][row] = share.factor;
+  trace.output("rates", Role::matrix, static_cast<int>(followers.size()), columns);
+  return trace.program("follower_rates");
+}
+
 Program joint_velocities(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   trace.joint_input("q", Role::joint_position);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/kinematic_tree.h"
+#include "symbolic/derivative.h"
 #include "symbolic/program.h"
 
 namespace robcogen::algorithm {
@@ -12,6 +13,9 @@ namespace robcogen::algorithm {
 // q -> q with joints that follow where loops close, by Newton's method from where they are; not numbers where it does
 // not reach that. Of robots with loops that no formulas close.
 symbolic::Program close_loops(const model::KinematicTree& tree, const std::string& name);
+
+// q -> the rates of tree.followers_in_q(), a row each, by those of the coordinates; nullopt where there are none.
+symbolic::FollowerRates follower_rates(const model::KinematicTree& tree);
 
 // Rows of the errors of a loop.
 int rows_of(model::LoopType type);

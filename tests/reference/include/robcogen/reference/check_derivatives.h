@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robcogen/reference/check_identities.h"
+#include "robcogen/reference/loops.h"
 
 namespace robcogen::reference {
 
@@ -31,6 +32,14 @@ struct Situation {
   Loads<Real> loads;
   Vector<Real> tau;  // of forward dynamics
 };
+
+// Of the robot in another situation, where joints follow through loops in other proportions: f(robot, situation).
+template <class F>
+Vector<Real> in_situation(const Case& c, Situation s, const F& f) {
+  if (c.loops == nullptr || c.motion.of_loops.empty()) return f(c.robot, s);
+  const AtLoops there = c.loops->near(s.motion);
+  return f(there.robot(), s);
+}
 
 // The derivative of f(step) at 0.
 template <class F>
@@ -76,7 +85,7 @@ void check_blocks(
     const Vector<Real> expected = difference([&](Real step) {
       Situation changed = at;
       change(changed, step * along);
-      return value(changed);
+      return in_situation(c, changed, value);
     });
     const Matrix<Real> found = columns.template cast<Real>();
     const Vector<Real> sizes = terms + magnitude(found) * magnitude(along);
@@ -112,8 +121,8 @@ void check_inverse_dynamics_derivatives(const Subject& subject, const Case& c, C
     const Derivatives actual = subject.inverse_dynamics_fully_actuated_derivatives(c.sample.motion, o.arguments);
     const Expected forces = expected_forces(c, c.sample.motion, o.loads);
     checks.record(name + o.suffix, kForce, error_of(c, actual.value, forces), c.index);
-    const auto value = [&](const Situation& s) {
-      return cut(c.floating, generalized_forces(c.robot, s.motion, s.loads));
+    const auto value = [&](const Robot& robot, const Situation& s) {
+      return cut(c.floating, generalized_forces(robot, s.motion, s.loads));
     };
     check_blocks(name + o.suffix, c, actual, {c.motion, o.loads, {}}, forces.terms, value, blocks_of(o), checks);
   }
@@ -128,8 +137,8 @@ void check_free_inverse_dynamics_derivatives(const Subject& subject, const Case&
     const Derivatives actual = subject.inverse_dynamics_derivatives(c.sample.motion, o.arguments);
     Expected expected = expected_free_motion(c, o.loads);
     checks.record(name + o.suffix, kForce, error_of(c, actual.value, expected), c.index);
-    const auto value = [&](const Situation& s) {
-      const InverseDynamics<Real> result = inverse_dynamics(c.robot, s.motion, s.loads);
+    const auto value = [&](const Robot& robot, const Situation& s) {
+      const InverseDynamics<Real> result = inverse_dynamics(robot, s.motion, s.loads);
       return stacked(result.base_acceleration, result.tau);
     };
     const int n = c.robot.dof();
@@ -149,8 +158,8 @@ void check_forward_dynamics_derivatives(const Subject& subject, const Case& c, C
     const Derivatives actual = subject.forward_dynamics_derivatives(c.sample.motion, tau, o.arguments);
     Expected expected = expected_accelerations(c, tau, o.loads);
     checks.record(name + o.suffix, kAcceleration, error_of(c, actual.value, expected), c.index);
-    const auto value = [&](const Situation& s) {
-      const Accelerations<Real> result = forward_dynamics(c.robot, s.motion, s.tau, s.loads);
+    const auto value = [&](const Robot& robot, const Situation& s) {
+      const Accelerations<Real> result = forward_dynamics(robot, s.motion, s.tau, s.loads);
       return coordinates(c.floating, result.base_acceleration, result.qdd);
     };
     expected.terms += c.inverse_magnitude * (inertia_magnitude(c) * expected.terms);
@@ -164,7 +173,6 @@ void check_forward_dynamics_derivatives(const Subject& subject, const Case& c, C
 // one element.
 template <class Subject>
 void check_inverse_dynamics_gradient(const Subject& subject, const Case& c, Checks& checks) {
-  if (!c.motion.of_loops.empty()) return;  // which the reference has at one position only
   std::mt19937_64 engine(static_cast<std::uint64_t>(c.index));
   const Vector<double> weights = uniform_vector(engine, c.H.rows(), 1);
   const Matrix<Real> transposed_weights = transpose(weights.cast<Real>());
@@ -182,7 +190,9 @@ void check_inverse_dynamics_gradient(const Subject& subject, const Case& c, Chec
       const Vector<Real> expected = difference([&](Real step) {
         Situation changed{c.motion, o.loads, {}};
         change(changed, step * along);
-        return transposed_weights * cut(c.floating, generalized_forces(c.robot, changed.motion, changed.loads));
+        return in_situation(c, changed, [&](const Robot& robot, const Situation& s) {
+          return transposed_weights * cut(c.floating, generalized_forces(robot, s.motion, s.loads));
+        });
       });
       const Matrix<Real> row = transpose(gradient.template cast<Real>());
       const Real size = terms + (magnitude(row) * magnitude(along))(0);
@@ -213,8 +223,8 @@ void check_gravity_forces_derivative(const Subject& subject, const Case& c, Chec
     const int rows = actual.q.rows(), n = c.robot.dof();
     actual.qd = actual.last = Matrix<double>(rows, 0);
     const Expected forces = expected_forces(c, rest, o.loads);
-    const auto value = [&](const Situation& s) {
-      return cut(c.floating, generalized_forces(c.robot, s.motion, s.loads));
+    const auto value = [&](const Robot& robot, const Situation& s) {
+      return cut(c.floating, generalized_forces(robot, s.motion, s.loads));
     };
     check_blocks(
         "gravity_forces_derivative" + o.suffix, c, actual, {cast<Real>(rest), o.loads, {}}, forces.terms, value,

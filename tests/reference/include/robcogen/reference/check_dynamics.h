@@ -14,9 +14,13 @@ inline constexpr Tolerance kAcceleration{
 inline constexpr Tolerance kInertia{"kInertia", 1e-12, "rounding of a sum of positive terms"};
 
 // A sample, and the reference of all its checks.
+class AtLoops;
+
 struct Case {
-  Case(const Robot& tables, const Sample& random, int number)
+  // `at_loops`: of the robot; nullptr for one without loops.
+  Case(const Robot& tables, const Sample& random, int number, const AtLoops* at_loops = nullptr)
       : robot(tables),
+        loops(at_loops),
         sample(random),
         index(number),
         floating(tables.floating_base),
@@ -25,6 +29,7 @@ struct Case {
         inverse_magnitude(magnitude(solve(H, Matrix<Real>::identity(H.rows())))) {}
 
   const Robot& robot;
+  const AtLoops* loops;
   const Sample& sample;
   int index;
   bool floating;

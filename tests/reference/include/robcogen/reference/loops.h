@@ -89,28 +89,13 @@ inline Vector<Real> change_of_rates(const Robot& robot, const Vector<Real>& join
 class AtLoops {
  public:
   // Gives the motion the positions of joints that follow and are elements of q, and the accelerations that loops add.
-  AtLoops(const Robot& robot, Motion<double>& motion) : robot_(robot) {
-    if (robot.loops.size == 0) return;
-    for (int k = 0; k < robot.couplings.size; ++k)
-      if (std::isnan(robot.couplings[k].offset)) dependent_.push_back(robot.dof() + k);
-    const Vector<Real> y = motion.q.cast<Real>();
-    if (dependent_.empty()) {  // they close as exactly as the document has them
-      constexpr Real kDrawn = 1e-12L;
-      is_usual_ = largest(loop_rows(robot_, joint_positions(robot_, y)).error) < kDrawn;
-      return;
-    }
-    Vector<Real> joints = closed(y);
-    const Matrix<Real> G = tangent(joints);
-    constexpr Real kClosed = 1e-15L, kRacing = 4;
-    is_usual_ = largest(loop_rows(robot_, joints).error) < kClosed && largest(G) < kRacing;
-    couple(y, joints, G);
-    for (int k = 0; k < robot.followers.size; ++k)
-      motion.q(robot.position_count() - robot.followers.size + k) =
-          static_cast<double>(joints(robot.followers[k].joint));
-    motion.of_loops = Vector<double>(robot.joints.size);
-    const Vector<Real> added = accelerations(joints, G * motion.qd.cast<Real>());
-    for (std::size_t d = 0; d < dependent_.size(); ++d)
-      motion.of_loops(dependent_[d]) = static_cast<double>(added(static_cast<int>(d)));
+  template <class Scalar>
+  AtLoops(const Robot& robot, Motion<Scalar>& motion) : AtLoops(robot, motion, nullptr) {}
+
+  // At another motion, whose positions are next to these.
+  template <class Scalar>
+  AtLoops near(Motion<Scalar>& motion) const {
+    return AtLoops(looped_, motion, &joints_);
   }
 
   const Robot& robot() const { return robot_; }
@@ -118,11 +103,38 @@ class AtLoops {
   bool is_usual() const { return is_usual_; }
 
  private:
-  Robot robot_;
+  Robot looped_, robot_;
   bool is_usual_ = true;
   std::vector<int> dependent_;  // joints
+  Vector<Real> joints_;         // positions, where some are dependent
   std::deque<std::vector<double>> factors_;
   std::vector<reflection::Coupling> couplings_;
+
+  // `start`: positions of all joints; nullptr for those in which loops are assembled.
+  template <class Scalar>
+  AtLoops(const Robot& robot, Motion<Scalar>& motion, const Vector<Real>* start) : looped_(robot), robot_(robot) {
+    if (robot.loops.size == 0) return;
+    for (int k = 0; k < robot.couplings.size; ++k)
+      if (std::isnan(robot.couplings[k].offset)) dependent_.push_back(robot.dof() + k);
+    const Vector<Real> y = motion.q.template cast<Real>();
+    if (dependent_.empty()) {  // they close as exactly as the document has them
+      constexpr Real kDrawn = 1e-12L;
+      is_usual_ = largest(loop_rows(robot_, joint_positions(robot_, y)).error) < kDrawn;
+      return;
+    }
+    joints_ = start ? closed_near(y, *start) : closed(y);
+    const Matrix<Real> G = tangent(joints_);
+    constexpr Real kClosed = 1e-15L, kRacing = 4;
+    is_usual_ = largest(loop_rows(robot_, joints_).error) < kClosed && largest(G) < kRacing;
+    couple(y, joints_, G);
+    for (int k = 0; k < robot.followers.size; ++k)
+      motion.q(robot.position_count() - robot.followers.size + k) =
+          static_cast<Scalar>(joints_(robot.followers[k].joint));
+    motion.of_loops = Vector<Scalar>(robot.joints.size);
+    const Vector<Real> added = accelerations(joints_, G * motion.qd.template cast<Real>());
+    for (std::size_t d = 0; d < dependent_.size(); ++d)
+      motion.of_loops(dependent_[d]) = static_cast<Scalar>(added(static_cast<int>(d)));
+  }
 
   bool is_dependent(int joint) const {
     return std::find(dependent_.begin(), dependent_.end(), joint) != dependent_.end();
@@ -152,27 +164,35 @@ class AtLoops {
 
   // Along a straight way from where they are assembled.
   Vector<Real> closed(const Vector<Real>& y) const {
-    constexpr int kSteps = 30, kIterations = 12;
+    constexpr int kSteps = 30;
     Vector<Real> joints(robot_.joints.size);
-    for (int step = 0; step <= kSteps; ++step) {
-      set_given(static_cast<Real>(step) / kSteps * y, joints);
-      const int iterations = step == 0 ? 5 * kIterations : kIterations;
-      for (int i = 0; i < iterations; ++i) {
-        const LoopRows rows = loop_rows(robot_, joints);
-        Matrix<Real> error(rows.error.rows(), 1);
-        error.set_block(0, 0, rows.error);
-        const Matrix<Real> move = least_squares(dependent_columns(rows.columns), error);
-        Real largest_move = 0;
-        for (std::size_t d = 0; d < dependent_.size(); ++d)
-          largest_move = std::max(largest_move, std::abs(move(static_cast<int>(d), 0)));
-        const Real share = largest_move > Real(0.5) ? Real(0.5) / largest_move : Real(1);
-        for (std::size_t d = 0; d < dependent_.size(); ++d)
-          joints(dependent_[d]) -= share * move(static_cast<int>(d), 0);
-        constexpr Real kStill = 1e-17L;
-        if (largest_move < kStill) break;
-      }
-    }
+    for (int step = 0; step <= kSteps; ++step)
+      close(static_cast<Real>(step) / kSteps * y, step == 0 ? 5 * kIterations : kIterations, joints);
     return joints;
+  }
+  Vector<Real> closed_near(const Vector<Real>& y, Vector<Real> joints) const {
+    close(y, kIterations, joints);
+    return joints;
+  }
+
+  static constexpr int kIterations = 12;
+
+  // Where the coordinates are at y, by Newton's method.
+  void close(const Vector<Real>& y, int iterations, Vector<Real>& joints) const {
+    set_given(y, joints);
+    for (int i = 0; i < iterations; ++i) {
+      const LoopRows rows = loop_rows(robot_, joints);
+      Matrix<Real> error(rows.error.rows(), 1);
+      error.set_block(0, 0, rows.error);
+      const Matrix<Real> move = least_squares(dependent_columns(rows.columns), error);
+      Real largest_move = 0;
+      for (std::size_t d = 0; d < dependent_.size(); ++d)
+        largest_move = std::max(largest_move, std::abs(move(static_cast<int>(d), 0)));
+      const Real share = largest_move > Real(0.5) ? Real(0.5) / largest_move : Real(1);
+      for (std::size_t d = 0; d < dependent_.size(); ++d) joints(dependent_[d]) -= share * move(static_cast<int>(d), 0);
+      constexpr Real kStill = 1e-17L;
+      if (largest_move < kStill) break;
+    }
   }
 
   // Of all joints by the coordinates.

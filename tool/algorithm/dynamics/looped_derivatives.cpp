@@ -1,0 +1,116 @@
+#include "algorithm/dynamics/looped_derivatives.h"
+
+#include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/spatial/couplings.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Rate;
+
+// Of a turn about an axis of the child of a spherical joint: q (1, t / 2), of a unit quaternion.
+void add_turn(Trace& trace, const std::vector<Expression>& q, int component, std::vector<Rate>& changes) {
+  const model::KinematicTree& tree = trace.tree;
+  const std::vector<int> balls = tree.spherical_joints();
+  const int first = tree.first_component_of(component);
+  std::size_t number = 0;
+  while (balls[number] != first) ++number;
+  const std::size_t axis = at(component - first);
+  const auto part = [&](std::size_t k) -> const Expression& { return q[at(first) + k % 3]; };
+  const Expression &scalar = q[tree.joints.size() + number], half = trace.graph.constant(0.5);
+  changes.push_back({scalar, -(half * part(axis))});
+  changes.push_back({part(axis), half * scalar});
+  changes.push_back({part(axis + 1), half * part(axis + 2)});
+  changes.push_back({part(axis + 2), -(half * part(axis + 1))});
+}
+
+// Of a unit motion of a coordinate.
+std::vector<Rate> position_changes(Trace& trace, const std::vector<Expression>& q, int joint) {
+  const model::KinematicTree& tree = trace.tree;
+  std::vector<Rate> changes;
+  if (tree.joints[at(joint)].type == model::JointType::spherical)
+    add_turn(trace, q, joint, changes);
+  else
+    changes.push_back({q[at(joint)], trace.graph.one()});
+  for (const int follower : tree.followers_in_q())
+    for (const RateShare& share : trace.rates_of(*tree.coupling_of(follower)))
+      if (share.joint == joint) changes.push_back({q[at(follower)], share.factor});
+  return changes;
+}
+
+void append(std::vector<Rate>& changes, const std::vector<Rate>& more) {
+  changes.insert(changes.end(), more.begin(), more.end());
+}
+
+// Base, then coordinates.
+std::vector<Expression> generalized(Trace& trace, const Forces& forces) {
+  std::vector<Expression> all;
+  if (trace.tree.floating_base)
+    for (const Vector3& part : {forces.base_wrench.moment, forces.base_wrench.linear})
+      all.insert(all.end(), part.element.begin(), part.element.end());
+  const std::vector<Expression> tau = by_coordinate(trace, forces.tau);
+  all.insert(all.end(), tau.begin(), tau.end());
+  return all;
+}
+
+// Accelerations are given, also where they are results.
+std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in) {
+  std::vector<Rate> held;
+  for (const int joint : tree.coordinates()) held.push_back({in.qdd[at(joint)], Expression()});
+  for (const Vector3& part : {in.base_acceleration.angular, in.base_acceleration.linear})
+    for (const Expression& e : part.element) held.push_back({e, Expression()});
+  return held;
+}
+
+}  // namespace
+
+Columns derivatives_by_positions(
+    Trace& trace,
+    const std::vector<Expression>& of,
+    const std::vector<Expression>& q,
+    const std::vector<Rate>& held) {
+  Columns columns;
+  for (const int joint : trace.tree.coordinates()) {
+    const std::string& name = trace.tree.joints[at(joint)].name;
+    trace.section("dq_" + name, "derivatives by the position of joint " + name);
+    std::vector<Rate> changes = position_changes(trace, q, joint);
+    append(changes, held);
+    columns.push_back(symbolic::rates_of(of, changes));
+  }
+  return columns;
+}
+
+ForceDerivatives looped_force_derivatives(
+    const TracedRobot& robot,
+    const StateInputs& in,
+    const Vector3& gravity,
+    const Forces& forces) {
+  Trace& trace = robot.trace;
+  const std::vector<Expression> of = generalized(trace, forces);
+  const std::vector<Rate> held = held_accelerations(trace.tree, in);
+  const auto by = [&](const Expression& velocity) {
+    std::vector<Rate> changes = {{velocity, trace.graph.one()}};
+    append(changes, held);
+    return symbolic::rates_of(of, changes);
+  };
+  ForceDerivatives d;
+  d.q = derivatives_by_positions(trace, of, in.q, held);
+  for (const int joint : trace.tree.coordinates()) {
+    const std::string& name = trace.tree.joints[at(joint)].name;
+    trace.section("dqd_" + name, "derivatives by the velocity of joint " + name);
+    d.qd.push_back(by(in.qd[at(joint)]));
+  }
+  const SquareMatrix H = joint_space_inertia(robot);
+  const int base = robot.floating() ? 6 : 0;
+  for (int c = 0; c < H.size(); ++c) {
+    std::vector<Expression>& column = (c < base ? d.base_acceleration : d.qdd).emplace_back();
+    for (int r = 0; r < H.size(); ++r) column.push_back(H(r, c));
+  }
+  if (!robot.floating()) return d;
+  trace.section(robot.link_name(0), "base: derivatives");
+  for (std::size_t k = 0; k < 3; ++k) d.base_velocity.push_back(by(in.base_velocity.angular[k]));
+  fill_free_columns(gravity, in.base_velocity.angular, d);
+  return d;
+}
+
+}  // namespace robcogen::algorithm
