@@ -43,6 +43,21 @@ bool takes_all(const Program& program, const Derivative& derivative) {
   });
 }
 
+// Which contacts hold is no real number.
+void require_smooth_inputs(const Derivative& derivative, const Program& program) {
+  std::vector<std::string> others;
+  for (const symbolic::InputArray& array : program.inputs)
+    if (array.role != Role::contact_activity) others.push_back(array.name);
+  for (const symbolic::InputArray& array : program.inputs)
+    if (array.role == Role::contact_activity &&
+        std::count(derivative.inputs.begin(), derivative.inputs.end(), array.name) > 0)
+      refuse(
+          derivative, fmt::format(
+                          "the elements of '{}' are 0 or 1, with nothing between; {} also takes {} "
+                          "[derivative-by-switches]",
+                          array.name, derivative.function, fmt::join(others, ", ")));
+}
+
 // `all` are the programs of the overloads.
 void require_inputs(const Derivative& derivative, const std::vector<const Program*>& all) {
   std::vector<std::string> known, results;
@@ -62,6 +77,7 @@ void require_inputs(const Derivative& derivative, const std::vector<const Progra
             is_result ? "a result, not" : "not", derivative.function, arguments),
         is_result ? "" : did_you_mean(input, known));
   }
+  for (const Program* program : all) require_smooth_inputs(derivative, *program);
   const bool together =
       std::any_of(all.begin(), all.end(), [&](const Program* program) { return takes_all(*program, derivative); });
   if (!together) refuse(derivative, fmt::format("no form of {} takes these together", derivative.function));

@@ -184,6 +184,20 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"inertia_factor.solve:x", "functions of a factor take an object"},
         Fault{"jacobians.fr_base_J_foot:q", "has no function 'jacobians.fr_base_J_foot'"}));
 
+TEST(Derivatives, ByWhichContactsHold) {
+  const Outcome run = run_tool(
+      "ops " + quoted(kLeg) +
+          " --algorithms contacts --contacts fr_foot:point --derivatives constrained_forward_dynamics:q,active",
+      "");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(
+      run.errors.find(
+          "--derivatives constrained_forward_dynamics:q,active: the elements of 'active' are 0 or 1, with nothing "
+          "between; constrained_forward_dynamics also takes parameters, q, qd, tau"),
+      std::string::npos)
+      << run.errors;
+}
+
 // More than a compiler takes: second derivatives of all elements of a humanoid's inertia matrix.
 TEST(Derivatives, TooLong) {
   const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
