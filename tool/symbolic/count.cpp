@@ -28,25 +28,27 @@ bool is_fusable(const Program& p, int sum, const Operand& product) {
                                  p.statements[static_cast<std::size_t>(product.index)].width;
 }
 
-// -1: users that cannot be fused with a product.
-Uses uses_of(const Program& p) {
+// Of products only. -1: users that cannot be fused with one.
+Uses uses_of_products(const Program& p) {
+  std::vector<char> is_product(p.statements.size());
+  for (std::size_t i = 0; i < p.statements.size(); ++i) is_product[i] = p.statements[i].op == Op::multiply;
   const auto for_each = [&](const auto& note) {
+    const auto note_product = [&](const Operand& o, int user) {
+      if (is_statement(o) && is_product[static_cast<std::size_t>(o.index)]) note(o, user);
+    };
     for (std::size_t i = 0; i < p.statements.size(); ++i)
-      for_each_operand(p.statements[i], [&](const Operand& o) { note(o, static_cast<int>(i)); });
+      for_each_operand(p.statements[i], [&](const Operand& o) { note_product(o, static_cast<int>(i)); });
     for (const OutputArray& array : p.outputs)
-      for (const Operand& o : array.values) note(o, -1);
+      for (const Operand& o : array.values) note_product(o, -1);
   };
   Uses uses{std::vector<int>(p.statements.size() + 1, 0), {}};
-  for_each([&](const Operand& o, int) {
-    if (is_statement(o)) ++uses.first[static_cast<std::size_t>(o.index) + 1];
-  });
+  for_each([&](const Operand& o, int) { ++uses.first[static_cast<std::size_t>(o.index) + 1]; });
   std::partial_sum(uses.first.begin(), uses.first.end(), uses.first.begin());
   uses.users.resize(static_cast<std::size_t>(uses.first.back()));
   std::vector<int> next = uses.first;
   for_each([&](const Operand& o, int user) {
-    if (is_statement(o))
-      uses.users[static_cast<std::size_t>(next[static_cast<std::size_t>(o.index)]++)] =
-          user >= 0 && is_fusable(p, user, o) ? user : -1;
+    uses.users[static_cast<std::size_t>(next[static_cast<std::size_t>(o.index)]++)] =
+        user >= 0 && is_fusable(p, user, o) ? user : -1;
   });
   return uses;
 }
@@ -54,27 +56,29 @@ Uses uses_of(const Program& p) {
 // Products that disappear: every use is a sum of its own that has not absorbed another product yet. Those with fewest
 // uses first: they block fewest others.
 int fused_products(const Program& p) {
-  const Uses uses = uses_of(p);
+  const Uses uses = uses_of_products(p);
   const auto adds = [&](int user) { return user >= 0 && is_sum(p.statements[static_cast<std::size_t>(user)].op); };
-  std::vector<std::vector<std::size_t>> candidates;  // by their number of uses
+  std::vector<char> taken(p.statements.size(), false);
+  int fused = 0;
+  const auto fuse = [&](std::span<const int> sums) {
+    if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) return;  // m + m
+    if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) return;
+    for (const int u : sums) taken[static_cast<std::size_t>(u)] = true;
+    ++fused;
+  };
+  std::vector<std::span<const int>> with_more_uses;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     if (p.statements[i].op != Op::multiply) continue;
     const std::span<const int> users = uses.of(i);
     if (users.empty() || !std::all_of(users.begin(), users.end(), adds)) continue;
-    if (candidates.size() <= users.size()) candidates.resize(users.size() + 1);
-    candidates[users.size()].push_back(i);
+    if (users.size() == 1)
+      fuse(users);
+    else
+      with_more_uses.push_back(users);
   }
-  std::vector<bool> taken(p.statements.size(), false);
-  int fused = 0;
-  for (const std::vector<std::size_t>& with_as_many_uses : candidates) {
-    for (const std::size_t i : with_as_many_uses) {
-      const std::span<const int> sums = uses.of(i);
-      if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) continue;  // m + m
-      if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) continue;
-      for (const int u : sums) taken[static_cast<std::size_t>(u)] = true;
-      ++fused;
-    }
-  }
+  std::stable_sort(
+      with_more_uses.begin(), with_more_uses.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  std::for_each(with_more_uses.begin(), with_more_uses.end(), fuse);
   return fused;
 }
 
@@ -248,7 +252,8 @@ OperationCount count(const Program& p) {
 
 int predicted_time(const Program& program) {
   // Values that depend on parameters alone were split off before congruent limbs went into lanes.
-  const OperationCount c = count(has_parameters(program) && !program.has_lanes() ? given_parameters(program) : program);
+  const OperationCount c =
+      has_parameters(program) && !program.has_lanes() ? count(given_parameters(program)) : count(program);
   return std::max(c.critical_path, (c.instructions + c.moves) / 2);
 }
 

@@ -90,7 +90,7 @@ Expression atan2(const Expression& sine, const Expression& cosine) {
 
 Graph::Scaled Graph::split_factor(int node) const {
   const Node& n = nodes_[at(node)];
-  if (n.kind == Node::Kind::operation && n.op == Op::multiply) {
+  if (is_product(node)) {
     if (is_constant(n.a)) return {n.a, n.b};
     if (is_constant(n.b)) return {n.b, n.a};
   }
@@ -103,8 +103,8 @@ Constant Graph::factor(const Expression& x, const Scaled& split) const {
 }
 
 std::optional<std::array<Expression, 2>> Graph::terms(const Expression& x) {
-  const Node n = nodes_[at(x.node())];
-  if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) return std::nullopt;
+  if (!is_sum(x.node())) return std::nullopt;
+  const Node& n = nodes_[at(x.node())];
   const Expression first(this, n.a, x.negative()), second(this, n.b, x.negative() != (n.op == Op::subtract));
   return std::array{first, second};
 }
@@ -124,19 +124,11 @@ std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expressi
   return std::array{first + second, third - fourth};
 }
 
-Expression Graph::add(Expression a, Expression b) {
-  if (a.is_constant() && b.is_constant()) return constant(a.constant() + b.constant());
-  if (a.node() == b.node()) {
-    if (a.negative() != b.negative()) return positive(0);
-    return constant(2.0) * a;
-  }
-  // k1 t + k2 t
-  const Scaled split_a = split_factor(a.node()), split_b = split_factor(b.node());
-  if (split_a.rest == split_b.rest) return constant(factor(a, split_a) + factor(b, split_b)) * positive(split_a.rest);
-  for (const auto& [sum, other] : {std::pair(a, b), std::pair(b, a)}) {
-    const std::optional<std::array<Expression, 2>> both = terms(sum);
-    if (!both) continue;
-    const auto& [first, second] = *both;
+std::optional<Expression> Graph::folded_sum(const Expression& a, const Expression& b) {
+  const std::optional<std::array<Expression, 2>> terms_a = terms(a), terms_b = terms(b);
+  for (const auto& [terms, other] : {std::pair(terms_a, b), std::pair(terms_b, a)}) {
+    if (!terms) continue;
+    const auto& [first, second] = *terms;
     // (t + c1) + c2
     if (other.is_constant() && first.is_constant()) return second + (first + other);
     if (other.is_constant() && second.is_constant()) return first + (second + other);
@@ -145,11 +137,26 @@ Expression Graph::add(Expression a, Expression b) {
     if (second.node() == other.node() && second.negative() != other.negative()) return first;
   }
   // (p + r) + (q - r)
-  const std::optional<std::array<Expression, 2>> terms_a = terms(a), terms_b = terms(b);
   if (terms_a && terms_b)
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t k = 0; k < 2; ++k)
         if ((*terms_a)[i] == -(*terms_b)[k]) return (*terms_a)[1 - i] + (*terms_b)[1 - k];
+  return std::nullopt;
+}
+
+Expression Graph::add(Expression a, Expression b) {
+  if (is_constant(a.node()) && is_constant(b.node())) return constant(a.constant() + b.constant());
+  if (a.node() == b.node()) {
+    if (a.negative() != b.negative()) return positive(0);
+    return constant(2.0) * a;
+  }
+  // k1 t + k2 t
+  if (is_product(a.node()) || is_product(b.node())) {
+    const Scaled split_a = split_factor(a.node()), split_b = split_factor(b.node());
+    if (split_a.rest == split_b.rest) return constant(factor(a, split_a) + factor(b, split_b)) * positive(split_a.rest);
+  }
+  if (is_sum(a.node()) || is_sum(b.node()))
+    if (const std::optional<Expression> folded = folded_sum(a, b)) return *folded;
   // Canonical form: the operand that was made first stands first; a common sign moves outwards.
   const bool ordered = a.node() < b.node();
   if (!ordered) std::swap(a, b);
@@ -159,13 +166,14 @@ Expression Graph::add(Expression a, Expression b) {
 }
 
 Expression Graph::multiply(Expression a, Expression b) {
-  if (a.is_constant() && b.is_constant()) return constant(a.constant() * b.constant());
+  const bool is_a_constant = is_constant(a.node()), is_b_constant = is_constant(b.node());
+  if (is_a_constant && is_b_constant) return constant(a.constant() * b.constant());
   const bool negative = a.negative() != b.negative();
   if (a.node() == 1) return Expression(this, b.node(), negative);
   if (b.node() == 1) return Expression(this, a.node(), negative);
   // k1 (k2 t)
-  for (const auto& [scale, product] : {std::pair(a, b), std::pair(b, a)}) {
-    if (!scale.is_constant()) continue;
+  if (is_a_constant || is_b_constant) {
+    const auto& [scale, product] = is_a_constant ? std::pair(a, b) : std::pair(b, a);
     const Scaled split = split_factor(product.node());
     if (split.rest != product.node()) return constant(scale.constant() * factor(product, split)) * positive(split.rest);
   }

@@ -151,8 +151,18 @@ class Graph {
   int intern(const Node& n);
   Expression operation(Op op, const Expression& a, const Expression& b);
   Expression add(Expression a, Expression b);
+  // A sum of which a or b is a sum, where terms of both fold.
+  std::optional<Expression> folded_sum(const Expression& a, const Expression& b);
   Expression multiply(Expression a, Expression b);
   bool is_constant(int node) const { return nodes_[static_cast<std::size_t>(node)].kind == Node::Kind::constant; }
+  bool is_product(int node) const {
+    const Node& n = nodes_[static_cast<std::size_t>(node)];
+    return n.kind == Node::Kind::operation && n.op == Op::multiply;
+  }
+  bool is_sum(int node) const {
+    const Node& n = nodes_[static_cast<std::size_t>(node)];
+    return n.kind == Node::Kind::operation && symbolic::is_sum(n.op);
+  }
   Expression positive(int node) { return Expression(this, node, false); }
   // A node as factor * rest; factor is a constant's node, and 1's when it has none.
   struct Scaled {

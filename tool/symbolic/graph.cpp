@@ -12,6 +12,9 @@
 namespace robcogen::symbolic {
 namespace {
 
+// What most programs of the search for link frames have. A power of two.
+constexpr std::size_t kUsualNodes = 2048;
+
 // Makes the names that statements have unique, and numbers the others by their sections' prefixes.
 void name_statements(Program& p) {
   UniqueNames used;
@@ -25,14 +28,18 @@ void name_statements(Program& p) {
   for (Statement& s : p.statements) {
     if (has_meaning(s)) continue;
     const auto section = at(s.section);
-    s.name = p.sections[section].prefix + "_t" + std::to_string((*next_of_section[section])++);
+    s.name = p.sections[section].prefix;
+    s.name += "_t";
+    s.name += std::to_string((*next_of_section[section])++);
     if (used.contains(s.name)) s.name = used.add(s.name);
   }
 }
 
 }  // namespace
 
-Graph::Graph() : known_(1024) {
+Graph::Graph() : known_(2 * kUsualNodes) {
+  nodes_.reserve(kUsualNodes);
+  section_of_.reserve(kUsualNodes);
   sections_.push_back({"", "t"});
   constant(0.0);
   constant(1.0);
@@ -46,11 +53,10 @@ std::uint32_t Graph::hash(const Key& k) {
 }
 
 std::size_t Graph::slot(const Key& k, std::uint32_t hash) const {
-  const auto is_other = [&](const KnownNode& known) {
-    return known.node >= 0 && (known.hash != hash || !(key(nodes_[at(known.node)]) == k));
-  };
-  std::size_t place = hash & (known_.size() - 1);
-  while (is_other(known_[place])) place = (place + 1) & (known_.size() - 1);
+  const std::size_t mask = known_.size() - 1;
+  std::size_t place = hash & mask;
+  while (known_[place].node >= 0 && (known_[place].hash != hash || !(key(nodes_[at(known_[place].node)]) == k)))
+    place = (place + 1) & mask;
   return place;
 }
 
@@ -86,14 +92,15 @@ int Graph::intern(const Node& n) {
   const std::uint32_t own = hash(wanted);
   std::size_t place = slot(wanted, own);
   if (known_[place].node >= 0) return known_[place].node;
+  const auto node = static_cast<int>(nodes_.size());
   if (2 * (nodes_.size() + 1) > known_.size()) {
     grow();
     place = slot(wanted, own);
   }
-  known_[place] = {own, static_cast<int>(nodes_.size())};
+  known_[place] = {own, node};
   nodes_.push_back(n);
   section_of_.push_back(static_cast<int>(sections_.size()) - 1);
-  return known_[place].node;
+  return node;
 }
 
 Expression Graph::constant(const Constant& value) {
@@ -128,10 +135,6 @@ void Graph::rollback(std::size_t mark) {
 
 int Graph::cost_since(std::size_t mark) const {
   constexpr int kDivision = 8;
-  const auto is_product = [&](int node) {
-    const Node& n = nodes_[at(node)];
-    return n.kind == Node::Kind::operation && n.op == Op::multiply;
-  };
   int cost = 0;
   for (std::size_t i = mark; i < nodes_.size(); ++i) {
     const Node& n = nodes_[i];
@@ -189,13 +192,16 @@ Program Graph::program(
     std::vector<InputArray> inputs,
     std::vector<OutputArray> shapes,
     const std::vector<std::vector<Expression>>& outputs) const {
-  std::vector<bool> reachable(nodes_.size(), false);
+  std::vector<char> reachable(nodes_.size(), false);
   for (const auto& values : outputs)
     for (const Expression& e : values) reachable[at(e.node())] = true;
+  std::size_t operations = 0;
   for (std::size_t i = nodes_.size(); i-- > 0;) {
-    if (!reachable[i] || nodes_[i].kind != Node::Kind::operation) continue;
-    reachable[at(nodes_[i].a)] = true;
-    if (nodes_[i].b >= 0) reachable[at(nodes_[i].b)] = true;
+    const Node& n = nodes_[i];
+    if (!reachable[i] || n.kind != Node::Kind::operation) continue;
+    ++operations;
+    reachable[at(n.a)] = true;
+    if (n.b >= 0) reachable[at(n.b)] = true;
   }
 
   Program p;
@@ -205,7 +211,7 @@ Program Graph::program(
 
   std::vector<int> new_section(sections_.size(), -1);
   std::vector<Operand> operand_of(nodes_.size());
-  p.statements.reserve(static_cast<std::size_t>(std::count(reachable.begin(), reachable.end(), true)));
+  p.statements.reserve(operations);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (!reachable[i]) continue;
     const Node& n = nodes_[i];
@@ -240,6 +246,7 @@ Program Graph::program(
     OutputArray& array = p.outputs[k];
     if (outputs[k].size() != at(array.rows * array.columns))
       throw std::logic_error("output '" + array.name + "' has the wrong number of values");
+    array.values.reserve(outputs[k].size());
     for (const Expression& e : outputs[k]) {
       Operand value = operand_of[at(e.node())];
       value.negative = e.negative();

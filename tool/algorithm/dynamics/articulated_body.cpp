@@ -42,12 +42,13 @@ class ArticulatedBodies {
     Force children_bias;
     for (const Joint& joint : robot_.children(link)) collect_child(joint, motion, children_inertia, children_bias);
     if (robot_.is_base(link) && !robot_.floating()) return;
-    robot_.trace.section(name, "link " + name + ": articulated inertia and bias wrench");
+    robot_.trace.section(name, "link ", ": articulated inertia and bias wrench");
     Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, in_.qd, {}));
     robot_.subtract_external(load_, link, own);
-    describe(own, name + "_own");
     bias = {children_bias.moment + own.moment, children_bias.linear + own.linear};
     inertia = children_inertia + rigid_body_inertia(robot_.mass(link));
+    if (!graph().keeps_names()) return;
+    describe(own, name + "_own");
     algorithm::name(graph(), inertia, name);
     algorithm::name(graph(), bias.moment, name + "_n");
     algorithm::name(graph(), bias.linear, name + "_f");
@@ -57,13 +58,15 @@ class ArticulatedBodies {
   void accelerate(int link, const Motion& parent) {
     for (const Joint& joint : robot_.children(link)) {
       const std::string& name = robot_.link_name(joint.child);
-      robot_.trace.section(name, "link " + name + ": acceleration");
+      robot_.trace.section(name, "link ", ": acceleration");
       Motion a = acceleration_to_child(robot_.pose(joint.index), parent);
       const JointState& state = joints_[at(joint.index)];
       // Without the component of `a` along the axis in the product, the link's own component comes out, joint
       // acceleration included; not where the drive has inertia, which that acceleration alone moves.
-      describe(a.angular, name + "_dw", "_carried");
-      describe(a.linear, name + "_da", "_carried");
+      if (graph().keeps_names()) {
+        describe(a.angular, name + "_dw", "_carried");
+        describe(a.linear, name + "_da", "_carried");
+      }
       if (has_drive_inertia(joint)) {
         const Expression felt = dot(state.U, a) + dot(state.rotor, parent.angular);
         qdd[at(joint.index)] = (state.u - felt) * state.inverse_D;
@@ -74,8 +77,10 @@ class ArticulatedBodies {
         qdd[at(joint.index)] = total - carried;
         add_rate(joint, total, a);
       }
-      algorithm::name(graph(), a.angular, name + "_dw");
-      algorithm::name(graph(), a.linear, name + "_da");
+      if (graph().keeps_names()) {
+        algorithm::name(graph(), a.angular, name + "_dw");
+        algorithm::name(graph(), a.linear, name + "_da");
+      }
       accelerate(joint.child, a);
     }
   }
@@ -126,12 +131,14 @@ class ArticulatedBodies {
   void collect_child(const Joint& joint, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
     const Pose& X_PC = robot_.pose(joint.index);
     const std::string& name = robot_.link_name(joint.child);
-    robot_.trace.section(name, "link " + name + ": velocity and bias acceleration");
+    robot_.trace.section(name, "link ", ": velocity and bias acceleration");
     LinkMotion child = across_joint(joint, X_PC, motion, in_.qd, zeros_);
-    if (robot_.trace.graph.keeps_names()) child.angular.link = name;
-    algorithm::name(graph(), child.angular.w, name + "_w");
-    algorithm::name(graph(), child.angular.wd, name + "_wd");
-    algorithm::name(graph(), child.a, name + "_a");
+    if (graph().keeps_names()) {
+      child.angular.link = name;
+      algorithm::name(graph(), child.angular.w, name + "_w");
+      algorithm::name(graph(), child.angular.wd, name + "_wd");
+      algorithm::name(graph(), child.a, name + "_a");
+    }
     SpatialInertia x;
     Force p;
     collect(joint.child, child, x, p);
@@ -143,13 +150,15 @@ class ArticulatedBodies {
     state.inverse_D = graph().one() / (project(joint, state.U) + drive_inertia(robot_.trace, joint.index));
     state.rotor = coupling_of_rotor(joint);
     state.u = in_.tau[at(joint.index)] - project(joint, p) - dot(state.rotor, motion.angular.wd);
-    graph().name(state.inverse_D, name + "_Dinv");
-    graph().name(state.u, name + "_u");
-    describe(state.U, name + "_U");
+    if (graph().keeps_names()) {
+      graph().name(state.inverse_D, name + "_Dinv");
+      graph().name(state.u, name + "_u");
+      describe(state.U, name + "_U");
+    }
     if (!robot_.parent_matters(joint.child)) return;
     if (!are_zero(state.rotor)) return pass_with_rotor(joint, x, p, inertia, bias);
     const Force gain = state.inverse_D * state.U;
-    describe(gain, name + "_U_by_D");
+    if (graph().keeps_names()) describe(gain, name + "_U_by_D");
     x = has_drive_inertia(joint) ? reduced(x, state.U, gain) : released(x, joint, state.U, gain);
     describe_inertia(x, name, "_free");
     p += state.u * gain;

@@ -101,7 +101,7 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
     total += to_parent(robot.pose(joint.index), momentum_rate(robot, motions, in, joint.child));
   if (robot.is_base(link) && !robot.floating()) return total;
   const std::string& name = robot.link_name(link);
-  robot.trace.section(name, "link " + name + ": rate of momentum");
+  robot.trace.section(name, "link ", ": rate of momentum");
   const LinkMotion& motion = motions[at(link)];
   total += link_wrench(robot.trace, robot.mass(link), motion, spins_on(robot, link, in.qd, {}));
   describe(total, name + "_rate");

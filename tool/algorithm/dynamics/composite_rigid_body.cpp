@@ -15,10 +15,18 @@ using symbolic::Program;
 using symbolic::Role;
 
 void name_composite(Trace& trace, const std::string& link, const MassProperties& m) {
+  if (!trace.graph.keeps_names()) return;
   name(trace.graph, m.first_moment, link + "_h");
   const char* axes = "xyz";
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = i; j < 3; ++j) trace.graph.name(m.pseudo_inertia[i][j], link + "_S" + axes[i] + axes[j]);
+}
+
+// About the origin and in the axes of the link's parent.
+void describe_seen(const TracedRobot& robot, int link, const MassProperties& m) {
+  if (!robot.trace.graph.keeps_names()) return;
+  describe(m.first_moment, robot.link_name(link) + "_h", "_P");
+  describe(m.pseudo_inertia, robot.link_name(link) + "_S", "_P");
 }
 
 void collect(const TracedRobot& robot, int link, std::vector<MassProperties>& composite) {
@@ -28,10 +36,9 @@ void collect(const TracedRobot& robot, int link, std::vector<MassProperties>& co
     collect(robot, joint.child, composite);
     if (!robot.parent_matters(joint.child)) continue;
     const std::string& name = robot.link_name(link);
-    robot.trace.section(name, "link " + name + ": composite inertia");
+    robot.trace.section(name, "link ", ": composite inertia");
     const MassProperties seen = to_parent(robot.pose(joint.index), composite[at(joint.child)]);
-    describe(seen.first_moment, robot.link_name(joint.child) + "_h", "_P");
-    describe(seen.pseudo_inertia, robot.link_name(joint.child) + "_S", "_P");
+    describe_seen(robot, joint.child, seen);
     composite[l] = composite[l] + seen;
   }
   name_composite(robot.trace, robot.link_name(link), composite[l]);
@@ -50,8 +57,7 @@ MassProperties moving_body(const TracedRobot& robot, const std::vector<MassPrope
   MassProperties total;
   for (const Joint& joint : robot.children(0)) {
     const MassProperties seen = to_parent(robot.pose(joint.index), composite[at(joint.child)]);
-    describe(seen.first_moment, robot.link_name(joint.child) + "_h", "_P");
-    describe(seen.pseudo_inertia, robot.link_name(joint.child) + "_S", "_P");
+    describe_seen(robot, joint.child, seen);
     total = total + seen;
   }
   describe(total.first_moment, "robot_h");
@@ -76,7 +82,7 @@ void add_composite_forces(
     for (const TracedRotor& rotor : rotors_on(robot, link)) tau[at(rotor.joint)] += dot(rotor.momentum, parent.angular);
     for (const Joint& joint : robot.children(link)) {
       const std::string& name = robot.link_name(joint.child);
-      robot.trace.section(name, "link " + name + ": share of the base acceleration");
+      robot.trace.section(name, "link ", ": share of the base acceleration");
       const Motion a = to_child(robot.pose(joint.index), parent);
       describe(a.angular, name + "_dw");
       describe(a.linear, name + "_da");
@@ -125,17 +131,19 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
   const std::vector<std::string> names = joint_names(tree);
   const auto set = [&](int row, int column, const Expression& value) {
     H(row, column) = H(column, row) = value;
-    describe(value, "H_" + names[at(row)] + "_" + names[at(column)]);
+    if (keeps_names(value)) describe(value, "H_" + names[at(row)] + "_" + names[at(column)]);
   };
   for (int j = 0; j < joints; ++j) {
     Joint joint = robot.joint(j);
     const std::string& link = robot.link_name(joint.child);
-    robot.trace.section(link, "link " + link + ": column of joint " + tree.joints[at(j)].name);
+    if (robot.trace.graph.keeps_names())
+      robot.trace.section(link, "link " + link + ": column of joint " + tree.joints[at(j)].name);
     Force wrench = times_subspace(composite[at(joint.child)], joint);
     while (true) {
       const Expression own = joint.index == j ? drive_inertia(robot.trace, j) : Expression();
       set(base + joint.index, base + j, project(joint, wrench) + own);
-      describe(wrench, tree.joints[at(j)].name + "_" + robot.link_name(joint.child));
+      if (robot.trace.graph.keeps_names())
+        describe(wrench, tree.joints[at(j)].name + "_" + robot.link_name(joint.child));
       if (!robot.parent_matters(joint.child)) break;
       wrench = to_parent(robot.pose(joint.index), wrench);
       wrench.moment += rotor_momentum(robot, j, tree.joints[at(joint.index)].parent);

@@ -98,7 +98,7 @@ std::vector<Expression> forces_of_drives(
   for (std::size_t j = 0; j < forces.size(); ++j) {
     const model::Joint& joint = trace.tree.joints[j];
     if (!joint.drive.is_passive()) continue;
-    trace.section(joint.name, "joint " + joint.name + ": passive forces");
+    trace.section(joint.name, "joint ", ": passive forces");
     forces[j] = trace.lift(joint.drive.damping) * qd[j] + friction(trace, joint.drive, qd[j]);
     if (!joint.drive.stiffness.is_zero())
       forces[j] += trace.lift(joint.drive.stiffness) * (q[j] - trace.lift(joint.drive.rest));

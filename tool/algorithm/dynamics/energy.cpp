@@ -39,7 +39,7 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
     describe(twice, robot.link_name(link) + "_2T_sum");
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
-      trace.section(child, "link " + child + ": velocity and energy");
+      trace.section(child, "link ", ": velocity and energy");
       const Motion moved = across_joint(joint, robot.pose(joint.index), twist, in.qd);
       algorithm::name(trace.graph, moved.angular, child + "_w");
       algorithm::name(trace.graph, moved.linear, child + "_v");

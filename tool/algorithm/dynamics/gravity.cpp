@@ -44,7 +44,7 @@ HeldRobot hold(const TracedRobot& robot, const Vector3& gravity) {
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
       const Pose& X_PC = robot.pose(joint.index);
-      trace.section(child, "link " + child + ": gravity and first moment");
+      trace.section(child, "link ", ": gravity and first moment");
       const Vector3 child_lift = to_child(X_PC.rotation, lift);
       algorithm::name(trace.graph, child_lift, child + "_a");
       PointMass body = visit(joint.child, child_lift);

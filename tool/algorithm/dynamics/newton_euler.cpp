@@ -38,7 +38,7 @@ class Recursion {
     for (const Joint& joint : robot_.children(link)) {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
-      robot_.trace.section(name, "link " + name + ": velocity and acceleration");
+      robot_.trace.section(name, "link ", ": velocity and acceleration");
       LinkMotion child = across_joint(joint, X_PC, motion, qd_, qdd_);
       if (robot_.trace.graph.keeps_names()) child.angular.link = name;
       name_motion(name, child);
@@ -53,16 +53,14 @@ class Recursion {
     const bool base = robot_.is_base(link);
     if (base && !robot_.floating()) return total;
     const std::string& name = robot_.link_name(link);
-    robot_.trace.section(name, "link " + name + ": force and moment");
+    robot_.trace.section(name, "link ", ": force and moment");
     const bool only_moment = !base && !robot_.parent_matters(link) && feels_only_moment(robot_.parent_joint(link));
     Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, qd_, qdd_), only_moment);
     if (loads_) robot_.subtract_external(*loads_, link, own);
     for (const TracedRotor& rotor : rotors_on(robot_, link))
       result.tau[at(rotor.joint)] += dot(rotor.momentum, motion.angular.wd);
-    describe(own, name + "_own");
     total += own;
-    algorithm::name(robot_.trace.graph, total.linear, name + "_f");
-    algorithm::name(robot_.trace.graph, total.moment, name + "_n");
+    if (robot_.trace.graph.keeps_names()) name_forces(name, own, total);
     result.wrenches[at(link)] = total;
     return total;
   }
@@ -72,8 +70,15 @@ class Recursion {
   const std::vector<Expression>&qd_, &qdd_;
   const LoadInputs* loads_;
 
+  void name_forces(const std::string& link, const Force& own, const Force& total) {
+    describe(own, link + "_own");
+    algorithm::name(robot_.trace.graph, total.linear, link + "_f");
+    algorithm::name(robot_.trace.graph, total.moment, link + "_n");
+  }
+
   void name_motion(const std::string& link, const LinkMotion& motion) {
     Graph& graph = robot_.trace.graph;
+    if (!graph.keeps_names()) return;
     algorithm::name(graph, motion.angular.w, link + "_w");
     algorithm::name(graph, motion.angular.wd, link + "_wd");
     algorithm::name(graph, motion.a, link + "_a");

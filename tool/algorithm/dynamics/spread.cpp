@@ -68,7 +68,7 @@ void SpreadBodies::collect(int link, const Vector3& velocity) {
   describe(spread[at(link)].K, robot_.link_name(link) + "_own_K");
   for (const Joint& joint : robot_.children(link)) {
     const std::string& name = robot_.link_name(joint.child);
-    robot_.trace.section(name, "link " + name + ": velocity and spread");
+    robot_.trace.section(name, "link ", ": velocity and spread");
     const Pose& X_PC = robot_.pose(joint.index);
     Vector3 turning = to_child(X_PC.rotation, velocity), sliding;
     add_rates(joint, qd_, turning, sliding);

@@ -11,11 +11,11 @@ namespace {
 
 void begin_base(Trace& trace) {
   const std::string& base = trace.tree.links[0].name;
-  trace.section(base, "base " + base + ": motion");
+  trace.section(base, "base ", ": motion");
 }
 
 MassProperties mass_properties_of(Trace& trace, const model::Link& link) {
-  trace.section(link.name, "link " + link.name + ": mass properties");
+  trace.section(link.name, "link ", ": mass properties");
   return mass_properties(trace, link);
 }
 

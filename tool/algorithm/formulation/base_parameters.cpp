@@ -95,7 +95,7 @@ std::vector<MassProperties> regrouped(
     if (!joint.is_first()) continue;
     const Pose& pose = poses[static_cast<std::size_t>(j)];
     const std::string& name = tree.links[static_cast<std::size_t>(joint.child)].name;
-    trace.section(name, "link " + name + ": mass properties that matter");
+    trace.section(name, "link ", ": mass properties that matter");
     // Of a spherical joint behind the last component.
     const int link = joint.spherical.empty() ? joint.child : tree.joints[static_cast<std::size_t>(j) + 2].child;
     MassProperties& child = masses[static_cast<std::size_t>(link)];

@@ -187,11 +187,11 @@ class LinkFrameBuilder {
     for (const int j : tree.topological()) {
       const model::Joint& joint = tree.joints[at(j)];
       const std::string& name = tree.links[at(joint.child)].name;
-      trace_.section(joint.name, "joint " + joint.name + ": placement");
+      trace_.section(joint.name, "joint ", ": placement");
       result.poses[at(j)] = pose(j);
       trace_.section(
-          name,
-          "link " + name + ": mass properties" + (frames_[at(j)].turns_with_joint ? "" : " in the parent's axes"));
+          name, "link ",
+          frames_[at(j)].turns_with_joint ? ": mass properties" : ": mass properties in the parent's axes");
       Pose& model = result.frames_of_model[at(joint.child)];
       model = pose_of(trace_, model_in_frame(frames_[at(j)]), {});
       MassProperties& mass = result.masses[at(joint.child)];

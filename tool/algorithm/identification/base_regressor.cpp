@@ -99,7 +99,7 @@ Program base_parameters(const model::KinematicTree& tree, const std::string& nam
   const auto take_from = [&](std::size_t link) {
     if (tree.links[link].is_repeated) return;
     const std::string& of = tree.links[link].name;
-    trace.section(of, "link " + of + ": base parameters");
+    trace.section(of, "link ", ": base parameters");
     by_link[link] = take(trace.graph, combinations[link], numbers[link]);
     for (std::size_t r = 0; r < by_link[link].size(); ++r)
       describe(by_link[link][r], of + "_beta" + std::to_string(r + 1));

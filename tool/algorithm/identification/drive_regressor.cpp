@@ -70,7 +70,7 @@ class RotorColumns {
     for (std::size_t k = 0; k < rotors_.size(); ++k) {
       const int joint = rotors_[k];
       if (robot_.tree().joints[at(joint)].drive.rotor->carrier != link) continue;
-      robot_.trace.section(robot_.link_name(link), "link " + robot_.link_name(link) + ": rotor");
+      robot_.trace.section(robot_.link_name(link), "link ", ": rotor");
       const Vector3 axis = axis_of(joint);
       Vector3 moment = in_.qdd[at(joint)] * axis;
       moment += cross(motion.w, in_.qd[at(joint)] * axis);
@@ -80,7 +80,7 @@ class RotorColumns {
     for (const Joint& joint : robot_.children(link)) {
       const Pose& X_PC = robot_.pose(joint.index);
       Graph& graph = robot_.trace.graph;
-      robot_.trace.section(robot_.link_name(joint.child), "link " + robot_.link_name(joint.child) + ": motion");
+      robot_.trace.section(robot_.link_name(joint.child), "link ", ": motion");
       std::vector<UnitTurn> carried;
       for (const UnitTurn& unit : units) carried.push_back({unit.row, to_child(X_PC.rotation, unit.axis)});
       carried.push_back({row_of(joint.index), subspace(joint, graph).angular});
@@ -105,7 +105,7 @@ Program drive_parameters(const model::KinematicTree& tree, const std::string& na
   std::vector<Expression> numbers;
   for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
-    trace.section(joint.name, "joint " + joint.name + ": parameters of its drive");
+    trace.section(joint.name, "joint ", ": parameters of its drive");
     numbers.push_back(drive_inertia(trace, j));
     for (const model::Quantity* q : {&joint.drive.damping, &joint.drive.friction, &joint.drive.stiffness})
       numbers.push_back(trace.lift(*q));
@@ -127,7 +127,7 @@ Program drive_regressor(const model::KinematicTree& tree, const std::string& nam
   std::vector<RegressorColumn> columns;
   for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
-    trace.section(joint.name, "joint " + joint.name + ": columns of its drive");
+    trace.section(joint.name, "joint ", ": columns of its drive");
     const Expression sign = smooth_sign(trace, joint.drive, in.qd[at(j)]);
     describe(sign, joint.name + "_sign");
     const Expression position = joint.spherical.empty() ? in.q[at(j)] : Expression();

@@ -58,7 +58,7 @@ Program energy_regressor(
     }
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
-      trace.section(child, "link " + child + ": velocity, gravity and energies");
+      trace.section(child, "link ", ": velocity, gravity and energies");
       const Pose& X_PC = robot.pose(joint.index);
       const Motion moved = across_joint(joint, X_PC, twist, in.qd);
       algorithm::name(trace.graph, moved.angular, child + "_w");

@@ -43,7 +43,7 @@ symbolic::Program inertial_parameters(const model::KinematicTree& tree, const st
   std::vector<Expression> numbers;
   for (std::size_t i = at(first_moving_link(tree)); i < at(tree.link_count()); ++i) {
     const model::Link& link = tree.links[i];
-    trace.section(link.name, "link " + link.name + ": inertial parameters");
+    trace.section(link.name, "link ", ": inertial parameters");
     const model::RigidBodyInertia body = link.inertia ? model::in_link_frame(*link.inertia) : model::RigidBodyInertia();
     numbers.push_back(trace.lift(body.mass));
     for (const model::Quantity& moment : body.first_moment) numbers.push_back(trace.lift(moment));

@@ -171,7 +171,7 @@ class RegressorBuilder {
     for (const Joint& joint : robot_.children(link)) {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
-      trace.section(name, "link " + name + ": motion");
+      trace.section(name, "link ", ": motion");
       const ReferenceMotion child = across_joint(trace.graph, joint, X_PC, motion, rates);
       algorithm::name(trace.graph, child, name);
       std::vector<UnitMotion> carried;
@@ -191,7 +191,7 @@ class RegressorBuilder {
 
   void fill(int link, const ReferenceMotion& motion, const std::vector<UnitMotion>& units) {
     const std::string& name = robot_.link_name(link);
-    robot_.trace.section(name, "link " + name + ": columns of its inertial parameters");
+    robot_.trace.section(name, "link ", ": columns of its inertial parameters");
     const VelocityChange change(motion);
     describe(change, name);
     const EntriesOfLink entries(change, moments_);

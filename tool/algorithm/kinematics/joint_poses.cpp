@@ -17,7 +17,7 @@ std::vector<Pose> joint_poses(Trace& trace, const std::vector<Expression>& q) {
     const std::string child = tree.links[static_cast<std::size_t>(joint.child)].name;
     const auto transform = graph.transform_between("fr_" + parent, "fr_" + child);
     if (!transform) throw std::logic_error("the motions of a robot do not connect its links");
-    trace.section(joint.name, "joint " + joint.name + ": placement");
+    trace.section(joint.name, "joint ", ": placement");
     poses.push_back(pose_of(trace, transform->primitives, q));
   }
   return poses;

@@ -8,7 +8,7 @@ namespace robcogen::algorithm {
 
 std::unique_ptr<TracedClosure> traced(Trace& trace, const model::Closure& closure, std::vector<Expression>& q) {
   const std::string& name = trace.tree.loops[at(closure.loop())].name;
-  trace.section(name, "loop " + name + ": positions");
+  trace.section(name, "loop ", ": positions");
   using Method = model::Closure::Method;
   if (closure.method == Method::iterative) return traced_in_space(trace, closure, q, Positions::solved);
   auto result = closure.method == Method::planar ? traced_in_plane(trace, closure, q, Positions::solved)

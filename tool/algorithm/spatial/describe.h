@@ -32,12 +32,14 @@ inline void describe(const Matrix3& m, const std::string& name, const std::strin
 
 // `<name>_nx`, …, `<name>_fx`, ….
 inline void describe(const Force& f, const std::string& name, const std::string& suffix = "") {
+  if (!keeps_names(f.moment) && !keeps_names(f.linear)) return;
   describe(f.moment, name + "_n", suffix);
   describe(f.linear, name + "_f", suffix);
 }
 
 // `<name>_wx`, …, `<name>_vx`, ….
 inline void describe(const Motion& v, const std::string& name, const std::string& suffix = "") {
+  if (!keeps_names(v.angular) && !keeps_names(v.linear)) return;
   describe(v.angular, name + "_w", suffix);
   describe(v.linear, name + "_v", suffix);
 }

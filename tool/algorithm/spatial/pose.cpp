@@ -89,7 +89,7 @@ class RotationBuilder {
   struct Plane {
     int axis;
     Expression angle;
-    std::optional<Matrix3> matrix = {};
+    std::shared_ptr<const Matrix3> matrix = {};
   };
 
   // P r1 … rk Q = (P Q) (Q' r1 Q) … : each rotation keeps its angle and turns its axis by Q'.
@@ -97,7 +97,7 @@ class RotationBuilder {
     quarter_ = quarter_ * turn;
     const QuarterTurns back = inverse(turn);
     for (Plane& plane : planes_) {
-      if (plane.matrix) plane.matrix = conjugate(back, *plane.matrix);
+      if (plane.matrix) plane.matrix = std::make_shared<const Matrix3>(conjugate(back, *plane.matrix));
       for (int i = 0; i < 3; ++i) {
         if (back.image[static_cast<std::size_t>(i)] != plane.axis) continue;
         if (back.sign[static_cast<std::size_t>(i)] < 0) plane.angle = -plane.angle;

@@ -94,9 +94,9 @@ PlaneRotation rotation_by_quaternion(Graph& graph, const std::array<Expression, 
   const Expression one = graph.one();
   PlaneRotation rotation;
   rotation.axis = PlaneRotation::kAnyAxis;
-  rotation.matrix = Matrix3{
+  rotation.matrix = std::make_shared<const Matrix3>(Matrix3{
       {Vector3{one - (bB + cC), aB - wC, aC + wB}, Vector3{aB + wC, one - (aA + cC), bC - wA},
-       Vector3{aC - wB, bC + wA, one - (aA + bB)}}};
+       Vector3{aC - wB, bC + wA, one - (aA + bB)}}});
   return rotation;
 }
 

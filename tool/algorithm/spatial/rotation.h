@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "algorithm/spatial/vectors.h"
@@ -13,11 +13,11 @@ namespace robcogen::algorithm {
 // Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions for a vector. Or any rotation, as
 // a matrix: 9 and 6.
 struct PlaneRotation {
-  int axis = 2;                        // 0, 1, 2; kAnyAxis with a matrix
-  Expression c;                        // cosine
-  Expression s;                        // sine
-  Expression angle = {};               // rad, where it matters
-  std::optional<Matrix3> matrix = {};  // in place of the others
+  int axis = 2;                                // 0, 1, 2; kAnyAxis with a matrix
+  Expression c;                                // cosine
+  Expression s;                                // sine
+  Expression angle = {};                       // rad, where it matters
+  std::shared_ptr<const Matrix3> matrix = {};  // in place of the others
   static constexpr int kAnyAxis = -1;
 };
 

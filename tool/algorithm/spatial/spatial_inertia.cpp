@@ -54,6 +54,7 @@ SquareMatrix matrix(const SpatialInertia& x) {
 }
 
 void name(Graph& graph, const SpatialInertia& x, const std::string& prefix) {
+  if (!graph.keeps_names()) return;
   const char* axes = "xyz";
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 3; ++c) {

@@ -125,7 +125,7 @@ void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints
   std::vector<Expression> added(closure.dependents.size());
   if (role == Role::joint_acceleration && !velocities_.empty()) added = solved.accelerations(velocities_);
   const std::string& loop = tree.loops[at(closure.loop())].name;
-  section(loop, "loop " + loop + ": motion of its joints");
+  section(loop, "loop ", ": motion of its joints");
   for (std::size_t d = 0; d < closure.dependents.size(); ++d) {
     Expression& value = joints[at(closure.dependents[d])];
     value = added[d];
@@ -240,7 +240,11 @@ void ProgramTrace::output(const std::string& name, Role role, int rows, const Co
 }
 
 void ProgramTrace::section(const std::string& subject, const std::string& title) {
-  graph.begin_section(title, subject);
+  if (graph.keeps_names()) graph.begin_section(title, subject);
+}
+
+void ProgramTrace::section(const std::string& subject, const char* before, const char* after) {
+  if (graph.keeps_names()) graph.begin_section(before + subject + after, subject);
 }
 
 Expression ProgramTrace::lift(const Quantity& q, const std::vector<Expression>& variables) {

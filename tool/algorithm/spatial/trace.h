@@ -36,6 +36,8 @@ class ProgramTrace {
 
   // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
   void section(const std::string& subject, const std::string& title);
+  // `<before><subject><after>`, which is put together only where names are kept.
+  void section(const std::string& subject, const char* before, const char* after);
 
   // `variables` are the values of the model's variables; for robots the joint positions.
   Expression lift(const model::Quantity& q, const std::vector<Expression>& variables = {});

@@ -77,6 +77,7 @@ Vector3 unit_vector(Graph& graph, std::size_t axis) {
 }
 
 void name(Graph& graph, const Vector3& v, const std::string& name) {
+  if (!graph.keeps_names()) return;
   graph.name(v[0], name + "x");
   graph.name(v[1], name + "y");
   graph.name(v[2], name + "z");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
 
 #include "pass/statements.h"
 #include "support/index.h"
@@ -149,32 +148,41 @@ std::uint64_t Correspondence::hash(const Operand& o, Likeness likeness) const {
 }
 
 std::vector<Tuple> Correspondence::match(std::vector<std::vector<Operand>>& lists) const {
+  struct Candidate {
+    std::uint64_t hash;
+    bool is_taken;
+  };
   std::vector<Tuple> tuples;
+  std::vector<Candidate> candidates;  // of all limbs, one after the other
+  std::vector<std::size_t> ends(lists.size()), places(lists.size());
   for (const Likeness likeness : {Likeness::equal, Likeness::similar, Likeness::kind}) {
     if (std::any_of(lists.begin(), lists.end(), [](const auto& list) { return list.empty(); })) break;
-    std::vector<std::vector<std::optional<std::uint64_t>>> hashes;  // of what is left
-    for (const std::vector<Operand>& list : lists) {
-      std::vector<std::optional<std::uint64_t>>& of_lane = hashes.emplace_back();
-      for (const Operand& o : list) of_lane.push_back(hash(o, likeness));
+    candidates.clear();
+    for (std::size_t lane = 0; lane < lists.size(); ++lane) {
+      for (const Operand& o : lists[lane]) candidates.push_back({hash(o, likeness), false});
+      ends[lane] = candidates.size();
     }
-    std::vector<std::size_t> places(lists.size());
-    for (const std::optional<std::uint64_t> wanted : std::vector(hashes[0])) {
+    const auto begin = [&](std::size_t lane) { return lane == 0 ? 0 : ends[lane - 1]; };
+    for (std::size_t k = 0; k < ends[0]; ++k) {
+      const std::uint64_t wanted = candidates[k].hash;
       bool everywhere = true;
       for (std::size_t lane = 0; everywhere && lane < lists.size(); ++lane) {
-        const auto found = std::find(hashes[lane].begin(), hashes[lane].end(), wanted);
-        everywhere = found != hashes[lane].end();
-        places[lane] = static_cast<std::size_t>(found - hashes[lane].begin());
+        std::size_t place = begin(lane);
+        while (place < ends[lane] && (candidates[place].is_taken || candidates[place].hash != wanted)) ++place;
+        everywhere = place < ends[lane];
+        places[lane] = place;
       }
       if (!everywhere) continue;
       Tuple& tuple = tuples.emplace_back();
+      tuple.reserve(lists.size());
       for (std::size_t lane = 0; lane < lists.size(); ++lane) {
-        tuple.push_back(lists[lane][places[lane]]);
-        hashes[lane][places[lane]].reset();
+        tuple.push_back(lists[lane][places[lane] - begin(lane)]);
+        candidates[places[lane]].is_taken = true;
       }
     }
     for (std::size_t lane = 0; lane < lists.size(); ++lane) {
-      std::size_t k = 0;
-      std::erase_if(lists[lane], [&](const Operand&) { return !hashes[lane][k++]; });
+      std::size_t k = begin(lane);
+      std::erase_if(lists[lane], [&](const Operand&) { return candidates[k++].is_taken; });
     }
   }
   return tuples;

@@ -18,10 +18,8 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-LaneBuilder::LaneBuilder(const Program& old) : old_(old), new_(old) {
-  new_.statements.clear();
-  new_.sections.clear();
-}
+LaneBuilder::LaneBuilder(const Program& old)
+    : old_(old), new_{old.name, old.inputs, old.outputs, old.constants, {}, {}} {}
 
 void LaneBuilder::begin(const Tuple& lanes, int place) {
   place_ = place;

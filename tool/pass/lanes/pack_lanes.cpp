@@ -63,12 +63,14 @@ bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
 }
 
 // All classes at once; where that does not pay, one class after the other, as long as one of them adds a gain.
-Packed pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
-  Packed best = {program, std::vector<bool>(classes.size(), false)};
+// Nothing where none does.
+std::optional<Packed> pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
+  const std::vector<bool> none(classes.size(), false);
+  Packed best = {{}, none};
   std::vector<bool> all;
   const std::vector<bool> read = inputs_read(program);
   for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs) && reads_two(read, limbs));
-  if (all == best.in_lanes) return best;
+  if (all == none) return std::nullopt;
   int time = predicted_time(program);
   const auto attempt = [&](const std::vector<bool>& in_lanes) {
     std::vector<InputTuples> chosen;
@@ -90,6 +92,7 @@ Packed pack_classes(const Program& program, const std::vector<InputTuples>& clas
     more[c] = all[c];
     if (more != best.in_lanes && more != all && attempt(more)) in_vain = 0;
   }
+  if (best.in_lanes == none) return std::nullopt;
   return best;
 }
 
@@ -123,12 +126,15 @@ Packed pack_lanes(
     const Program& program,
     const std::vector<InputTuples>& classes,
     const std::optional<Program>& congruent) {
-  Packed best = pack_classes(program, classes);
-  if (!congruent) return best;
-  Packed other = pack_classes(with_plain_numbers(*congruent), classes);
-  if (!other.program.has_lanes() || !is_clearly_faster(predicted_time(other.program), predicted_time(program)))
-    return best;
-  return !best.program.has_lanes() || instructions(other.program) < instructions(best.program) ? other : best;
+  std::optional<Packed> best = pack_classes(program, classes);
+  if (congruent) {
+    std::optional<Packed> other = pack_classes(with_plain_numbers(*congruent), classes);
+    if (other && is_clearly_faster(predicted_time(other->program), predicted_time(program)) &&
+        (!best || instructions(other->program) < instructions(best->program)))
+      best = std::move(other);
+  }
+  if (best) return std::move(*best);
+  return {program, std::vector<bool>(classes.size(), false)};
 }
 
 }  // namespace robcogen::pass
