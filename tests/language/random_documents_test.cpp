@@ -285,9 +285,11 @@ rc::Gen<kinematics::LoopJoint> loop_joint() {
                                     return std::array{both.first, both.second};
                                   })),
       rc::gen::set(&LoopJoint::distance, expression(3)));
-  // With a type, or a distance.
-  return rc::gen::map(rc::gen::pair(any, rc::gen::inRange<std::size_t>(0, 5)), [](auto made) {
-    auto [loop, type] = made;
+  // With a type, or a distance; of either branch, or without a word.
+  return rc::gen::map(rc::gen::pair(any, rc::gen::inRange<std::size_t>(0, 15)), [](auto made) {
+    auto [loop, choice] = made;
+    const std::size_t type = choice % 5, branch = choice / 5;
+    if (branch > 0) loop.branch.text = kinematics::kLoopBranches.begin()[branch - 1];
     if (type == kinematics::kLoopTypes.size()) return loop;
     loop.distance = nullptr;
     loop.type.text = kinematics::kLoopTypes.begin()[type];

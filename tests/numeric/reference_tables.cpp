@@ -140,7 +140,10 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     for (const model::Coupling::Term& term : coupling.terms)
       factors[static_cast<std::size_t>(std::find(order.begin(), order.end(), term.joint) - order.begin())] =
           coupling.is_linear() ? model::evaluate(term.factor, parameters) : kNone;
-    tables.add_coupling(factors, coupling.is_linear() ? model::evaluate(coupling.offset, parameters) : kNone);
+    if (coupling.is_linear())
+      tables.add_coupling(factors, model::evaluate(coupling.offset, parameters));
+    else
+      tables.add_coupling(factors, kNone, model::evaluate(coupling.offset));
   }
   for (const int follower : robot.followers_in_q())
     tables.add_follower(

@@ -60,9 +60,9 @@ class Tables {
   void set_drive(int joint, const JointDrive& drive) { joints_[static_cast<std::size_t>(joint)].drive = drive; }
 
   // Of the last joints, in their order: the next one follows the others by these factors.
-  void add_coupling(const std::vector<double>& factors, double offset) {
+  void add_coupling(const std::vector<double>& factors, double offset, double assembled = 0) {
     const std::vector<double>& kept = factors_.emplace_back(factors);
-    couplings_.push_back({kept.data(), offset});
+    couplings_.push_back({kept.data(), offset, assembled});
   }
 
   // By frame indices. Couplings that follow through loops have factors that are not numbers.

@@ -76,6 +76,7 @@ struct CoupledJointData {
   JointData joint;
   std::vector<double> factors;  // one a joint of Library::joints
   double offset = 0;            // rad or m
+  double assembled = 0;         // of loops: see reflection::Coupling
 };
 
 struct LinkData {

@@ -101,6 +101,8 @@ class Constants {
           coupling.terms.begin(), coupling.terms.end(), [&](const auto& candidate) { return candidate.joint == j; });
       data.factors.push_back(term == coupling.terms.end() ? 0.0 : is_linear ? value(term->factor) : kNone);
     }
+    if (!is_linear && tree_.loops[at(tree_.closures[at(coupling.closure)].loop())].takes_other_branch)
+      data.assembled = value(coupling.offset);
     return data;
   }
 

@@ -199,6 +199,7 @@ class Writer {
       written.distance = write(loop.length);
     else
       written.type.text = model::kLoopTypes[static_cast<std::size_t>(loop.type)];
+    if (loop.takes_other_branch) written.branch.text = "other";
     return written;
   }
 

@@ -84,6 +84,7 @@ class Describer {
     for (std::size_t k = 0; k < model::kLoopTypes.size(); ++k)
       if (loop.type.text == model::kLoopTypes[k]) result.type = static_cast<model::LoopType>(k);
     if (loop.distance) result.length = reader_.read(*loop.distance, ParameterKind::length);
+    result.takes_other_branch = loop.branch.text == "other";
     return result;
   }
 

@@ -40,7 +40,8 @@ class LoopDeclaration {
       if (other.name == described.name)
         diagnostics_.error("duplicate-loop", described.place, fmt::format("loop '{}' is declared twice", other.name))
             .notes.push_back({other.place, "first declared here"});
-    LoopJoint loop = {described.name, described.type, {}, described.length, described.place};
+    LoopJoint loop = {described.name,   described.type,  {},
+                      described.length, described.place, described.takes_other_branch};
     std::array<std::optional<Frame>, 2> frames;
     for (std::size_t e = 0; e < 2; ++e)
       frames[e] =

@@ -87,6 +87,7 @@ struct DescribedLoop {
   std::array<std::string, 2> frames;
   std::array<Place, 2> frame_places;
   Quantity length = {};  // of LoopType::distance: m
+  bool takes_other_branch = false;
 };
 
 struct DescribedActuator {

@@ -163,6 +163,50 @@ class FormulaSearch {
   }
 };
 
+// The angle from -PI to PI.
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::acos(-1.0));
+}
+
+// Moves the joints that follow to where the loop closes with the other sign of the root, the shortest way from where it
+// closes now: two joints, or one, from starts all around. Returns whether there is such a posture.
+bool assemble_other_way(LoopContext& context, Closure& closure, std::vector<double>& q) {
+  const KinematicTree& tree = context.tree;
+  const LoopJoint& loop = tree.loops[at(closure.loop())];
+  const double size = size_of(posture(tree, loop, q, context.parameters));
+  const std::vector<double> drawn = q;
+  std::optional<std::vector<double>> best;
+  double least = 0.0;
+  const auto turns_there = [&](int joint) { return turns(tree.joints[at(joint)].type); };
+  const auto consider = [&](std::vector<double> start) {
+    const double gap = model::close(tree, closure, start, context.parameters);
+    const LoopPosture there = posture(tree, loop, start, context.parameters);
+    if (!(gap <= kClosed * size) || branch_of(tree, closure, there) == closure.branch) return;
+    double way = 0.0;
+    for (const int joint : closure.dependents) {
+      if (turns_there(joint)) start[at(joint)] = wrapped(start[at(joint)]);
+      way += std::abs(start[at(joint)] - drawn[at(joint)]) / (turns_there(joint) ? 1.0 : size);
+    }
+    if (!best || way < least) best = start, least = way;
+  };
+  constexpr int kStarts = 12;
+  const auto start_of = [&](int joint, int k) {
+    const double share = 2.0 * k / kStarts - 1.0;
+    return drawn[at(joint)] + share * (turns_there(joint) ? std::acos(-1.0) : 2.0 * size);
+  };
+  for (int i = 0; i < kStarts; ++i)
+    for (int k = 0; k < (closure.dependents.size() > 1 ? kStarts : 1); ++k) {
+      std::vector<double> start = drawn;
+      start[at(closure.dependents.front())] = start_of(closure.dependents.front(), i);
+      if (closure.dependents.size() > 1) start[at(closure.dependents.back())] = start_of(closure.dependents.back(), k);
+      consider(std::move(start));
+    }
+  if (!best) return false;
+  q = *best;
+  closure.branch = -closure.branch;
+  return true;
+}
+
 }  // namespace
 
 std::optional<std::vector<Closure>> formula_closures(LoopContext& context, const std::vector<int>& loops) {
@@ -189,6 +233,10 @@ void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<dou
     return;
   }
   closure.branch = branch_of(context.tree, closure, now);
+  if (loop.takes_other_branch && !assemble_other_way(context, closure, q))
+    context.diagnostics.error(
+        "loop-branch", loop.place,
+        fmt::format("loop '{}' has no other way to be assembled at q = 0 than that which is drawn", loop.name));
 }
 
 }  // namespace robcogen::model

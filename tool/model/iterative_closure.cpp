@@ -150,6 +150,16 @@ class IterativeSearch {
 }  // namespace
 
 std::optional<Closure> iterative_closure(LoopContext& context, const std::vector<int>& loops, std::vector<double>& q) {
+  for (const int index : loops) {
+    const LoopJoint& loop = context.tree.loops[at(index)];
+    if (!loop.takes_other_branch) continue;
+    context.diagnostics
+        .error(
+            "loop-branch", loop.place,
+            fmt::format("loop '{}' is closed by Newton's method, which knows no other branch", loop.name))
+        .hint = "turn the placements of its joints to where it is to be assembled: the closest assembly is taken";
+    return std::nullopt;
+  }
   return IterativeSearch(context, loops, q).run();
 }
 

@@ -32,6 +32,7 @@ struct LoopJoint {
   std::array<LoopEnd, 2> ends;
   Quantity length;  // of LoopType::distance: m
   Place place;
+  bool takes_other_branch = false;  // it is assembled the other way than next to where its joints are drawn
 };
 
 // A joint that another one follows, and how far that moves when it moves by one.

@@ -119,7 +119,8 @@ std::optional<Parallelogram> find_parallelogram(
     const LoopJoint& loop,
     const std::vector<double>& parameters,
     const Closure& closure) {
-  if (closure.method != Closure::Method::planar) return std::nullopt;
+  // Assembled the other way, its links cross.
+  if (closure.method != Closure::Method::planar || loop.takes_other_branch) return std::nullopt;
   const std::vector<Corner> found = parallelogram(tree, loop, parameters, closure);
   if (found.empty()) return std::nullopt;
   for (const double change : {0.05, -0.03}) {

@@ -57,7 +57,7 @@ std::vector<BlockWords> blocks_of_robots() {
       {"frames", {}},
       {"couplings", {"for"}},
       {"loops", {}},
-      {"loop", {"frames", "type", "distance"}},
+      {"loop", {"frames", "type", "distance", "branch"}},
       {"independent", {}},
       {"actuators", {}},
       {"actuator", {"from", "to"}},
@@ -65,8 +65,9 @@ std::vector<BlockWords> blocks_of_robots() {
 }
 
 // Besides those that begin an item.
-const Words kOtherWordsOfRobots = {"as",   "at",   "mirrored", "x",   "y",     "z",     "same",   "sense",
-                                   "keep", "base", "floating", "via", "point", "hinge", "slider", "weld"};
+const Words kOtherWordsOfRobots = {"as",    "at",    "mirrored", "x",    "y",        "z",
+                                   "same",  "sense", "keep",     "base", "floating", "via",
+                                   "point", "hinge", "slider",   "weld", "drawn",    "other"};
 
 }  // namespace
 

@@ -243,6 +243,7 @@ struct Parameter {
 struct Coupling {
   const double* factors;  // one an element of qd; not numbers where a loop gives none (not a parallelogram)
   double offset;          // rad or m; the same
+  double assembled = 0;   // of a loop that is not assembled next to where the joint is drawn: its position there
 };
 
 template <class T>

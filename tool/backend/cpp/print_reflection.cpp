@@ -51,6 +51,7 @@ Table couplings(const Library& library) {
     for (const double factor : library.coupled[k].factors) factors.push_back(model_number(factor));
     if (!factors.empty()) lists += numbered_list("inline constexpr double " + name + "[]", factors);
     rows.push_back({factors.empty() ? "nullptr" : name, model_number(library.coupled[k].offset)});
+    if (library.coupled[k].assembled != 0) rows.back().push_back(model_number(library.coupled[k].assembled));
   }
   Table result = table("Coupling", "kCouplings", rows);
   result.definition = paragraphs({lists, result.definition});

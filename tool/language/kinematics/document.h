@@ -166,6 +166,7 @@ struct LoopJoint {
   std::array<Name, 2> frames;
   Name type;               // one of kLoopTypes; without text where there is a distance
   ExpressionPtr distance;  // m; or none
+  Name branch;             // one of kLoopBranches; or without text
 };
 
 // A linear actuator between two frames, which it pushes apart.
@@ -176,6 +177,8 @@ struct Actuator {
 
 // The words of types.
 inline const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
+// How a loop is assembled: as it is drawn, or the other way.
+inline const std::initializer_list<std::string_view> kLoopBranches = {"drawn", "other"};
 
 // The elements of a robot or of a part.
 struct Body {

@@ -57,7 +57,7 @@ bool same(const Actuator& a, const Actuator& b) {
 
 bool same(const LoopJoint& a, const LoopJoint& b) {
   return same(a.name, b.name) && same(a.frames[0], b.frames[0]) && same(a.frames[1], b.frames[1]) &&
-         same(a.type, b.type) && same(a.distance, b.distance);
+         same(a.type, b.type) && same(a.distance, b.distance) && same(a.branch, b.branch);
 }
 
 bool same(const Loop& a, const Loop& b);

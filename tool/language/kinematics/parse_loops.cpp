@@ -5,7 +5,7 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-const WordList kLoopItems = {"frames", "type", "distance"};
+const WordList kLoopItems = {"frames", "type", "distance", "branch"};
 const WordList kActuatorItems = {"from", "to"};
 
 void take_comments(BlockParser& parser, Body& body) {
@@ -31,6 +31,21 @@ void type(BlockParser& parser, LoopJoint& loop) {
   loop.type = {std::string(word.text), word.span};
 }
 
+void branch(BlockParser& parser, LoopJoint& loop) {
+  Cursor& cursor = parser.cursor();
+  if (!cursor.at_any(kLoopBranches)) {
+    const Token found = cursor.peek();
+    cursor
+        .error_at(
+            found.span, "unknown-branch",
+            fmt::format("expected {} as branch of a loop, found {}", quoted(kLoopBranches), describe(found)))
+        .hint = "'drawn' is the assembly next to where the joints are drawn, 'other' the second one that formulas find";
+    throw SyntaxError{};
+  }
+  const Token word = cursor.take();
+  loop.branch = {std::string(word.text), word.span};
+}
+
 void loop(BlockParser& parser, Body& body) {
   Cursor& cursor = parser.cursor();
   LoopJoint loop;
@@ -47,6 +62,8 @@ void loop(BlockParser& parser, Body& body) {
       loop.frames[1] = parser.name("the name of a frame");
     } else if (key.text == "type") {
       type(parser, loop);
+    } else if (key.text == "branch") {
+      branch(parser, loop);
     } else {
       loop.distance = parser.scalar();
     }

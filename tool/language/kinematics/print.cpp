@@ -163,7 +163,8 @@ std::string couplings(const Body& d) {
 
 std::string loop(const LoopJoint& l) {
   return "        " + name(l.name) + " { frames = " + name(l.frames[0]) + " ~ " + name(l.frames[1]) +
-         (l.distance ? item("distance", l.distance) : " type = " + l.type.text) + " }\n";
+         (l.distance ? item("distance", l.distance) : " type = " + l.type.text) +
+         (l.branch.text.empty() ? "" : " branch = " + l.branch.text) + " }\n";
 }
 
 std::string loops(const Body& b) {

@@ -166,6 +166,7 @@ class AtLoops {
   Vector<Real> closed(const Vector<Real>& y) const {
     constexpr int kSteps = 30;
     Vector<Real> joints(robot_.joints.size);
+    for (const int joint : dependent_) joints(joint) = robot_.couplings[joint - robot_.dof()].assembled;
     for (int step = 0; step <= kSteps; ++step)
       close(static_cast<Real>(step) / kSteps * y, step == 0 ? 5 * kIterations : kIterations, joints);
     return joints;

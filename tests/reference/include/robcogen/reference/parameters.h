@@ -70,7 +70,7 @@ class RobotOf {
     robot.coupling_numbers(values.data(), coupling_numbers_.data());
     for (const double* next = coupling_numbers_.data();
          couplings_.size() < static_cast<std::size_t>(robot.couplings.size); next += dof + 1)
-      couplings_.push_back({next, next[dof]});
+      couplings_.push_back({next, next[dof], robot.couplings[static_cast<int>(couplings_.size())].assembled});
     robot_.couplings.data = couplings_.data();
   }
 
