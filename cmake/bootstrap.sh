@@ -14,8 +14,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev)
 test_packages=(make ccache clang-14 clang-format-14 libgtest-dev librapidcheck-dev libbenchmark-dev
   libnlopt-dev liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev octave maxima nodejs chromium
-  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm python3-dev python3-numpy python3-matplotlib mypy groff-base
-  neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros)
+  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
+  python3-dev python3-numpy python3-matplotlib mypy groff-base neovim emacs-nox elpa-eglot dpkg-dev
+  colcon python3-colcon-cmake python3-colcon-ros)
 
 usage() {
   sed -n '2,9s/^# \{0,1\}//p' cmake/bootstrap.sh

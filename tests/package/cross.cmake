@@ -1,9 +1,10 @@
 # A cross build of a robot with the installed package: the generator comes from ROBCOGEN_HOST_TOOL or from the PATH,
 # never from the package, whose executable is for the other machine.
 #
-# cmake -D CROSS_COMPILER=path -D PROCESSOR=name [-D MACHINE=name] -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir
-#       -P cross.cmake
-# MACHINE is the machine in the header of the library.
+# cmake -D CROSS_COMPILER=path -D PROCESSOR=name [-D MACHINE=name -D EMULATOR=program] -D TOOL=robcogen -D SOURCE_DIR=dir
+#       -D WORK_DIR=dir -P cross.cmake
+# MACHINE is the machine in the header of the library; the emulator runs its programs, and its results are compared with
+# those of the generator's interpreter on this one.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -33,3 +34,22 @@ if(MACHINE)
   run(output readelf -h ${work_dir}/build/libhyl.a)
   expect_words("header of the library" "${output}" "Machine: ${MACHINE}")
 endif()
+if(NOT EMULATOR)
+  return()
+endif()
+find_program(emulator ${EMULATOR})
+if(NOT emulator)
+  message(FATAL_ERROR "there is a compiler for ${PROCESSOR}, but no ${EMULATOR} (Debian: qemu-user)")
+endif()
+run(output ${CMAKE_COMMAND} --build ${work_dir}/build --target joint_forces --parallel 2)
+set(q "0.1, -0.2, 0.3, 0.4, 0.5, -0.6, 0.7, 0.8, -0.9, 1.0, 1.1, 1.2")
+set(qd "1, 2, -3, 4, 5, 6, -7, 8, 9, 10, 11, -12")
+set(qdd "1, -2, 3, -4, 5, -6, 7, -8, 9, -10, 11, -12")
+file(WRITE ${work_dir}/state.json "{\"q\": [${q}], \"qd\": [${qd}], \"qdd\": [${qdd}]}")
+execute_process(
+  COMMAND ${TOOL} eval ${SOURCE_DIR}/robots/quadruped_fixed/quadruped_fixed.kindsl inverse_dynamics
+  INPUT_FILE ${work_dir}/state.json OUTPUT_VARIABLE tau COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE "[^-+.0-9e]+" " " numbers "${q} ${qd} ${qdd} ${tau}")
+string(REPLACE " e " " " numbers "${numbers}")
+file(WRITE ${work_dir}/numbers "${numbers}")
+execute_process(COMMAND ${emulator} ${work_dir}/build/joint_forces INPUT_FILE ${work_dir}/numbers COMMAND_ERROR_IS_FATAL ANY)
