@@ -81,6 +81,9 @@ function(check_straight_lines)
     string(REGEX REPLACE "//[^\n]*|\"[^\"\n]*\"" "" text "${text}")
     # Limbs in lanes or one by one: the compiler decides, by the scalar type.
     string(REGEX REPLACE "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)]([^}]*)} else" "\\1}" text "${text}")
+    # Columns of limbs in lanes or one by one: likewise. What is chosen stands in lines that are further in.
+    string(REGEX REPLACE
+      "if constexpr [(]robcogen::kFillsLanes<Scalar, [0-9]+>[)] {((\n   [^\n]*)+)\n  } else {" "{\\1\n  } {" text "${text}")
     # A kernel in lanes first tests whether angles are small.
     string(REGEX REPLACE
       "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)] {[ \n]*if [(]robcogen::are_small<[0-9]+>[(][A-Za-z0-9_]+[)][)] {([^}]*)}"
