@@ -76,7 +76,7 @@ constexpr bool kFillsLanes = kPrefersLanes<Scalar>&& lanes::kInRegister<Scalar> 
 
 // Solves for columns of limbs: those of the same joint of each limb at a time, which are zero in the rows of other
 // limbs. Limbs have kJoints rows and columns each, one limb after another; what they have in common precedes.
-// `own`: where the factor has the kOwn numbers of the first limb, each followed by its counterparts of the others.
+// kPlaces: where the factor has the kOwn numbers of the first limb, each followed by its counterparts of the others.
 template <int kLimbs, int kJoints, int kOwn, class Solver>
 class LimbSolver {
   using Scalar = typename Solver::Number;
@@ -85,8 +85,11 @@ class LimbSolver {
   using Limbs = std::make_integer_sequence<int, kLimbs>;
 
  public:
-  LimbSolver(const Solver& solver, const Scalar* factor, const short (&own)[kOwn * kLimbs]) noexcept
+  template <short... kPlaces>
+  LimbSolver(const Solver& solver, const Scalar* factor, std::integer_sequence<short, kPlaces...>) noexcept
       : factor_(solver.factor()) {
+    constexpr short own[] = {kPlaces...};
+    static_assert(sizeof...(kPlaces) == kOwn * kLimbs, "a place for each number of each limb");
     for (int i = 0; i < kOwn; ++i) own_[i] = picked(factor, own + i * kLimbs, Limbs());
     for (int i = 0; i < kLimbs; ++i) is_limb_[i] = one_at(i, Limbs());
   }

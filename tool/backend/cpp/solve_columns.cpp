@@ -13,17 +13,17 @@ using symbolic::SolvedColumns;
 // The solver of columns of limbs.
 std::string print_limb_solver(const SolvedColumns::Limbs& limbs) {
   const int numbers = static_cast<int>(limbs.own.size()) / limbs.count;
-  std::vector<std::string> places, arguments;
+  std::vector<std::string> places = {"short"}, arguments;
   for (const int element : limbs.own) places.push_back(std::to_string(element));
   for (const int n : {limbs.count, limbs.joints, numbers}) arguments.push_back(std::to_string(n));
   arguments.emplace_back("std::decay_t<decltype(solver)>");
-  return "    constexpr short places[] = {\n" + filled(places, "};", 8) +
+  return template_call("using Places = std::integer_sequence", places, "", 4) +
          declaration(
              "const auto solve_limbs = []",
              {"const auto* f", "const auto* own", "const auto* is_limb", "const auto* b", "auto* x"}, " noexcept {",
              4) +
          "      " + limbs.solution.name + "(f, own, is_limb, b, x);\n    };\n" +
-         template_call("const robcogen::LimbSolver", arguments, " of_limbs(solver, factor, places)", 4);
+         template_call("const robcogen::LimbSolver", arguments, " of_limbs(solver, factor, Places())", 4);
 }
 
 // Solves for blocks of right-hand sides; for columns of limbs together, where these fill the lanes of a register.
