@@ -65,8 +65,9 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
   for (const std::string& arguments :
        {robots + "hyl/hyl.kindsl --name hyl --batch --algorithms all --desired " + robots + "hyl/hyl.dtdsl",
         robots + "hyl_parametric/hyl_parametric.kindsl --name hyl_parametric",
-        robots + "quadruped/quadruped.kindsl --name quadruped", robots + "ball_leg/ball_leg.kindsl --name ball_leg",
-        (folder / "crane.motdsl").string() + " --name crane"})
+        robots + "quadruped/quadruped.kindsl --name quadruped --algorithms all --desired " + robots +
+            "quadruped/quadruped.dtdsl",
+        robots + "ball_leg/ball_leg.kindsl --name ball_leg", (folder / "crane.motdsl").string() + " --name crane"})
     generate(folder, arguments);
   const std::string text = program(code_blocks(read_text(source_folder() / "runtime/README.md")));
   expect_to_compile(folder, text);
