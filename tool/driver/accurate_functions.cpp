@@ -1,6 +1,5 @@
 #include "driver/accurate_functions.h"
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -67,7 +66,7 @@ RobotFunction optimised(RobotFunction function, const std::vector<std::string>& 
 }
 
 std::vector<std::string> without(std::vector<std::string> passes, const std::string& name) {
-  passes.erase(std::remove(passes.begin(), passes.end(), name), passes.end());
+  std::erase(passes, name);
   return passes;
 }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -39,10 +38,7 @@ struct WorldFrames {
     for (const model::ContactFrame& contact : desired.contacts) contacts.push_back({contact.frame, contact.frame});
     placed = frames_of(tree, {&desired.transforms, &desired.jacobians, &contacts});
     moving = frames_of(tree, {&desired.jacobians, &contacts});
-    if (!tree.floating_base)
-      moving.erase(
-          std::remove_if(moving.begin(), moving.end(), [&](const Frame& frame) { return tree.link_of(frame) == 0; }),
-          moving.end());
+    if (!tree.floating_base) std::erase_if(moving, [&](const Frame& frame) { return tree.link_of(frame) == 0; });
   }
 
   std::vector<Frame> placed, moving;

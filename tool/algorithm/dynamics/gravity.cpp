@@ -99,19 +99,13 @@ Program looped_gravity_derivative(
     const HeldRobot& held,
     const std::string& name) {
   const model::KinematicTree& tree = trace.tree;
-  std::vector<Expression> of;
-  if (tree.floating_base) {
-    const Force wrench = wrench_of(held.body[0], -load.gravity);
-    for (const Vector3& part : {wrench.moment, wrench.linear})
-      of.insert(of.end(), part.element.begin(), part.element.end());
-  }
-  const std::vector<Expression> tau = by_coordinate(trace, held.tau);
-  of.insert(of.end(), tau.begin(), tau.end());
+  const Force wrench = tree.floating_base ? wrench_of(held.body[0], -load.gravity) : Force();
+  const std::vector<Expression> of = generalized_forces(trace, wrench, held.tau);
   Columns d_q = derivatives_by_positions(trace, of, in.q);
   const std::vector<int> coordinates = tree.coordinates();
-  const std::size_t base = of.size() - tau.size();
-  for (std::size_t r = 0; r < tau.size(); ++r)
-    for (std::size_t c = r + 1; c < tau.size(); ++c)
+  const std::size_t n = coordinates.size(), base = of.size() - n;
+  for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t c = r + 1; c < n; ++c)
       if (commute(tree, coordinates[r], coordinates[c])) d_q[c][base + r] = d_q[r][base + c];
   const int rows = static_cast<int>(of.size());
   trace.output("d_q", Role::matrix, rows, d_q);

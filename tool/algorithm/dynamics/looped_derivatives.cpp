@@ -42,17 +42,6 @@ void append(std::vector<Rate>& changes, const std::vector<Rate>& more) {
   changes.insert(changes.end(), more.begin(), more.end());
 }
 
-// Base, then coordinates.
-std::vector<Expression> generalized(Trace& trace, const Forces& forces) {
-  std::vector<Expression> all;
-  if (trace.tree.floating_base)
-    for (const Vector3& part : {forces.base_wrench.moment, forces.base_wrench.linear})
-      all.insert(all.end(), part.element.begin(), part.element.end());
-  const std::vector<Expression> tau = by_coordinate(trace, forces.tau);
-  all.insert(all.end(), tau.begin(), tau.end());
-  return all;
-}
-
 // Accelerations are given, also where they are results.
 std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in) {
   std::vector<Rate> held;
@@ -63,6 +52,16 @@ std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const Sta
 }
 
 }  // namespace
+
+std::vector<Expression> generalized_forces(Trace& trace, const Force& base_wrench, const std::vector<Expression>& tau) {
+  std::vector<Expression> all;
+  if (trace.tree.floating_base)
+    for (const Vector3& part : {base_wrench.moment, base_wrench.linear})
+      all.insert(all.end(), part.element.begin(), part.element.end());
+  const std::vector<Expression> reduced = by_coordinate(trace, tau);
+  all.insert(all.end(), reduced.begin(), reduced.end());
+  return all;
+}
 
 Columns derivatives_by_positions(
     Trace& trace,
@@ -86,7 +85,7 @@ ForceDerivatives looped_force_derivatives(
     const Vector3& gravity,
     const Forces& forces) {
   Trace& trace = robot.trace;
-  const std::vector<Expression> of = generalized(trace, forces);
+  const std::vector<Expression> of = generalized_forces(trace, forces.base_wrench, forces.tau);
   const std::vector<Rate> held = held_accelerations(trace.tree, in);
   const auto by = [&](const Expression& velocity) {
     std::vector<Rate> changes = {{velocity, trace.graph.one()}};

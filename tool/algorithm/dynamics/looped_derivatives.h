@@ -9,6 +9,9 @@
 
 namespace robcogen::algorithm {
 
+// The wrench of a floating base, then the forces of coordinates, from those of all joints.
+std::vector<Expression> generalized_forces(Trace& trace, const Force& base_wrench, const std::vector<Expression>& tau);
+
 // Of these expressions, by the positions of coordinates, by turns for spherical joints: a column each. Joints that
 // follow in q move as their loops have it. `held` does not change, whatever it depends on.
 Columns derivatives_by_positions(

@@ -48,7 +48,6 @@ class Emission {
   std::set<int> angles_done_;  // statements whose sine and cosine are computed with their block
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
-  std::string element(const Parameter& array, std::size_t k) const { return dialect_.element(array.name, k); }
   std::string text(const Line& line) const { return dialect_.text(line); }
   std::string text(const Spelling& value) const { return backend::text(value); }
 
@@ -131,9 +130,8 @@ class Emission {
   void emit_fills() {
     for (const symbolic::Fill& fill : arranged_.blocks.stores.fills) {
       Line line{Line::Kind::fill, {}, text(spell(arranged_, fill.value)), at(fill.count)};
-      const Parameter& output = output_parameter(arranged_, at(fill.array));
-      line.targets = {element(output, at(fill.first))};
-      line.names = {output.name};
+      line.targets = {target(arranged_, at(fill.array), at(fill.first))};
+      line.names = {output_parameter(arranged_, at(fill.array)).name};
       add(std::move(line));
     }
   }
@@ -141,7 +139,11 @@ class Emission {
   void emit_load(std::size_t k) {
     const symbolic::Block& block = arranged_.blocks.loads[k];
     const Parameter& input = arranged_.parameters[at(block.array)];
-    Line line{Line::Kind::load_block, {arranged_.load_names[k]}, element(input, at(block.first)), block.columns.size()};
+    Line line{
+        Line::Kind::load_block,
+        {arranged_.load_names[k]},
+        dialect_.element(input.name, at(block.first)),
+        block.columns.size()};
     line.width = block.width;
     line.stride = block.stride;
     line.names = {input.name};
@@ -171,9 +173,8 @@ class Emission {
 
   void emit_block(const symbolic::Block& block) {
     Line line{Line::Kind::store_block, {}, "", block.columns.size(), block.width, block.stride};
-    const Parameter& output = output_parameter(arranged_, at(block.array));
-    line.targets = {element(output, at(block.first))};
-    line.names = {output.name};
+    line.targets = {target(arranged_, at(block.array), at(block.first))};
+    line.names = {output_parameter(arranged_, at(block.array)).name};
     for (const Operand& o : block.columns) {
       line.values.push_back(text(spell(arranged_, o, block.width)));
       add_names(arranged_, o, block.width, line.names);

@@ -85,8 +85,12 @@ std::string dotted(const std::string& scope) {
   return replaced(scope, "::", ".");
 }
 
+std::string scoped(const std::string& enclosing, const std::string& name, const std::string& between) {
+  return replaced(enclosing.empty() ? name : enclosing + "::" + name, "::", between);
+}
+
 std::string flat(const std::string& enclosing, const std::string& name) {
-  return replaced(enclosing.empty() ? name : enclosing + "::" + name, "::", "_");
+  return scoped(enclosing, name, "_");
 }
 
 }  // namespace robcogen::backend

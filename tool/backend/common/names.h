@@ -48,6 +48,8 @@ std::vector<std::string> words(std::string_view text);
 // `transforms.homogeneous` of `transforms::homogeneous`.
 std::string dotted(const std::string& scope);
 
+// `a/b/hyl` of `hyl` in `a::b`, which may be empty.
+std::string scoped(const std::string& enclosing, const std::string& name, const std::string& between);
 // `a_b_hyl` of `hyl` in `a::b`, which may be empty.
 std::string flat(const std::string& enclosing, const std::string& name);
 

@@ -6,7 +6,6 @@
 
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
-#include "support/concat.h"
 #include "support/parallel.h"
 
 namespace robcogen::backend::cpp {
@@ -31,7 +30,7 @@ std::vector<std::string> stems(bool has_robot) {
 }
 
 std::string folder(const std::string& name, const std::string& enclosing) {
-  return replaced(enclosing.empty() ? name : enclosing + "::" + name, "::", "/");
+  return scoped(enclosing, name, "/");
 }
 
 std::string folder(const Library& library) {

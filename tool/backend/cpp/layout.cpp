@@ -28,19 +28,7 @@ std::string lines(const Field& field, std::size_t indent) {
   return blanks(indent) + "{\n" + blanks(indent + 4) + joined(field.items, separator) + ",\n" + blanks(indent) + "},\n";
 }
 
-}  // namespace
-
-std::string comment(const std::string& text, std::size_t indent) {
-  std::string clean = replaced(text, "??", "? ?");
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-    if (c == '\\') c = '/';  // at the end of a line it would swallow the next one
-  }
-  while (!clean.empty() && clean.back() == ' ') clean.pop_back();
-  const std::string prefix = blanks(indent) + "// ";
-  return wrapped_text(clean, kColumns, prefix, prefix);
-}
-
+// The items with commas in as few lines as hold them, and the end behind the last one.
 std::string filled(const std::vector<std::string>& items, const std::string& end, std::size_t indent) {
   std::string result, row = blanks(indent);
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -52,6 +40,19 @@ std::string filled(const std::vector<std::string>& items, const std::string& end
     row += (row.size() > indent ? " " : "") + next;
   }
   return result + row + "\n";
+}
+
+}  // namespace
+
+std::string comment(const std::string& text, std::size_t indent) {
+  std::string clean = replaced(text, "??", "? ?");
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+    if (c == '\\') c = '/';  // at the end of a line it would swallow the next one
+  }
+  while (!clean.empty() && clean.back() == ' ') clean.pop_back();
+  const std::string prefix = blanks(indent) + "// ";
+  return wrapped_text(clean, kColumns, prefix, prefix);
 }
 
 std::string declaration(

@@ -21,9 +21,6 @@ std::string declaration(
     const std::string& tail,
     std::size_t indent = 0);
 
-// The items with commas in as few lines as hold them, and the end behind the last one.
-std::string filled(const std::vector<std::string>& items, const std::string& end, std::size_t indent);
-
 // `head(arguments);` as a statement.
 std::string call(const std::string& head, const std::vector<std::string>& arguments, std::size_t indent);
 

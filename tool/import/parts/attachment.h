@@ -9,8 +9,8 @@
 namespace robcogen::import::parts {
 
 // The elements of the part, which has its final names, at its place on the link: its roots become `children` of the
-// link, and the base of a robot becomes one of them or, unless the instance keeps it, part of the link. Reports a base
-// to keep that there is not, and rotations with parameters that cannot be written as one.
+// link, and the base of a robot becomes one of them or, unless the instance keeps it, part of the link. Reports `keep`
+// for a part without a base, and two rotations that parameters keep from being written as one.
 kinematics::Body join_to_link(
     Assembly part,
     const kinematics::Instance& instance,
