@@ -128,7 +128,8 @@ struct Document {
 // of the first one elsewhere.
 bool check_expanded(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-// Reports what is missing, malformed or given twice. The document is valid only when no error was reported.
+// With the loops and couplings of URDF+. Reports what is missing, malformed or given twice. The document is valid only
+// when no error was reported.
 Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 // The type's name in a URDF.
@@ -141,9 +142,6 @@ void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostic
 // Reads the rotors of Drake's transmissions, `drake:rotor_inertia` and `drake:gear_ratio` of an actuator: their inertia
 // behind the gear becomes armature of the joint, with one note.
 void read_transmissions(const Element& root, Document& document, Diagnostics& diagnostics);
-
-// Reads loops and couplings, the extensions of URDF+, into the document.
-void read_loops(const Element& root, Document& document, Diagnostics& diagnostics);
 
 // Gives the document to urdfdom, the reader that most programs use. Reports its errors, in its words. Returns the
 // limits of each joint: infinite when the document has no limit of that kind; a missing `lower` or `upper` in a `limit`

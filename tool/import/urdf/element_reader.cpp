@@ -16,14 +16,13 @@ constexpr double kZero = 1e-60;
 
 }  // namespace
 
-const Attribute* ElementReader::find(const Element& element, const char* attribute) {
+const Attribute* find(const Element& element, const char* attribute) {
   const auto found = std::find_if(
       element.attributes.begin(), element.attributes.end(), [&](const Attribute& a) { return a.name == attribute; });
   return found == element.attributes.end() ? nullptr : &*found;
 }
 
-// Of the elements that have attributes which must be there.
-const Names& ElementReader::known_attributes() {
+const Names& known_attributes() {
   static const Names names = {"name", "type", "link", "joint", "value", "xyz",
                               "ixx",  "ixy",  "ixz",  "iyy",   "iyz",   "izz"};
   return names;
@@ -101,8 +100,8 @@ Name ElementReader::name(const Element& element, const char* attribute) {
 }
 
 // The elements of these names, each at most once. Other elements are ignored.
-std::map<std::string, const Element*> ElementReader::parts(const Element& element, const Names& names) {
-  std::map<std::string, const Element*> found;
+Parts ElementReader::parts(const Element& element, const Names& names) {
+  Parts found;
   for (const Element& child : element.children) {
     if (std::find(names.begin(), names.end(), child.name) == names.end()) {
       ignore(child, element, names);
@@ -117,10 +116,7 @@ std::map<std::string, const Element*> ElementReader::parts(const Element& elemen
   return found;
 }
 
-const Element* ElementReader::require_part(
-    const Element& element,
-    const std::map<std::string, const Element*>& parts,
-    const char* part) {
+const Element* ElementReader::require_part(const Element& element, const Parts& parts, const char* part) {
   const auto found = parts.find(part);
   if (found != parts.end()) return found->second;
   report_missing_element(element, part, fmt::format("this '{}' has no element '{}'", element.name, part));
@@ -140,7 +136,7 @@ Diagnostic& ElementReader::report_missing_element(const Element& owner, const ch
 }
 
 // Words between blanks. Each has its own place, unless the value has entities.
-std::vector<Word> ElementReader::words(const Attribute& attribute) const {
+std::vector<ElementReader::Word> ElementReader::words(const Attribute& attribute) {
   constexpr const char* kBlanks = " \t\n\r";
   const std::string& value = attribute.value;
   const bool is_plain = attribute.span.end - attribute.span.begin == value.size();
@@ -218,7 +214,7 @@ Number ElementReader::scalar(const Element& element, const char* attribute) {
   return found == nullptr ? Number() : numbers(*found, 1)[0];
 }
 
-Origin ElementReader::origin(const std::map<std::string, const Element*>& parts) {
+Origin ElementReader::origin(const Parts& parts) {
   Origin result;
   const auto found = parts.find("origin");
   if (found == parts.end()) return result;

@@ -67,7 +67,6 @@ std::optional<model::KinematicTree> urdf(
   if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
   read_transmissions(*root, document, diagnostics);
-  read_loops(*root, document, diagnostics);
   declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
   if (!options.allow_implausible)

@@ -1,0 +1,139 @@
+// Joints of the tree.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "import/urdf/joint_attributes.h"
+#include "import/urdf/read.h"
+
+namespace robcogen::import::from_urdf {
+namespace {
+
+// A URDF does not say which of its coordinates they are about.
+void report_items_of_planar(const Parts& own, const Joint& joint, ElementReader& reader) {
+  if (const auto mimic = own.find("mimic"); mimic != own.end())
+    reader.diagnostics().error(
+        "planar-mimic", reader.place(mimic->second->span),
+        fmt::format("planar joint '{}' has three coordinates and cannot mimic one", joint.name.text));
+  for (const char* item : {"dynamics", "limit"})
+    if (const auto found = own.find(item); found != own.end())
+      reader.diagnostics().warning(
+          "planar-item", reader.place(found->second->span),
+          fmt::format("'{}' of planar joint '{}' is left out: it has three coordinates", item, joint.name.text));
+}
+
+void read_independent(const Element& element, Joint& joint, ElementReader& reader) {
+  const Attribute* attribute = find(element, "independent");
+  if (attribute == nullptr) return;
+  joint.independent_place = reader.place(attribute->span);
+  const bool is_true = attribute->value == "true" || attribute->value == "True";
+  if (is_true || attribute->value == "false" || attribute->value == "False") {
+    joint.is_independent = is_true;
+    return;
+  }
+  reader.diagnostics().error(
+      "bad-independent", joint.independent_place,
+      fmt::format("'independent' of joint '{}' is 'true' or 'false', not '{}'", joint.name.text, attribute->value));
+}
+
+Mimic read_mimic(const Element& element, ElementReader& reader) {
+  Mimic result;
+  result.joint = reader.name(element, "joint");
+  reader.check_attributes(element, {"multiplier", "offset"}, {"joint", "multiplier", "offset"}, false);
+  if (const Attribute* found = find(element, "multiplier"))
+    result.multiplier = reader.numbers(*found, 1, Range::any)[0];
+  if (const Attribute* found = find(element, "offset")) result.offset = reader.numbers(*found, 1, Range::any)[0];
+  return result;
+}
+
+// Programs that simulate take a negative value as none.
+Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader& reader) {
+  Dynamics result;
+  result.place = reader.place(element.span);
+  reader.check_attributes(element, {"damping", "friction"}, {"damping", "friction"}, false);
+  const auto read = [&](const char* attribute) {
+    const Attribute* found = find(element, attribute);
+    const Number value = found == nullptr ? Number() : reader.numbers(*found, 1)[0];
+    if (value.value() >= 0) return value;
+    reader.diagnostics().warning(
+        "negative-dynamics", reader.place(found->span),
+        fmt::format(
+            "the {} of joint '{}' is negative: {}; taken as zero", attribute, joint.name.text,
+            print_double(value.value())));
+    return Number();
+  };
+  result.damping = read("damping");
+  result.friction = read("friction");
+  return result;
+}
+
+Limit read_limit(const Element& element, const Joint& joint, ElementReader& reader) {
+  Limit result;
+  const Place own_place = reader.place(element.span);
+  const Names known = {"lower", "upper", "effort", "velocity"};
+  reader.check_attributes(element, {"lower", "upper"}, known, false);
+  const auto read = [&](const char* attribute) -> std::optional<Number> {
+    const Attribute* found = find(element, attribute);
+    if (found == nullptr) return std::nullopt;
+    return reader.numbers(*found, 1, Range::any)[0];
+  };
+  result.lower = read("lower"), result.upper = read("upper");
+  result.effort = read("effort"), result.velocity = read("velocity");
+  Names missing;
+  if (!result.effort) missing.push_back("effort");
+  if (!result.velocity) missing.push_back("velocity");
+  if (!missing.empty()) {
+    Diagnostic& warning = reader.diagnostics().warning(
+        "missing-limit", own_place,
+        fmt::format(
+            "the 'limit' of joint '{}' has no '{}': taken as unlimited", joint.name.text, fmt::join(missing, "', '")));
+    for (const Attribute& attribute : element.attributes)
+      if (warning.hint.empty()) warning.hint = suggestion(attribute.name, element.attributes, missing, known);
+  }
+  const double lower = result.lower.value_or(Number()).value(), upper = result.upper.value_or(Number()).value();
+  if (lower > upper && joint.type != JointType::continuous) {
+    reader.diagnostics().warning(
+        "crossed-limits", own_place,
+        fmt::format(
+            "no position of joint '{}' is within its limits: the lower is {}, the upper is {}", joint.name.text,
+            print_double(lower), print_double(upper)));
+  }
+  return result;
+}
+}  // namespace
+
+Joint read_joint(const Element& element, ElementReader& reader) {
+  Joint result;
+  result.name = reader.name(element, "name");
+  const auto type = read_type(
+      element, result.name,
+      {JointType::revolute, JointType::continuous, JointType::prismatic, JointType::fixed, JointType::floating,
+       JointType::planar},
+      result.type_place, reader);
+  if (type) result.type = *type;
+  read_independent(element, result, reader);
+  const Parts own = reader.parts(element, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"});
+  if (const Element* parent = reader.require_part(element, own, "parent")) result.parent = reader.name(*parent, "link");
+  if (const Element* child = reader.require_part(element, own, "child")) result.child = reader.name(*child, "link");
+  result.origin = reader.origin(own);
+  if (!type || !has_axis(result)) return result;  // the rest has no meaning
+  if (const auto axis = own.find("axis"); axis != own.end())
+    read_axis(*axis->second, fmt::format("joint '{}'", result.name.text), result.axis, reader);
+  if (result.type == JointType::planar) {
+    report_items_of_planar(own, result, reader);
+    return result;
+  }
+  if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = read_mimic(*mimic->second, reader);
+  if (const auto dynamics = own.find("dynamics"); dynamics != own.end())
+    result.dynamics = read_dynamics(*dynamics->second, result, reader);
+  if (const auto limit = own.find("limit"); limit != own.end()) {
+    result.limit = read_limit(*limit->second, result, reader);
+  } else if (result.type != JointType::continuous) {
+    reader.diagnostics().warning(
+        "missing-limit", result.name.place,
+        fmt::format(
+            "{} joint '{}' has no 'limit': its motion is taken as unlimited", name_of(result.type), result.name.text));
+  }
+  return result;
+}
+
+}  // namespace robcogen::import::from_urdf
