@@ -1,280 +1,54 @@
-// From elements to the tree of bodies.
+// From elements to the document.
+#include "import/mjcf/read.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "import/mjcf/document.h"
-#include "support/index.h"
-
 namespace robcogen::import::from_mjcf {
 
 namespace {
 
-Name name_of(const Element& element) {
-  const Attribute* name = find(element, "name");
-  return name == nullptr ? Name{"", element.place} : Name{name->value, name->place};
+void ignore_section(const Element& section, Document& document, Diagnostics& diagnostics) {
+  static const std::vector<std::string> kSilent = {"compiler", "option",    "size",   "visual",
+                                                   "default",  "statistic", "custom", "asset"};
+  if (std::find(kSilent.begin(), kSilent.end(), section.name) != kSilent.end()) return;
+  static const std::vector<std::string> kKnown = {"contact",  "deformable", "tendon",   "actuator", "sensor",
+                                                  "keyframe", "extension",  "equality", "worldbody"};
+  if (std::find(kKnown.begin(), kKnown.end(), section.name) == kKnown.end()) {
+    report_unknown(section, kKnown, diagnostics);
+    return;
+  }
+  for (const Element& child : section.children) ++document.ignored[section.name + "/" + child.name];
 }
-
-bool has_joint(const Element& body) {
-  return std::any_of(body.children.begin(), body.children.end(), [](const Element& e) {
-    return e.name == "joint" || e.name == "freejoint" || (e.name == "frame" && has_joint(e));
-  });
-}
-
-// A body while its elements are read.
-struct OpenBody {
-  std::size_t index = 0;
-  bool moves = false;
-  Element inertial;
-  bool has_inertial = false;
-  std::vector<PlacedElement> geoms;
-};
-
-class DocumentReader {
- public:
-  DocumentReader(const Element& root, const Options& options, Diagnostics& diagnostics)
-      : options_(options),
-        diagnostics_(diagnostics),
-        settings_(read_settings(root, diagnostics)),
-        defaults_(root, diagnostics) {}
-
-  Document read(const Element& root) {
-    const Attribute* model = find(root, "model");
-    document_.name = model == nullptr ? Name{"robot", root.place} : Name{model->value, model->place};
-    document_.bodies.push_back({{"world", root.place}, -1, {}, false, {}, {}, {}, {}});
-    for (const Element& section : root.children) {
-      if (section.name == "worldbody") {
-        OpenBody world;
-        read_content(section, world, {}, nullptr);
-        document_.ignored["geom"] += static_cast<int>(world.geoms.size());
-      } else if (section.name == "equality") {
-        read_equalities(section);
-      } else {
-        ignore_section(section);
-      }
-    }
-    std::erase_if(document_.ignored, [](const auto& entry) { return entry.second == 0; });
-    return std::move(document_);
-  }
-
- private:
-  Context context(const Attribute* childclass) { return {settings_, defaults_, diagnostics_, childclass}; }
-
-  // ---- Sections without bodies.
-
-  void ignore_section(const Element& section) {
-    static const std::vector<std::string> kSilent = {"compiler", "option",    "size",   "visual",
-                                                     "default",  "statistic", "custom", "asset"};
-    if (std::find(kSilent.begin(), kSilent.end(), section.name) != kSilent.end()) return;
-    static const std::vector<std::string> kKnown = {"contact",  "deformable", "tendon",   "actuator", "sensor",
-                                                    "keyframe", "extension",  "equality", "worldbody"};
-    if (std::find(kKnown.begin(), kKnown.end(), section.name) == kKnown.end()) {
-      report_unknown(section, kKnown);
-      return;
-    }
-    for (const Element& child : section.children) ++document_.ignored[section.name + "/" + child.name];
-  }
-
-  void report_unknown(const Element& element, const std::vector<std::string>& known) {
-    diagnostics_
-        .warning("unknown-element", element.place, fmt::format("element '{}' is unknown and ignored", element.name))
-        .hint = did_you_mean(element.name, known);
-  }
-
-  void read_equalities(const Element& section) {
-    for (const Element& e : section.children) {
-      const Attribute* active = find(e, "active");
-      if (active != nullptr && active->value == "false") continue;
-      if (e.name != "joint") {
-        ++document_.ignored["equality/" + e.name];
-        continue;
-      }
-      const Attribute* joint = find(e, "joint1");
-      if (joint == nullptr) {
-        diagnostics_.error("missing-attribute", e.place, "this 'joint' of 'equality' has no attribute 'joint1'");
-      } else if (options_.free_equality_joints) {
-        diagnostics_.note(
-            "free-joint-kept", joint->place,
-            fmt::format("joint '{}' is independent: its 'equality' is ignored", joint->value));
-      } else {
-        read_coupling(e, *joint);
-      }
-    }
-  }
-
-  // Linear ones, between two joints or of one.
-  void read_coupling(const Element& e, const Attribute& joint) {
-    Coupling coupling{{joint.value, joint.place}, {"", joint.place}, Number(), Number::rational(1)};
-    if (const Attribute* followed = find(e, "joint2")) coupling.followed = {followed->value, followed->place};
-    if (const Attribute* given = find(e, "polycoef")) {
-      const std::vector<Number> a = Values(diagnostics_).numbers(*given, 5, 5);
-      coupling.offset = a[0];
-      coupling.factor = a[1];
-      const bool is_linear = a[2].is_zero() && a[3].is_zero() && a[4].is_zero();
-      if (!is_linear && !coupling.followed.text.empty()) {
-        diagnostics_
-            .error(
-                "coupled-joint", given->place,
-                fmt::format("joint '{}' is not a linear function of joint '{}'", joint.value, coupling.followed.text))
-            .hint = "--free-mimic-joints makes it an independent joint";
-        return;
-      }
-    }
-    document_.couplings.push_back(std::move(coupling));
-  }
-
-  // ---- Bodies.
-
-  // `frame`: of the frame elements around these elements, in the frame of the body.
-  void read_content(const Element& parent, OpenBody& body, const Pose& frame, const Attribute* childclass) {
-    for (const Element& e : parent.children) {
-      if (e.name == "body") {
-        read_body(e, body, frame, childclass);
-      } else if (e.name == "frame") {
-        const Pose pose = frame * pose_of(e, settings_, diagnostics_);
-        read_content(e, body, pose, class_of_content(e, childclass));
-      } else if (e.name == "joint" || e.name == "freejoint") {
-        read_joint_of(e, parent, body, childclass);
-      } else if (e.name == "geom") {
-        body.geoms.push_back({defaults_.resolved(e, childclass), frame});
-      } else if (e.name == "site") {
-        const Element site = defaults_.resolved(e, childclass);
-        document_.bodies[body.index].sites.push_back({name_of(e), frame * site_pose(site)});
-      } else if (e.name == "inertial") {
-        read_inertial(e, parent, body);
-      } else {
-        read_other(e);
-      }
-    }
-  }
-
-  const Attribute* class_of_content(const Element& element, const Attribute* outer) {
-    const Attribute* own = find(element, "childclass");
-    return own != nullptr && defaults_.knows(*own) ? own : outer;
-  }
-
-  // With `fromto`, the middle of the segment, and z along it.
-  Pose site_pose(const Element& site) {
-    const Attribute* ends = find(site, "fromto");
-    if (ends == nullptr) return pose_of(site, settings_, diagnostics_);
-    const std::vector<Number> n = Values(diagnostics_).numbers(*ends, 6, 6);
-    Pose pose;
-    for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(Number::rational(1, 2) * (n[i] + n[i + 3]));
-    const std::array<Number, 3> along = {n[3] - n[0], n[4] - n[1], n[5] - n[2]};
-    if (std::any_of(along.begin(), along.end(), [](const Number& x) { return !x.is_zero(); }))
-      pose.rotation = rotation_to_axis(along);
-    return pose;
-  }
-
-  void read_body(const Element& e, const OpenBody& parent, const Pose& frame, const Attribute* outer_class) {
-    const Attribute* childclass = class_of_content(e, outer_class);
-    OpenBody body;
-    body.index = document_.bodies.size();
-    body.moves = parent.moves || has_joint(e);
-    Body own;
-    own.name = name_of(e);
-    own.parent = static_cast<int>(parent.index);
-    own.pose = frame * pose_of(e, settings_, diagnostics_);
-    document_.bodies.push_back(std::move(own));
-    if (const Attribute* compensation = find(e, "gravcomp");
-        compensation != nullptr && !Values(diagnostics_).scalar(e, "gravcomp").is_zero()) {
-      diagnostics_.warning(
-          "gravity-compensation", compensation->place, "the compensation of gravity of this body is left out");
-    }
-    read_content(e, body, {}, childclass);
-    const Name name = document_.bodies[body.index].name;
-    if (body.moves) {
-      document_.bodies[body.index].parts =
-          read_parts(name, body.has_inertial ? &body.inertial : nullptr, body.geoms, context(childclass));
-    }
-    const bool has_mass_of_geoms = !body.has_inertial || settings_.inertia_from_geoms == InertiaFromGeoms::always;
-    const std::size_t used = has_mass_of_geoms ? document_.bodies[body.index].parts.size() : 0;
-    document_.ignored["geom"] += static_cast<int>(body.geoms.size() - std::min(used, body.geoms.size()));
-  }
-
-  void read_inertial(const Element& e, const Element& parent, OpenBody& body) {
-    if (parent.name == "frame" || body.index == 0) {
-      diagnostics_.error("misplaced-element", e.place, "an 'inertial' belongs to a body, not to this element");
-    } else if (body.has_inertial) {
-      diagnostics_.error("repeated-element", e.place, "this body has a second 'inertial'")
-          .notes.push_back({body.inertial.place, "the first one is here"});
-    } else {
-      body.inertial = e;
-      body.has_inertial = true;
-    }
-  }
-
-  void read_joint_of(const Element& e, const Element& parent, OpenBody& body, const Attribute* childclass) {
-    if (parent.name == "frame" || body.index == 0) {
-      diagnostics_.error("misplaced-element", e.place, "a joint belongs to a body, not to this element");
-      return;
-    }
-    Body& own = document_.bodies[body.index];
-    const bool is_freejoint = e.name == "freejoint";
-    const Element joint = is_freejoint ? e : defaults_.resolved(e, childclass);
-    const Attribute* type = find(joint, "type");
-    const bool is_free = is_freejoint || (type != nullptr && type->value == "free");
-    if (own.floats || (is_free && (own.parent != 0 || !own.joints.empty()))) {
-      diagnostics_
-          .error("free-joint-inside", e.place, "a free joint belongs to a body of the world, and is its only joint")
-          .hint = "a body that flies on its own is a robot of its own: give it a file";
-    } else if (is_free) {
-      own.floats = true;
-      own.free_joint = e.place;
-      if (!is_freejoint) check_free_joint(joint);
-    } else if (std::optional<Joint> read = read_joint(joint, context(childclass))) {
-      check_turns(own, *read);
-      own.joints.push_back(std::move(*read));
-    }
-  }
-
-  // MuJoCo takes the axes of a ball joint for those of its body.
-  void check_turns(const Body& body, const Joint& next) {
-    const auto is_ball = [](const Joint& joint) { return joint.type == model::JointType::spherical; };
-    if (next.type == model::JointType::prismatic || std::none_of(body.joints.begin(), body.joints.end(), is_ball))
-      return;
-    diagnostics_.error("turn-behind-ball", next.name.place, "a joint that turns follows a ball joint in the same body")
-        .hint = "put it in front of the ball joint, or into a body of its own";
-  }
-
-  void check_free_joint(const Element& joint) {
-    for (const char* attribute : {"damping", "frictionloss", "armature", "stiffness"}) {
-      if (Values(diagnostics_).scalar(joint, attribute).is_zero()) continue;
-      diagnostics_
-          .warning(
-              "free-joint-drive", find(joint, attribute)->place,
-              fmt::format("the {} of a free joint is left out", attribute))
-          .hint = "<freejoint/> takes no defaults of joints";
-    }
-  }
-
-  void read_other(const Element& e) {
-    static const std::vector<std::string> kKnown = {"body",  "joint",  "freejoint", "inertial", "site", "geom",
-                                                    "frame", "camera", "light",     "plugin",   "user"};
-    static const std::vector<std::string> kUnsupported = {"composite", "flexcomp", "replicate", "attach"};
-    if (std::find(kUnsupported.begin(), kUnsupported.end(), e.name) != kUnsupported.end()) {
-      diagnostics_
-          .error("unsupported-element", e.place, fmt::format("element '{}' is not supported: it makes bodies", e.name))
-          .hint = "write these bodies, or let mj_saveLastXML of MuJoCo write them";
-    } else if (e.name == "camera" || e.name == "light" || e.name == "plugin") {
-      ++document_.ignored[e.name];
-    } else {
-      report_unknown(e, kKnown);
-    }
-  }
-
-  const Options& options_;
-  Diagnostics& diagnostics_;
-  Settings settings_;
-  Defaults defaults_;
-  Document document_;
-};
 
 }  // namespace
 
+void report_unknown(const Element& element, const std::vector<std::string>& known, Diagnostics& diagnostics) {
+  diagnostics
+      .warning("unknown-element", element.place, fmt::format("element '{}' is unknown and ignored", element.name))
+      .hint = did_you_mean(element.name, known);
+}
+
 Document read_document(const Element& root, const Options& options, Diagnostics& diagnostics) {
-  return DocumentReader(root, options, diagnostics).read(root);
+  const Settings settings = read_settings(root, diagnostics);
+  const Defaults defaults(root, diagnostics);
+  Document document;
+  const Attribute* model = find(root, "model");
+  document.name = model == nullptr ? Name{"robot", root.place} : Name{model->value, model->place};
+  document.bodies.push_back({{"world", root.place}, -1, {}, false, {}, {}, {}, {}});
+  for (const Element& section : root.children) {
+    if (section.name == "worldbody") {
+      read_bodies(section, settings, defaults, document, diagnostics);
+    } else if (section.name == "equality") {
+      read_equalities(section, options, document, diagnostics);
+    } else {
+      ignore_section(section, document, diagnostics);
+    }
+  }
+  std::erase_if(document.ignored, [](const auto& entry) { return entry.second == 0; });
+  return document;
 }
 
 }  // namespace robcogen::import::from_mjcf

@@ -1,0 +1,56 @@
+// Constraints between joints.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "import/mjcf/read.h"
+
+namespace robcogen::import::from_mjcf {
+
+namespace {
+
+// Linear ones, between two joints or of one.
+void read_coupling(const Element& e, const Attribute& joint, Document& document, Diagnostics& diagnostics) {
+  Coupling coupling{{joint.value, joint.place}, {"", joint.place}, Number(), Number::rational(1)};
+  if (const Attribute* followed = find(e, "joint2")) coupling.followed = {followed->value, followed->place};
+  if (const Attribute* given = find(e, "polycoef")) {
+    const std::vector<Number> a = Values(diagnostics).numbers(*given, 5, 5);
+    coupling.offset = a[0];
+    coupling.factor = a[1];
+    const bool is_linear = a[2].is_zero() && a[3].is_zero() && a[4].is_zero();
+    if (!is_linear && !coupling.followed.text.empty()) {
+      diagnostics
+          .error(
+              "coupled-joint", given->place,
+              fmt::format("joint '{}' is not a linear function of joint '{}'", joint.value, coupling.followed.text))
+          .hint = "--free-mimic-joints makes it an independent joint";
+      return;
+    }
+  }
+  document.couplings.push_back(std::move(coupling));
+}
+
+}  // namespace
+
+void read_equalities(const Element& section, const Options& options, Document& document, Diagnostics& diagnostics) {
+  for (const Element& e : section.children) {
+    const Attribute* active = find(e, "active");
+    if (active != nullptr && active->value == "false") continue;
+    if (e.name != "joint") {
+      ++document.ignored["equality/" + e.name];
+      continue;
+    }
+    const Attribute* joint = find(e, "joint1");
+    if (joint == nullptr) {
+      diagnostics.error("missing-attribute", e.place, "this 'joint' of 'equality' has no attribute 'joint1'");
+    } else if (options.free_equality_joints) {
+      diagnostics.note(
+          "free-joint-kept", joint->place,
+          fmt::format("joint '{}' is independent: its 'equality' is ignored", joint->value));
+    } else {
+      read_coupling(e, *joint, document, diagnostics);
+    }
+  }
+}
+
+}  // namespace robcogen::import::from_mjcf
