@@ -1,0 +1,54 @@
+// The right-hand side of a coupling: a sum of joints times constants, and of a constant.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "import/coupled_joints.h"
+#include "import/parameters.h"
+
+namespace robcogen::import {
+
+// Powers of rad and m, where the document says them.
+struct Dimension {
+  int rad = 0, m = 0;
+  bool is_said = false;
+
+  friend bool operator==(const Dimension&, const Dimension&) = default;
+};
+
+// With the other one to the power of `sign`.
+inline Dimension product(const Dimension& a, const Dimension& b, int sign) {
+  return {a.rad + sign * b.rad, a.m + sign * b.m, a.is_said || b.is_said};
+}
+
+// Of the position of a joint.
+inline Dimension unit_of(bool turns) {
+  return {turns ? 1 : 0, turns ? 0 : 1, true};
+}
+
+struct CouplingTerm {
+  model::Quantity factor;
+  Dimension unit;
+  Span span;  // of the joint's name
+};
+
+struct CouplingSum {
+  std::vector<std::pair<std::string, CouplingTerm>> terms;  // by joint, in the order of the text
+  model::Quantity offset;
+  Dimension unit;  // of the offset
+
+  bool is_constant() const { return terms.empty(); }
+};
+
+// A plain name that is neither a joint nor a parameter stands for a joint, which the model reports. nullopt after
+// reporting joints of several coordinates, expressions that are not linear in the joints, or divisions by zero.
+std::optional<CouplingSum> read_coupling_sum(
+    const language::kinematics::Coupling& coupling,
+    const CoupledJoints& joints,
+    QuantityReader& reader,
+    Diagnostics& diagnostics);
+
+}  // namespace robcogen::import
