@@ -1,8 +1,7 @@
-#include <charconv>
-#include <map>
 #include <sstream>
-#include <string_view>
+#include <utility>
 
+#include "symbolic/operand_reader.h"
 #include "symbolic/text.h"
 #include "symbolic/text_names.h"
 #include "symbolic/verify.h"
@@ -10,17 +9,12 @@
 namespace robcogen::symbolic {
 namespace {
 
-// Whether all of the text is one integer.
-template <class Integer>
-bool read_all(std::string_view text, Integer& value) {
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc() && end == text.data() + text.size() && !text.empty();
-}
-
 // Reads line by line; the first thing that is wrong ends it.
 class Reader {
  public:
   explicit Reader(const std::string& text) : lines_(text) {}
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
 
   std::optional<Program> read(std::string& error) {
     std::string line;
@@ -44,9 +38,8 @@ class Reader {
   std::istringstream lines_;
   std::istringstream words_;
   Program program_;
+  OperandReader operands_{program_};
   int section_ = 0;
-  std::map<std::string, int> statement_of_;
-  std::map<std::string, int> constant_of_;
 
   std::string statement(const std::string& keyword) {
     if (keyword == "program") return words_ >> program_.name ? "" : "a program needs a name";
@@ -107,11 +100,11 @@ class Reader {
       s.op = o.op;
       if (s.op == Op::gather) {
         while (words_ >> operand)
-          if (std::string fault = read_operand(operand, s.lanes.emplace_back()); !fault.empty()) return fault;
+          if (std::string fault = operands_.read(operand, s.lanes.emplace_back()); !fault.empty()) return fault;
         return append(std::move(s));
       }
       if (!(words_ >> operand)) return "the function needs an operand";
-      if (std::string fault = read_operand(operand, s.a); !fault.empty()) return fault;
+      if (std::string fault = operands_.read(operand, s.a); !fault.empty()) return fault;
       return append(std::move(s));
     }
     if (!(words_ >> op >> operand)) return "expected `a op b`";
@@ -122,14 +115,13 @@ class Reader {
       known = true;
     }
     if (!known) return "'" + op + "' is not an operation";
-    if (std::string fault = read_operand(first, s.a); !fault.empty()) return fault;
-    if (std::string fault = read_operand(operand, s.b); !fault.empty()) return fault;
+    if (std::string fault = operands_.read(first, s.a); !fault.empty()) return fault;
+    if (std::string fault = operands_.read(operand, s.b); !fault.empty()) return fault;
     return append(std::move(s));
   }
 
   std::string append(Statement s) {
-    if (!statement_of_.emplace(s.name, static_cast<int>(program_.statements.size())).second)
-      return "'" + s.name + "' is assigned twice";
+    if (std::string fault = operands_.assign(s.name); !fault.empty()) return fault;
     s.width = width_of_result(program_, s);
     program_.statements.push_back(std::move(s));
     return "";
@@ -142,65 +134,12 @@ class Reader {
       if (array.name != name) continue;
       for (std::string word; words_ >> word;) {
         Operand o;
-        if (std::string fault = read_operand(word, o); !fault.empty()) return fault;
+        if (std::string fault = operands_.read(word, o); !fault.empty()) return fault;
         array.values.push_back(o);
       }
       return "";
     }
     return "'" + name + "' is not an output";
-  }
-
-  std::string read_operand(std::string word, Operand& o) {
-    if (word.starts_with('-')) {
-      o.negative = true;
-      word.erase(0, 1);
-    }
-    const std::size_t at = std::min(word.find('@'), word.size());
-    if (const auto known = statement_of_.find(word.substr(0, at)); known != statement_of_.end()) {
-      o.kind = Operand::Kind::statement;
-      o.index = known->second;
-      const bool is_lane =
-          at == word.size() || (read_all(std::string_view(word).substr(at + 1), o.lane) && o.lane >= 0);
-      return is_lane ? "" : "'" + word + "' is not a lane";
-    }
-    if (word.ends_with(']')) return read_input(word, o);
-    return read_constant(word, o);
-  }
-
-  std::string read_input(const std::string& word, Operand& o) {
-    const std::size_t bracket = std::min(word.find('['), word.size() - 1);
-    const std::string_view digits = std::string_view(word).substr(bracket + 1, word.size() - bracket - 2);
-    int index = -1, offset = 0;
-    const bool whole = read_all(digits, index);
-    for (const InputArray& array : program_.inputs) {
-      if (whole && word.compare(0, bracket, array.name) == 0 && index >= 0 &&
-          index < static_cast<int>(array.elements.size())) {
-        o.kind = Operand::Kind::input;
-        o.index = offset + index;
-        return "";
-      }
-      offset += static_cast<int>(array.elements.size());
-    }
-    return "'" + word + "' is not an element of an input";
-  }
-
-  std::string read_constant(const std::string& word, Operand& o) {
-    std::optional<Number> value;
-    if (word.starts_with("pi:")) {
-      const std::string_view ratio = std::string_view(word).substr(3);
-      const std::size_t colon = std::min(ratio.find(':'), ratio.size() - 1);
-      Rational r;
-      if (read_all(ratio.substr(0, colon), r.num) && read_all(ratio.substr(colon + 1), r.den) && r.num > 0 && r.den > 0)
-        value = Number::pi_multiple(r.num, r.den);
-    } else if (!word.starts_with('-') && !word.starts_with('+')) {
-      value = Number::parse(word);
-    }
-    if (!value) return "'" + word + "' is neither a number nor assigned before";
-    o.kind = Operand::Kind::constant;
-    const auto [place, fresh] = constant_of_.emplace(word, static_cast<int>(program_.constants.size()));
-    if (fresh) program_.constants.push_back(*value);
-    o.index = place->second;
-    return "";
   }
 };
 
