@@ -9,6 +9,8 @@
 #include <limits>
 #include <span>
 
+#include "import/magnitudes.h"
+
 namespace robcogen::import {
 
 using language::Expression;
@@ -31,11 +33,6 @@ const char* kind_name(ParameterKind kind) {
   }
   return "a mass property";
 }
-
-// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
-constexpr double kTooLarge = 1e15;
-// A constant as small as this is zero: its reciprocal would overflow.
-constexpr double kZero = 1e-60;
 
 // Trial values of a parameter: many magnitudes of either sign.
 constexpr std::array<double, 10> kTrialScales = {1.4, -1.4, 0.01, -0.01, 1e2, -1e2, 1e4, -1e4, 1e6, -1e6};
@@ -103,9 +100,7 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
         "not-finite", place(expression), "this expression has no finite value for any values of its parameters"));
   const std::string what = result.is_constant() ? print_double(result.number().value())
                                                 : "for all values of its parameters, this expression";
-  return fault(diagnostics_.error(
-      "too-large", place(expression),
-      fmt::format("{} is too large: a quantity of a robot is below {} in SI units", what, print_double(kTooLarge))));
+  return fault(diagnostics_.error("too-large", place(expression), too_large(what)));
 }
 
 void QuantityReader::check_angle(const Expression& expression, const Number& angle, double turns) {

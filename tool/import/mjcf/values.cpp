@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/magnitudes.h"
 #include "import/mjcf/element.h"
 
 namespace robcogen::import::from_mjcf {
 
 namespace {
-
-// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
-constexpr double kTooLarge = 1e15;
-// A quantity as small as this is zero: its reciprocal would overflow.
-constexpr double kZero = 1e-60;
 
 std::vector<std::string> words_of(const std::string& value) {
   constexpr const char* kBlanks = " \t\n\r";
@@ -55,9 +51,7 @@ std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t leas
       return std::vector<Number>(least);
     }
     if (std::abs(number->value()) >= kTooLarge) {
-      diagnostics_.error(
-          "too-large", attribute.place,
-          fmt::format("{} is too large: a quantity of a robot is below {} in SI units", word, print_double(kTooLarge)));
+      diagnostics_.error("too-large", attribute.place, too_large(word));
       return std::vector<Number>(least);
     }
     result.push_back(std::abs(number->value()) < kZero ? Number() : *number);

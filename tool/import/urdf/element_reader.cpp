@@ -6,15 +6,9 @@
 #include <cctype>
 #include <cmath>
 
+#include "import/magnitudes.h"
+
 namespace robcogen::import::from_urdf {
-namespace {
-
-// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
-constexpr double kTooLarge = 1e15;
-// A quantity as small as this is zero: its reciprocal would overflow.
-constexpr double kZero = 1e-60;
-
-}  // namespace
 
 const Attribute* find(const Element& element, const char* attribute) {
   const auto found = std::find_if(
@@ -154,10 +148,7 @@ Number ElementReader::number(const Word& word, Range range) {
   const Number parsed = Number::parse(word.text).value_or(Number());
   const double magnitude = std::abs(parsed.value());
   if (magnitude >= kTooLarge && range == Range::of_a_robot) {
-    diagnostics_.error(
-        "too-large", place(word.span),
-        fmt::format(
-            "{} is too large: a quantity of a robot is below {} in SI units", word.text, print_double(kTooLarge)));
+    diagnostics_.error("too-large", place(word.span), too_large(word.text));
   }
   return magnitude < kZero ? Number() : parsed;
 }

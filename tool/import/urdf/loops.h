@@ -8,8 +8,8 @@
 
 namespace robcogen::import::from_urdf {
 
-// By joint: with `independent="false"` if there are such joints, otherwise without `independent="true"`. All others
-// lead the loops that they are part of.
+// Whether each joint may follow: those with `independent="false"` if there are any, otherwise all but those with
+// `independent="true"`. The others lead the loops that they are part of.
 std::vector<bool> may_follow(const Document& document);
 
 // Loops, and user frames at their ends. Returns the joints that are part of them.

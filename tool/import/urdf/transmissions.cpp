@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/urdf/document.h"
+#include "import/urdf/element_reader.h"
 
 namespace robcogen::import::from_urdf {
 namespace {
@@ -16,10 +16,7 @@ const Element* child_of(const Element& element, const char* name) {
 }
 
 const Attribute* attribute_of(const Element* element, const char* name) {
-  if (element == nullptr) return nullptr;
-  const auto found = std::find_if(
-      element->attributes.begin(), element->attributes.end(), [&](const Attribute& a) { return a.name == name; });
-  return found == element->attributes.end() ? nullptr : &*found;
+  return element == nullptr ? nullptr : find(*element, name);
 }
 
 class TransmissionReader {
