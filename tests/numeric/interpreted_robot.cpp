@@ -361,16 +361,14 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_power(robot, c, checks);
     check_inertia_factor(robot, c, checks);
     check_factor_dynamics(robot, c, checks);
-    // Robots with loops do not have these.
-    const bool has_loops = reference::follows_through_loops(tables);
-    if (!has_loops) check_coriolis_matrix(robot, c, checks);
+    check_coriolis_matrix(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
     if (robot.programs().contains("regressor")) {
       check_parameters_of_regressors(robot, c, checks);
       check_regressor(robot, c, checks);
       check_base_regressor(robot, c, checks);
       check_energy_regressor(robot, c, checks);
-      if (!has_loops) check_slotine_li_regressor(robot, c, checks);
+      check_slotine_li_regressor(robot, c, checks);
     }
     check_inverse_dynamics_derivatives(robot, c, checks);
     check_free_inverse_dynamics_derivatives(robot, c, checks);

@@ -21,7 +21,6 @@ enum Needs : unsigned {
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
   kFewElements = 1 << 5,     // a matrix has ten columns a link
-  kNoLoops = 1 << 6,
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -57,7 +56,7 @@ constexpr std::array kGroups = {
     Group{"forward_dynamics", true, kInertiaInverse, forward_dynamics_functions, nullptr},
     Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
     Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
-    Group{"coriolis_matrix", false, kInertia | kNoLoops, coriolis_matrix_functions, nullptr, nullptr, true},
+    Group{"coriolis_matrix", false, kInertia, coriolis_matrix_functions, nullptr, nullptr, true},
     Group{"inverse_dynamics_derivatives", false, kInertia, inverse_dynamics_derivatives_functions, nullptr},
     Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
     Group{
@@ -74,8 +73,7 @@ constexpr std::array kGroups = {
     Group{"regressor", false, kFewElements, regressor_functions, nullptr, nullptr, true},
     Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr, nullptr, true},
     Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr, nullptr, true},
-    Group{
-        "slotine_li_regressor", false, kFewElements | kNoLoops, slotine_li_regressor_functions, nullptr, nullptr, true},
+    Group{"slotine_li_regressor", false, kFewElements, slotine_li_regressor_functions, nullptr, nullptr, true},
     Group{"transforms", true, kNothing, nullptr, transforms_functions},
     Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
     Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
@@ -137,9 +135,7 @@ constexpr std::array kRequirements = {
     Requirement{
         kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
         "with ten columns for each of so many links its matrix would have more than 16,000 elements, too many for the "
-        "stacks of threads"},
-    Requirement{
-        kNoLoops, [](const KinematicTree& tree) { return !tree.has_closures(); }, "joints follow through loops"}};
+        "stacks of threads"}};
 
 bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);

@@ -176,14 +176,12 @@ std::vector<RobotFunction> jacobian_derivatives_functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired) {
   std::vector<RobotFunction> list;
-  // Through loops, joints turn with others in a proportion that changes, too.
-  if (!tree.has_closures())
-    add_for_jacobians(
-        list, tree, desired, "jacobian_derivatives", "jacobians", "Jd",
-        [](const std::string& left, const std::string& right) {
-          return "Time derivative of the geometric Jacobian " + left + "_J_" + right + ", angular rows first.";
-        },
-        [&](const model::FramePair& pair, const std::string& name) { return jacobian_derivative(tree, pair, name); });
+  add_for_jacobians(
+      list, tree, desired, "jacobian_derivatives", "jacobians", "Jd",
+      [](const std::string& left, const std::string& right) {
+        return "Time derivative of the geometric Jacobian " + left + "_J_" + right + ", angular rows first.";
+      },
+      [&](const model::FramePair& pair, const std::string& name) { return jacobian_derivative(tree, pair, name); });
   add_for_jacobians(
       list, tree, desired, "jacobian_derivatives", "jacobians", "Jd_qd",
       [](const std::string& left, const std::string& right) {

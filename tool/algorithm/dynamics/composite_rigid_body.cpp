@@ -122,7 +122,7 @@ SquareMatrix reduced(const TracedRobot& robot, const SquareMatrix& by_joint) {
 
 }  // namespace
 
-SquareMatrix joint_space_inertia(const TracedRobot& robot) {
+SquareMatrix inertia_by_joint(const TracedRobot& robot) {
   const model::KinematicTree& tree = robot.tree();
   const std::vector<MassProperties> composite = composite_bodies(robot);
   const int base = tree.floating_base ? 6 : 0;
@@ -170,7 +170,11 @@ SquareMatrix joint_space_inertia(const TracedRobot& robot) {
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c) H(r, c) = body(r, c);
   }
-  return reduced(robot, H);
+  return H;
+}
+
+SquareMatrix joint_space_inertia(const TracedRobot& robot) {
+  return reduced(robot, inertia_by_joint(robot));
 }
 
 std::vector<std::string> joint_names(const model::KinematicTree& tree) {

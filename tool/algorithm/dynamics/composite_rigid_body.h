@@ -26,6 +26,8 @@ void add_composite_forces(
 // The joint-space inertia matrix H (Featherstone 2008, table 6.2); a floating base's 6 rows and columns first. Zeros
 // that branches induce are the constant zero. Of coupled joints G' H G.
 SquareMatrix joint_space_inertia(const TracedRobot& robot);
+// The same with rows and columns of all joints, those that follow others too.
+SquareMatrix inertia_by_joint(const TracedRobot& robot);
 
 // Of a floating base's rows, then of those of all joints.
 std::vector<std::string> joint_names(const model::KinematicTree& tree);

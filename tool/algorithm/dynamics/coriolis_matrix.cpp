@@ -129,7 +129,9 @@ Program coriolis_matrix(const model::KinematicTree& tree, const std::string& nam
   for (int j = 0; j < joints; ++j) fill_joint(robot, bodies, j, c);
   for (int j = 0; j < joints; ++j) add_rotor_path(robot, bodies, j, c);
   if (tree.floating_base) fill_base(robot, bodies, c);
-  c = by_coordinate(trace, c, base, Symmetry::none);
+  // The inertias of joints are parts of the rows above: they take no operations.
+  c = tree.has_closures() ? coriolis_by_coordinate(trace, c, inertia_by_joint(robot), in.qd, base)
+                          : by_coordinate(trace, c, base, Symmetry::none);
   const int size = c.size();
   trace.output("C", Role::matrix, size, size, c.columns());
   return trace.program(name);

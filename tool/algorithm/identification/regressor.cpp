@@ -351,7 +351,7 @@ Program slotine_li_regressor(
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity});
   const std::vector<Expression> qd_r = trace.joint_input("qd_r", Role::joint_velocity);
-  const std::vector<Expression> qdd_r = trace.joint_input("qdd_r", Role::joint_acceleration);
+  const std::vector<Expression> qdd_r = trace.reference_acceleration_input("qdd_r", in.qd, qd_r);
   Motion velocity, reference, acceleration;
   if (tree.floating_base) {
     velocity = trace.motion_input("base_velocity", Role::base_velocity);

@@ -1,9 +1,11 @@
 // Velocities and accelerations of a frame with respect to another, from the last joint of the chain to the first.
 #include <algorithm>
 
+#include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/kinematics/seen.h"
+#include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -18,6 +20,26 @@ struct MovingSubspace {
   Vector3 point;
   Vector3 w, velocity;  // of the frame, and of its point at `point`
 };
+
+// A joint's column of the Jacobian of a frame there.
+Motion column_of(const MovingSubspace& joint, const Vector3& position) {
+  return {joint.S.angular, joint.S.linear + cross(joint.S.angular, position - joint.point)};
+}
+
+// J dG/dt: through loops, joints turn with others in a proportion that changes.
+void add_changes_of_shares(
+    Trace& trace,
+    const std::vector<int>& joints,
+    const std::vector<Motion>& J,
+    const std::vector<Expression>& qd,
+    std::vector<Motion>& by_coordinate) {
+  const std::vector<std::vector<Share>> changes = share_rates(trace, qd);
+  const std::vector<int> coordinates = coordinates_of(trace.tree, joints);
+  for (std::size_t k = 0; k < coordinates.size(); ++k)
+    for (const Share& change : changes[at(coordinates[k])])
+      for (std::size_t i = 0; i < joints.size(); ++i)
+        if (joints[i] == change.joint) by_coordinate[k] += change.factor * J[i];
+}
 
 }  // namespace
 
@@ -112,7 +134,13 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
     linear += cross(column.S.angular, velocity - column.velocity);
     by_joint.push_back({angular, linear});
   }
-  output_columns(trace, "Jd", Role::jacobian_derivative, joints, by_joint);
+  std::vector<Motion> by_coordinate = columns_by_coordinate(trace, joints, by_joint);
+  if (tree.has_closures()) {
+    std::vector<Motion> J;
+    for (const MovingSubspace& column : columns) J.push_back(column_of(column, end.position));
+    add_changes_of_shares(trace, joints, J, qd, by_coordinate);
+  }
+  trace.output("Jd", Role::jacobian_derivative, 6, static_cast<int>(by_coordinate.size()), elements_of(by_coordinate));
   return trace.program(name);
 }
 

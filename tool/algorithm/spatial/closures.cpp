@@ -97,4 +97,21 @@ std::vector<Expression> TracedClosure::accelerations(const std::vector<Expressio
   return result;
 }
 
+std::vector<Expression> TracedClosure::changes(
+    const std::vector<symbolic::Rate>& motion,
+    const std::vector<Expression>& v) {
+  rates();
+  section("changes of rates");
+  std::vector<Expression> total(all_.front().rows.size());
+  for (const Column& column : all_) {
+    const Expression& moved = v[at(column.joint)];
+    if (moved.is_zero()) continue;
+    const std::vector<Expression> change = symbolic::rates_of(column.rows, motion);
+    for (std::size_t row = 0; row < total.size(); ++row) total[row] += change[row] * moved;
+  }
+  std::vector<Expression> result = dependent_columns().solve(total);
+  for (Expression& e : result) e = -e;
+  return result;
+}
+
 }  // namespace robcogen::algorithm

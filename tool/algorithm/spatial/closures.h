@@ -16,6 +16,7 @@
 
 #include "algorithm/spatial/dependent_columns.h"
 #include "model/loop.h"
+#include "symbolic/derivative.h"
 
 namespace robcogen::algorithm {
 
@@ -36,6 +37,9 @@ class TracedClosure {
   const std::vector<std::vector<RateShare>>& rates();
   // By dependent joint: what velocities of all joints, `qd`, add to its acceleration.
   std::vector<Expression> accelerations(const std::vector<Expression>& qd);
+  // By dependent joint: what is added to the rate of a motion `v` of all joints that keeps the loops closed, while the
+  // positions move as `motion` says: -K_d^-1 dK/dt v.
+  std::vector<Expression> changes(const std::vector<symbolic::Rate>& motion, const std::vector<Expression>& v);
   // What the second ends push the first ones with where motors and drives give `forces`, by joint, less than the motion
   // needs, and none at the joints that follow: K_d' lambda = forces_d. Subtracts K' lambda. By loop of the closure
   // three of one in a plane (N, axes of the last link that carries both ends); one of a distance (N, positive where it

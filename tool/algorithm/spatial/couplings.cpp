@@ -20,6 +20,20 @@ std::vector<std::vector<Share>> shares(Trace& trace) {
   return result;
 }
 
+std::vector<std::vector<Share>> share_rates(Trace& trace, const std::vector<Expression>& qd) {
+  std::vector<std::vector<Share>> result;
+  for (const std::vector<Share>& moved : shares(trace)) {
+    std::vector<Expression> unit(trace.tree.joints.size());
+    unit[at(moved.front().joint)] = trace.graph.one();
+    for (std::size_t k = 1; k < moved.size(); ++k) unit[at(moved[k].joint)] = moved[k].factor;
+    const std::vector<Expression> added = trace.added_by_loops(qd, unit);
+    std::vector<Share>& changes = result.emplace_back();
+    for (std::size_t j = 0; j < added.size(); ++j)
+      if (!added[j].is_zero()) changes.push_back({static_cast<int>(j), added[j]});
+  }
+  return result;
+}
+
 std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression>& by_joint) {
   if (trace.tree.couplings.empty()) return by_joint;
   std::vector<Expression> result;
@@ -65,6 +79,29 @@ SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base,
     for (int column = 0; column < end; ++column) result(row, column) = reduced.element(row, column);
     if (symmetry == Symmetry::symmetric)
       for (int column = 0; column < row; ++column) result(column, row) = result(row, column);
+  }
+  return result;
+}
+
+SquareMatrix coriolis_by_coordinate(
+    Trace& trace,
+    const SquareMatrix& C,
+    const SquareMatrix& H,
+    const std::vector<Expression>& qd,
+    int base) {
+  const std::vector<std::vector<Share>> rows = shares(trace), changes = share_rates(trace, qd);
+  SquareMatrix result = by_coordinate(trace, C, base, Symmetry::none);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const auto of_changes = [&](int row) {
+      Expression sum;
+      for (const Share& share : changes[i]) sum += H(row, base + share.joint) * share.factor;
+      return sum;
+    };
+    const int column = base + static_cast<int>(i);
+    for (int row = 0; row < base; ++row) result(row, column) += of_changes(row);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      result(base + static_cast<int>(r), column) +=
+          sum_of(rows[r], [&](int joint) { return of_changes(base + joint); });
   }
   return result;
 }

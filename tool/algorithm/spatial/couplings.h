@@ -19,6 +19,9 @@ struct Share {
 // By coordinate: first the joint whose position it is, whose factor is not made.
 std::vector<std::vector<Share>> shares(Trace& trace);
 
+// dG/dt, of joints that follow through loops, where all joints move with `qd`.
+std::vector<std::vector<Share>> share_rates(Trace& trace, const std::vector<Expression>& qd);
+
 // Sum of factor * of_joint(joint): an element by coordinate of what is linear in the rates of the joints.
 template <class OfJoint>
 auto sum_of(const std::vector<Share>& shares, OfJoint of_joint) {
@@ -34,6 +37,14 @@ std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression
 // elements on one side.
 enum class Symmetry { none, symmetric };
 SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base, Symmetry symmetry);
+
+// G' (C G + H dG/dt), where all joints move with `qd`: forces of joints are C qd + H qdd.
+SquareMatrix coriolis_by_coordinate(
+    Trace& trace,
+    const SquareMatrix& C,
+    const SquareMatrix& H,
+    const std::vector<Expression>& qd,
+    int base);
 
 // m G, the first `base` rows of which are those of the base and stay, with G' m of the other rows: of columns by joint.
 Columns by_coordinate(Trace& trace, const Columns& by_joint, int base);

@@ -100,6 +100,7 @@ std::vector<Expression> Trace::by_joint(
   }
   if (role == Role::joint_position) closures_.clear(), rates_.clear();
   for (std::size_t k = 0; k < tree.closures.size(); ++k) follow(k, role, joints);
+  if (role == Role::joint_position) positions_ = joints;
   if (role == Role::joint_velocity) velocities_ = joints;
   return joints;
 }
@@ -136,6 +137,49 @@ void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints
 std::vector<Expression> Trace::accelerations_at_rest() {
   if (tree.closures.empty()) return std::vector<Expression>(tree.joints.size());
   return by_joint("qdd", Role::joint_acceleration, std::vector<Expression>(at(tree.dof())));
+}
+
+// Where formulas close loops, sines and cosines are known: nothing is differentiated beyond them.
+std::vector<symbolic::Rate> Trace::motion_of_positions(const std::vector<Expression>& qd) {
+  std::vector<symbolic::Rate> motion;
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) motion.push_back({positions_[j], qd[j]});
+  for (const model::Closure& closure : tree.closures) {
+    if (closure.method == model::Closure::Method::iterative) continue;
+    for (const int joint : closure.dependents) {
+      if (!model::turns(tree.joints[at(joint)].type)) continue;
+      const Expression sine = sin(positions_[at(joint)]), cosine = cos(positions_[at(joint)]);
+      motion.push_back({sine, cosine * qd[at(joint)]});
+      motion.push_back({cosine, -(sine * qd[at(joint)])});
+    }
+  }
+  return motion;
+}
+
+std::vector<Expression> Trace::added_by_loops(const std::vector<Expression>& qd, const std::vector<Expression>& v) {
+  std::vector<Expression> added(tree.joints.size());
+  if (tree.closures.empty()) return added;
+  const std::vector<symbolic::Rate> motion = motion_of_positions(qd);
+  for (std::size_t k = 0; k < tree.closures.size(); ++k) {
+    const std::vector<Expression> changes = closures_.at(k)->changes(motion, v);
+    const auto& rates = closures_[k]->rates();
+    for (std::size_t d = 0; d < changes.size(); ++d) {
+      Expression& value = added[at(tree.closures[k].dependents[d])];
+      value = changes[d];
+      for (const RateShare& share : rates[d]) value += share.factor * added[at(share.joint)];
+    }
+  }
+  return added;
+}
+
+std::vector<Expression> Trace::reference_acceleration_input(
+    const std::string& name,
+    const std::vector<Expression>& qd,
+    const std::vector<Expression>& v) {
+  velocities_.clear();  // v takes their part
+  std::vector<Expression> rates = joint_input(name, Role::joint_acceleration);
+  const std::vector<Expression> added = added_by_loops(qd, v);
+  for (std::size_t j = 0; j < added.size(); ++j) rates[j] += added[j];
+  return rates;
 }
 
 const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {

@@ -79,6 +79,14 @@ class Trace : public ProgramTrace {
   // Of all joints where those of the coordinates are zero: what the velocities that the trace had last make joints do
   // that follow through loops.
   std::vector<Expression> accelerations_at_rest();
+  // Of a motion `v` of all joints that keeps loops closed: what is added to its rate, by joint, while joints move with
+  // `qd` (dG/dt y for v = G y).
+  std::vector<Expression> added_by_loops(const std::vector<Expression>& qd, const std::vector<Expression>& v);
+  // The rates of such a motion, from an input of those of the coordinates.
+  std::vector<Expression> reference_acceleration_input(
+      const std::string& name,
+      const std::vector<Expression>& qd,
+      const std::vector<Expression>& v);
   // Elements of q, from positions by joint as joint_input returns them.
   std::vector<Expression> positions(const std::vector<Expression>& joints) const;
   // The rate of a joint that follows through a loop, over those of coordinates.
@@ -95,9 +103,10 @@ class Trace : public ProgramTrace {
 
  private:
   std::vector<std::unique_ptr<TracedClosure>> closures_;  // at the positions of the trace
-  std::vector<Expression> velocities_;                    // by joint
+  std::vector<Expression> positions_, velocities_;        // by joint
   std::vector<std::vector<RateShare>> rates_;             // by joint that follows through a loop
 
+  std::vector<symbolic::Rate> motion_of_positions(const std::vector<Expression>& qd);
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
   // By coordinate, then the scalar parts of quaternions, then joints that follow in q.
   std::vector<Expression> position_input(const std::string& name);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robcogen/reference/check_identities.h"
+#include "robcogen/reference/loops.h"
 
 namespace robcogen::reference {
 
@@ -130,6 +131,7 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
   Motion<double> steady = at_rest(c.robot, c.sample.motion.q);
   steady.qd = c.sample.motion.qd;
   steady.base_velocity = c.sample.motion.base_velocity;
+  steady.of_loops = c.sample.motion.of_loops;
   Expected forces = expected_forces(c, steady, without_passive<Real>(Vector<double>(3)));
   forces.terms += magnitude(C) * magnitude(velocity);
   checks.record(
@@ -140,8 +142,14 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
   for (int j = 0; j < c.motion.qd.rows(); ++j) speed += std::abs(c.motion.qd(j));
   const Real step = 1e-4L / speed;  // s: the longest chain turns by 1e-4 rad at most
   const auto inertia = [&](Real steps) {
-    const Vector<Real> q = moved(c.robot, c.motion.q, steps * step * c.motion.qd);
-    return joint_space_inertia(c.robot, q);
+    Motion<Real> there;
+    there.q = moved(c.robot, c.motion.q, steps * step * c.motion.qd);
+    if (c.loops == nullptr || c.motion.of_loops.empty()) return joint_space_inertia(c.robot, there.q);
+    there.qd = Vector<Real>(c.motion.qd.rows());
+    const AtLoops loops = c.loops->near(there);
+    Robot robot = loops.robot();
+    robot.joints = c.robot.joints;  // whose drives may be left out
+    return joint_space_inertia(robot, there.q);
   };
   const Matrix<Real> change = 1 / (12 * step) * (Real(8) * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
   const Matrix<Real> terms = magnitude(C) + magnitude(transpose(C)) + speed * inertia_magnitude(c);

@@ -45,13 +45,14 @@ Matrix<Real> rate_of(const Robot& robot, const Function& f, const Motion<Real>& 
   return value.mapped([&](const Complex& x) { return x.imag() / step; });
 }
 
-// Jacobians with the columns of all joints.
+// Jacobians with the columns of all joints. `tangent_change`: AtLoops::change_of_tangent of a robot with loops.
 inline Matrix<Real> frame_quantity(
     const Robot& robot,
     const Motion<Real>& m,
     FrameQuantity quantity,
     int left,
-    int right) {
+    int right,
+    const Matrix<Real>& tangent_change = {}) {
   const auto derivative = [&] {
     return rate_of(
         robot, [&](const auto& q, const auto&) { return frame_jacobian(robot, q, left, right); }, m);
@@ -68,7 +69,9 @@ inline Matrix<Real> frame_quantity(
     case FrameQuantity::spatial_jacobian:
       return spatial_jacobian(robot, m.q, left, right);
     case FrameQuantity::jacobian_derivative:
-      return derivative();
+      if (tangent_change.empty()) return derivative();
+      return derivative() +
+             frame_jacobian(with_free_joints(robot), joint_positions(robot, m.q), left, right) * tangent_change;
     case FrameQuantity::frame_bias_acceleration:
       return derivative() * m.qd +
              of_loops([&](const Robot& r, const auto& q) { return frame_jacobian(r, q, left, right); });
@@ -139,10 +142,12 @@ inline Real terms_of(FrameQuantity quantity, Real lengths, Real rates, Real acce
 
 template <class Subject>
 void check_frame_motions(const Subject& subject, const Case& c, Checks& checks) {
+  Matrix<Real> tangent_change;
+  if (c.loops != nullptr && c.robot.frame_functions.size > 0) tangent_change = c.loops->change_of_tangent(c.motion.qd);
   for (int i = 0; i < c.robot.frame_functions.size; ++i) {
     const FrameFunction& f = c.robot.frame_functions[i];
     const std::vector<int> joints = coordinates_of(c.robot, joints_between(c.robot, f.left, f.right));
-    Matrix<Real> expected = frame_quantity(c.robot, c.motion, f.quantity, f.left, f.right);
+    Matrix<Real> expected = frame_quantity(c.robot, c.motion, f.quantity, f.left, f.right, tangent_change);
     if (reflection::is_jacobian(f.quantity)) {
       std::vector<int> listed(f.columns, f.columns + f.column_count);
       const Matrix<Real> all = expected;

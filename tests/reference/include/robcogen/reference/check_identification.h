@@ -184,6 +184,7 @@ void check_slotine_li_regressor(const Subject& subject, const Case& c, Checks& c
     Motion<double> at_once = m;
     at_once.qd = Vector<double>(m.qd.rows());
     at_once.base_velocity = Vector<double>(6);
+    at_once.of_loops = {};
     const Motion<Real> still = cast<Real>(at_once);
     Expected inertial{
         cut(c.floating, generalized_forces(bare.robot(), still, o.loads)), expected_forces(c, at_once, o.loads).terms};
@@ -191,7 +192,7 @@ void check_slotine_li_regressor(const Subject& subject, const Case& c, Checks& c
         name + " of accelerations", c, subject.slotine_li_regressor(m, at_once, o.arguments), parameters, inertial,
         checks);
   }
-  const Case undriven(bare.robot(), c.sample, c.index);
+  const Case undriven(bare.robot(), c.sample, c.index, c.loops);
   check_coriolis_matrix(ImpliedCoriolisMatrix<Subject>(subject, c), undriven, checks, "slotine_li_regressor: ");
 }
 

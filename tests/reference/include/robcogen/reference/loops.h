@@ -75,15 +75,20 @@ inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
   return all;
 }
 
-// dK/dt qd, by a difference of eighth order along the velocity.
-inline Vector<Real> change_of_rates(const Robot& robot, const Vector<Real>& joints, const Vector<Real>& velocity) {
+// dK/dt, by a difference of eighth order along the velocity.
+inline Matrix<Real> change_of_columns(const Robot& robot, const Vector<Real>& joints, const Vector<Real>& velocity) {
   const Real step = 1e-2L / (1 + std::sqrt(dot(velocity, velocity)));
-  const auto rates = [&](Real steps) { return loop_rows(robot, joints + steps * step * velocity).columns * velocity; };
+  const auto columns = [&](Real steps) { return loop_rows(robot, joints + steps * step * velocity).columns; };
   const Real weights[] = {4.0L / 5, -1.0L / 5, 4.0L / 105, -1.0L / 280};
-  Vector<Real> change(loop_rows(robot, joints).error.rows());
+  Matrix<Real> change(loop_rows(robot, joints).error.rows(), robot.joints.size);
   for (int k = 1; k <= 4; ++k)
-    change = change + weights[k - 1] / step * (rates(static_cast<Real>(k)) - rates(static_cast<Real>(-k)));
+    change = change + weights[k - 1] / step * (columns(static_cast<Real>(k)) - columns(static_cast<Real>(-k)));
   return change;
+}
+
+// dK/dt qd.
+inline Vector<Real> change_of_rates(const Robot& robot, const Vector<Real>& joints, const Vector<Real>& velocity) {
+  return change_of_columns(robot, joints, velocity) * velocity;
 }
 
 class AtLoops {
@@ -99,6 +104,18 @@ class AtLoops {
   }
 
   const Robot& robot() const { return robot_; }
+  // dG/dt at rates qd of the coordinates, with G the derivative of all joints by these: K dG/dt = -dK/dt G. Empty
+  // without dependent joints.
+  Matrix<Real> change_of_tangent(const Vector<Real>& qd) const {
+    if (dependent_.empty()) return {};
+    const Matrix<Real> G = tangent(joints_);
+    const Matrix<Real> K = dependent_columns(loop_rows(robot_, joints_).columns);
+    const Matrix<Real> followed = least_squares(K, change_of_columns(looped_, joints_, G * qd) * G);
+    Matrix<Real> change(looped_.joints.size, looped_.dof());
+    for (std::size_t d = 0; d < dependent_.size(); ++d)
+      for (int c = 0; c < change.cols(); ++c) change(dependent_[d], c) = -followed(static_cast<int>(d), c);
+    return change;
+  }
   // Whether the loops close, and not so near to where they are stretched that joints race.
   bool is_usual() const { return is_usual_; }
 
