@@ -324,6 +324,42 @@ class AnyRobot {
     table.kernel(functions_->cache(), q.data(), J.data());
   }
 
+  // Index of an actuator of tables().actuators by its name; -1 when there is none.
+  int find_actuator(std::string_view actuator) const noexcept { return find(tables_->actuators, actuator); }
+
+  // An element an actuator: its length (m), and the rate of that (m/s).
+  void actuator_lengths(In q, Out lengths) const {
+    constexpr const char* kFunction = "actuator_lengths";
+    const reflection::MatrixKernel& kernel = tables_->actuator_kernels.lengths;
+    expect_kernel(kFunction, kernel);
+    expect(kFunction, "q", q.size(), position_count());
+    expect(kFunction, "lengths", lengths.size(), tables_->actuators.size);
+    kernel(functions_->cache(), q.data(), lengths.data());
+  }
+  void actuator_velocities(In q, In v, Out velocities) const {
+    constexpr const char* kFunction = "actuator_velocities";
+    const reflection::RateKernel& kernel = tables_->actuator_kernels.velocities;
+    expect_kernel(kFunction, kernel);
+    expect(kFunction, "q", q.size(), position_count());
+    expect(kFunction, "v", v.size(), size());
+    expect(kFunction, "velocities", velocities.size(), tables_->actuators.size);
+    kernel(functions_->cache(), q.data(), v.data() + (size() - dof()), velocities.data());
+  }
+
+  // Lever arms: a row an actuator, a column a joint. Its transpose times the forces of actuators are joint forces.
+  void actuator_jacobian(In q, OutMatrix J) const {
+    constexpr const char* kFunction = "actuator_jacobian";
+    const reflection::MatrixKernel& kernel = tables_->actuator_kernels.jacobian;
+    expect_kernel(kFunction, kernel);
+    const int actuators = tables_->actuators.size;
+    expect(kFunction, "q", q.size(), position_count());
+    expect(kFunction, "J, in rows,", J.rows(), actuators);
+    expect(kFunction, "J, in columns,", J.cols(), dof());
+    if (J.outerStride() != actuators)
+      throw std::invalid_argument("actuator_jacobian: the columns of J must be contiguous");
+    kernel(functions_->cache(), q.data(), J.data());
+  }
+
  private:
   [[noreturn]] void refuse(const char* function, const char* what, Eigen::Index is, int must_be) const {
     char message[200];
@@ -338,6 +374,15 @@ class AnyRobot {
     if (index >= 0 && index < count) return;
     char message[200];
     std::snprintf(message, sizeof message, "%s of %s: index %d is out of range", function, name(), index);
+    throw std::invalid_argument(message);
+  }
+  template <class Kernel>
+  void expect_kernel(const char* function, const Kernel& kernel) const {
+    if (kernel.exists()) return;
+    char message[200];
+    std::snprintf(
+        message, sizeof message, "%s of %s: the robot has no actuators, or its library leaves out this function",
+        function, name());
     throw std::invalid_argument(message);
   }
   const Gravity& default_gravity(const char* function) const {

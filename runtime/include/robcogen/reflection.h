@@ -42,28 +42,36 @@ struct Frame {
   double rotation[3];
 };
 
-// A kernel that reads q (for a robot with parameters, first the cache), and writes a matrix column by column.
-class MatrixKernel {
+// A kernel that reads some arrays, first q (for a robot with parameters, before it the cache), and writes another one,
+// matrices column by column.
+template <class... Arrays>
+class Kernel {
  public:
-  using Constant = void (*)(const double* q, double* X) noexcept;
-  using Parametric = void (*)(const double* parameters, const double* q, double* X) noexcept;
+  using Constant = void (*)(Arrays... read, double* written) noexcept;
+  using Parametric = void (*)(const double* parameters, Arrays... read, double* written) noexcept;
 
-  constexpr MatrixKernel(std::nullptr_t) {}  // none: must not be called
-  constexpr MatrixKernel(Constant kernel) : constant_(kernel) {}
-  constexpr MatrixKernel(Parametric kernel) : parametric_(kernel) {}
+  constexpr Kernel(std::nullptr_t) {}  // none: must not be called
+  constexpr Kernel(Constant kernel) : constant_(kernel) {}
+  constexpr Kernel(Parametric kernel) : parametric_(kernel) {}
+
+  constexpr bool exists() const { return constant_ != nullptr || parametric_ != nullptr; }
 
   // `parameters` may be null when the robot has none.
-  void operator()(const double* parameters, const double* q, double* X) const noexcept {
+  void operator()(const double* parameters, Arrays... read, double* written) const noexcept {
     if (parametric_ != nullptr)
-      parametric_(parameters, q, X);
+      parametric_(parameters, read..., written);
     else
-      constant_(q, X);
+      constant_(read..., written);
   }
 
  private:
   Constant constant_ = nullptr;
   Parametric parametric_ = nullptr;
 };
+
+// Of q, and of q and qd.
+using MatrixKernel = Kernel<const double*>;
+using RateKernel = Kernel<const double*, const double*>;
 
 // left_X_right, three forms.
 struct Transform {
@@ -280,6 +288,13 @@ struct Actuator {
   int frames[2];
 };
 
+// Of all actuators, in the order of their table, where the library has them: in the groups transforms and jacobians.
+struct ActuatorKernels {
+  MatrixKernel lengths = nullptr;   // m
+  RateKernel velocities = nullptr;  // rates of the lengths (m/s)
+  MatrixKernel jacobian = nullptr;  // lever arms: a row an actuator, a column an element of qd
+};
+
 // A coupled joint whose position is an element of q: it follows through loops that no formulas close.
 struct Follower {
   int joint;
@@ -318,6 +333,7 @@ struct Robot {
   Table<Loop> loops = {nullptr, 0};
   Table<Actuator> actuators = {nullptr, 0};
   Table<Follower> followers = {nullptr, 0};  // the last elements of q, in order
+  ActuatorKernels actuator_kernels = {};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
   // Elements of q: those of qd, the scalar part of the quaternion of each spherical joint, and followers.

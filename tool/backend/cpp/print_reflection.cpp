@@ -1,4 +1,5 @@
 // <name>/reflection.h: the tables that the self-check and the benchmark of a robot read.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -85,6 +86,19 @@ Table actuators(const Library& library) {
   for (const ActuatorData& a : library.actuators)
     rows.push_back({quoted(a.name), braced({std::to_string(a.from), std::to_string(a.to)})});
   return table("Actuator", "kActuators", rows);
+}
+
+Table actuator_kernels(const Api& api) {
+  const std::vector<std::string> names = {"actuator_lengths", "actuator_velocities", "actuator_jacobian"};
+  std::vector<std::string> kernels;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(api.callables.begin(), api.callables.end(), [&](const Callable& c) {
+      return c.function->scope.empty() && c.function->name == name && c.function->derivatives.empty();
+    });
+    kernels.push_back(found == api.callables.end() ? "nullptr" : address(*found));
+  }
+  const std::string type = "inline constexpr robcogen::reflection::ActuatorKernels ";
+  return {remarked_list(type + "kActuatorKernels", kernels, {"lengths", "rates", "lever arms"}), "kActuatorKernels"};
 }
 
 Table followers(const Library& library) {
@@ -285,20 +299,25 @@ struct LastField {
 
 // Tables that most robots do not have.
 struct RareTables {
-  Table parameters, couplings, derivatives, contacts, loops, actuators, followers;
+  Table parameters, couplings, derivatives, contacts, loops, actuators, followers, actuator_kernels;
 
   std::vector<const Table*> all() const {
-    return {&parameters, &couplings, &derivatives, &contacts, &loops, &actuators, &followers};
+    return {&parameters, &couplings, &derivatives, &contacts, &loops, &actuators, &followers, &actuator_kernels};
   }
 };
 
 RareTables rare_tables(const Api& api) {
   const Library& library = *api.library;
   const Table none = {"", kNoTable};
-  return {api.is_parametric() ? parameters(library) : none,     library.coupled.empty() ? none : couplings(library),
-          derivatives(all_callables(api), api.is_parametric()), library.contacts.empty() ? none : contacts(library),
-          library.loops.empty() ? none : loops(library),        library.actuators.empty() ? none : actuators(library),
-          library.followers.empty() ? none : followers(library)};
+  return {
+      api.is_parametric() ? parameters(library) : none,
+      library.coupled.empty() ? none : couplings(library),
+      derivatives(all_callables(api), api.is_parametric()),
+      library.contacts.empty() ? none : contacts(library),
+      library.loops.empty() ? none : loops(library),
+      library.actuators.empty() ? none : actuators(library),
+      library.followers.empty() ? none : followers(library),
+      library.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api)};
 }
 
 std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
@@ -320,7 +339,8 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
       {library.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(library.limbs.size())}), "limbs", "{}"},
       {rare.loops.reference, "loops", kNoTable},
       {rare.actuators.reference, "actuators", kNoTable},
-      {rare.followers.reference, "followers", kNoTable}};
+      {rare.followers.reference, "followers", kNoTable},
+      {rare.actuator_kernels.reference, "kernels of actuators", "{}"}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }
