@@ -264,6 +264,11 @@ struct Library {
       for (const JointData& joint : joints) names.push_back(joint.name);
     return names;
   }
+  std::vector<std::string> parameter_names() const {
+    std::vector<std::string> names;
+    for (const ParameterData& parameter : parameters) names.push_back(parameter.name);
+    return names;
+  }
   bool has_robot() const { return !links.empty(); }
   std::vector<JointData> coupled_joints() const {
     std::vector<JointData> list;

@@ -5,6 +5,7 @@
 
 #include "backend/c/c.h"
 #include "backend/casadi/casadi.h"
+#include "backend/common/names.h"
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "command/output.h"
@@ -221,7 +222,7 @@ Status list_outputs(const GenerateOptions& options) {
     if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
     if (language->name == "c") {
       if (!transforms) groups.insert(groups.begin(), backend::c::kParametersGroup);
-      const std::string prefix = backend::c::prefix(options.names.name, options.names.enclosing);
+      const std::string prefix = backend::flat(options.names.enclosing, options.names.name);
       for (const std::string& file : backend::c::outputs(prefix, groups)) print_output("c/{}\n", file);
       print_output("c/{}\n", backend::casadi::output(prefix));
       continue;

@@ -1,10 +1,8 @@
 #include "backend/c/c.h"
 
-#include <functional>
-
 #include "backend/c/printers.h"
+#include "backend/common/planned_file.h"
 #include "support/concat.h"
-#include "support/parallel.h"
 
 namespace robcogen::backend::c {
 namespace {
@@ -15,23 +13,7 @@ constexpr std::string_view kOthers =
     "joint_names joint_upper joint_velocity limb limb_element limbs link_count link_names parameter_count "
     "parameter_names parameters parametersf position_names positions restrict";
 
-// Behind the prefix every name is free. Those of single precision give way: they are the younger ones.
-std::vector<Callable> callables(const Library& library) {
-  NameScope scope(is_free, words(kOthers));
-  std::vector<Callable> result;
-  for (const std::vector<Function>* list : {&library.functions, &library.updates})
-    for (const Function& f : *list)
-      result.push_back({&f, scope.claim(f.kernel), {}, !library.updates.empty() && f.group != kParametersGroup});
-  const std::string start = flat(library.enclosing, library.name) + "_";
-  for (Callable& c : result) c.name_in_float = start + scope.claim(c.name + "f");
-  for (Callable& c : result) c.name = start + c.name;
-  return result;
-}
-
-struct File {
-  std::string path;
-  std::function<std::string(const Names&)> text;
-};
+using File = PlannedFile<Names>;
 
 // First the one that includes all headers.
 std::vector<File> files(const std::string& prefix, const std::vector<std::string>& groups) {
@@ -51,31 +33,34 @@ std::vector<File> files(const std::string& prefix, const std::vector<std::string
 
 }  // namespace
 
-std::string prefix(const std::string& name, const std::string& enclosing) {
-  return flat(enclosing, name);
-}
-
 std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups) {
-  std::vector<std::string> paths;
-  for (const File& file : files(prefix, groups)) paths.push_back(file.path);
-  return paths;
+  return paths(files(prefix, groups));
 }
 
+// Behind the prefix every name is free. Those of single precision give way: they are the younger ones.
 Names names(const Library& library) {
-  std::vector<std::string> parameters;
-  for (const ParameterData& p : library.parameters) parameters.push_back(p.name);
-  const std::string prefix = flat(library.enclosing, library.name);
-  return {library, prefix, prefix + "_c", callables(library), members(parameters)};
+  const std::string prefix = flat(library.enclosing, library.name), start = prefix + "_";
+  Names result{library, prefix, prefix + "_c", {}};
+  NameScope scope(is_free, words(kOthers));
+  for (const std::vector<Function>* list : {&library.functions, &library.updates})
+    for (const Function& f : *list)
+      result.callables.push_back(
+          {&f, scope.claim(f.kernel), {}, list == &library.functions && !library.updates.empty()});
+  for (Callable& c : result.callables) c.name_in_float = start + scope.claim(c.name + "f");
+  for (Callable& c : result.callables) c.name = start + c.name;
+  return result;
+}
+
+std::string Names::in(const Precision& precision, std::string text) const {
+  text = replaced(text, "@", prefix);
+  return replaced(replaced(text, "%", precision.scalar), "$", precision.suffix);
 }
 
 std::vector<OutputFile> print(const Library& library) {
   std::vector<std::string> groups = library.groups;
   if (library.has_robot()) groups.insert(groups.begin(), kParametersGroup);
   const Names names = c::names(library);
-  const std::vector<File> list = files(names.prefix, groups);
-  std::vector<OutputFile> result(list.size());
-  for_each_index(list.size(), [&](std::size_t i) { result[i] = {list[i].path, list[i].text(names)}; });
-  return result;
+  return backend::print(files(names.prefix, groups), names);
 }
 
 }  // namespace robcogen::backend::c

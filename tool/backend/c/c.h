@@ -8,14 +8,11 @@
 
 namespace robcogen::backend::c {
 
-// What stands in front of every name, and `_c` behind it is the folder of the files: the library's name after its
-// enclosing namespaces, `left_arm`.
-std::string prefix(const std::string& name, const std::string& enclosing);
-
 // In front of the groups of a robot.
 inline constexpr const char* kParametersGroup = "parameters";
 
-// The files of a library with these groups, relative. They follow from the arguments alone.
+// The files of a library with these groups, relative. They follow from the arguments alone. The prefix is the name
+// after the enclosing namespaces, `left_arm`.
 std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups);
 
 // <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and

@@ -1,10 +1,8 @@
-#include "backend/c/dialect.h"
-
 #include <cmath>
 
+#include "backend/c/printers.h"
 #include "backend/common/layout.h"
 #include "backend/cpp/names.h"
-#include "support/concat.h"
 #include "support/number.h"
 
 namespace robcogen::backend::c {
@@ -15,20 +13,14 @@ bool is_reserved(const std::string& name) {
   return name == "restrict" || cpp::is_reserved(name);
 }
 
-std::vector<std::string> values(const std::vector<std::string>& labels) {
-  std::vector<std::string> elements;
-  for (std::size_t k = 0; k < labels.size(); ++k) elements.push_back(subscripted("values", k));
-  return elements;
+template <const Precision& precision>
+Spelling literal(const Number& value, Texts& texts) {
+  return backend::literal(number(value.value(), precision), texts);
 }
 
-template <const Precision& precision>
-std::string line(const Line& l) {
-  if (l.kind == Line::Kind::store) return joined(l.targets, " = ") + " = " + l.expression + ";";
-  return "const " + precision.scalar + " " + l.targets.front() + " = " + l.expression + ";";
-}
+}  // namespace
 
-template <const Precision& precision>
-Dialect make_dialect(bool reads_cache) {
+Dialect dialect(const Precision& precision, bool reads_cache) {
   Dialect d;
   d.is_reserved = is_reserved;
   for (std::string* function : {&d.sine, &d.cosine, &d.square_root, &d.arc_tangent}) *function += precision.suffix;
@@ -36,27 +28,14 @@ Dialect make_dialect(bool reads_cache) {
   d.line_limit = cpp::kColumns - d.indentation;
   d.pairs_angles = false;
   d.binds_parameters = true;
-  d.literal = [](const Number& value, Texts& texts) { return literal(number(value.value(), precision), texts); };
+  d.literal = precision.is_float ? literal<kFloat> : literal<kDouble>;
   d.element = subscripted;
-  d.members = reads_cache ? values : members;
+  if (!reads_cache) d.members = [](const auto& parameters) { return claim_all(parameters, is_reserved); };
   d.member_access = "->";
-  d.text = line<precision>;
+  d.member_array = "->values";
+  d.definition = "const " + precision.scalar + " ";
   d.section = [](const std::string& text) { return comment(text, 2); };
   return d;
-}
-
-}  // namespace
-
-const Dialect& dialect(const Precision& precision, bool reads_cache) {
-  static const Dialect all[2][2] = {
-      {make_dialect<kDouble>(false), make_dialect<kDouble>(true)},
-      {make_dialect<kFloat>(false), make_dialect<kFloat>(true)}};
-  return all[precision.is_float][reads_cache];
-}
-
-std::vector<std::string> members(const std::vector<std::string>& parameters) {
-  NameScope scope(is_reserved);
-  return claim_all(scope, parameters);
 }
 
 std::string number(double value, const Precision& precision) {

@@ -1,13 +1,36 @@
-// The printers behind `print`: each makes the text of one kind of file.
+// C99 as a dialect, the names of a library, and the printers behind `print`: each makes the text of one kind of file.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "backend/c/c.h"
-#include "backend/c/dialect.h"
+#include "backend/common/lower.h"
+#include "backend/cpp/layout.h"
 
 namespace robcogen::backend::c {
+
+using cpp::comment;
+using cpp::quoted;
+
+struct Precision {
+  std::string scalar;    // the type
+  std::string suffix;    // of names: of functions of <math.h> and of ours
+  std::string file_end;  // of the name of a source
+  bool is_float = false;
+};
+
+inline const Precision kDouble = {"double", "", ".c"}, kFloat = {"float", "f", "_f.c", true};
+inline const std::vector<Precision> kPrecisions = {kDouble, kFloat};
+
+// Where functions read a cache, parameters are elements of its array; otherwise members of their structure.
+Dialect dialect(const Precision& precision, bool reads_cache);
+
+// A literal of any value; in single precision the nearest one, infinite beyond the largest.
+std::string number(double value, const Precision& precision);
+
+// `head(items)tail`, in several lines where one is too long.
+std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
 
 // A function under its names in C, by precision.
 struct Callable {
@@ -21,17 +44,17 @@ struct Callable {
 // What the files of a library have in common.
 struct Names {
   const Library& library;
-  std::string prefix;                // `hyl`
-  std::string folder;                // `hyl_c`
-  std::vector<Callable> callables;   // in the order of Library::functions, then Library::updates
-  std::vector<std::string> members;  // of the structure of parameters, by parameter
+  std::string prefix;               // `hyl`
+  std::string folder;               // `hyl_c`
+  std::vector<Callable> callables;  // in the order of Library::functions, then Library::updates
+
+  // The text with the prefix in place of @, the type for %, and what ends names for $.
+  std::string in(const Precision& precision, std::string text) const;
 };
 
 Names names(const Library& library);
 
-// The comment at the top of a file.
-std::string opening(const Names& names, const std::string& file, const std::string& what);
-// The same of a header, with its guard, what it declares and, where there are functions or constants, that it is C.
+// A header with its guard around what it declares.
 std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body);
 
 std::string print_model_header(const Names& names);

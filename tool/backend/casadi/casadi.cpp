@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "backend/c/printers.h"
-#include "backend/common/parts.h"
+#include "backend/cpp/printers.h"
 
 namespace robcogen::backend::casadi {
 namespace {
@@ -158,7 +158,7 @@ std::string output(const std::string& prefix) {
 OutputFile print(const Library& library) {
   const Names names = c::names(library);
   const std::string given = names.prefix + "__given", take = names.prefix + "__take";
-  std::string text = c::opening(names, "casadi.c", "external functions of CasADi");
+  std::string text = cpp::banner(library, output(names.prefix), "external functions of CasADi");
   text += comment(
       "In CasADi: external(\"" + names.prefix +
       "_casadi_...\", \"./lib.so\"), from a library of this file and of the functions.");

@@ -98,7 +98,8 @@ class ArrangementBuilder {
       for (const std::string& member : dialect_.members(input.elements))
         names.push_back(parameter.name + dialect_.member_access + member);
     } else {
-      for (std::size_t k = 0; k < input.elements.size(); ++k) names.push_back(element(parameter, k));
+      const std::string array = parameter.name + (parameter.is_structure ? dialect_.member_array : "");
+      for (std::size_t k = 0; k < input.elements.size(); ++k) names.push_back(dialect_.element(array, k));
     }
     return names;
   }

@@ -154,6 +154,14 @@ std::vector<std::string> describe_constants(const Library& library) {
   return lines;
 }
 
+std::vector<std::pair<std::string, std::size_t>> sizes(const Library& library) {
+  std::vector<std::pair<std::string, std::size_t>> all;
+  if (library.has_robot()) all = {{"dof", library.joints.size()}, {"link_count", library.links.size()}};
+  if (library.has_own_positions()) all.emplace_back("positions", library.positions.size());
+  if (!library.parameters.empty()) all.emplace_back("parameter_count", library.parameters.size());
+  return all;
+}
+
 std::vector<Table> tables(const Library& library) {
   std::vector<Table> all;
   if (library.has_robot()) {

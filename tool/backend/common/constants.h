@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,9 @@ bool has_closures(const Library& library);
 
 // What the lists and their members are, one text each.
 std::vector<std::string> describe_constants(const Library& library);
+
+// How many a robot has, by the names that the counts have where they are constants: dof, link_count, ….
+std::vector<std::pair<std::string, std::size_t>> sizes(const Library& library);
 
 // A table of texts or numbers by which languages of plain arrays know the robot.
 struct Table {

@@ -48,7 +48,7 @@ bool fits(const Arrangement& arranged, std::size_t i) {
   const std::size_t inner = arranged.spellings[i].text.size() + arranged.expressions[i].text.size();
   const bool is_definition = arranged.places[i] == Place::own || arranged.places[i] == Place::inside;
   if (is_definition && inner + arranged.dialect.around <= arranged.dialect.line_limit) return true;
-  const std::string written = arranged.dialect.text(line(arranged, i));
+  const std::string written = text(line(arranged, i), arranged.dialect);
   const std::size_t first = std::min(written.find('\n'), written.size());
   const std::size_t rest = written.size() - std::min(first + 1, written.size());
   return first <= arranged.dialect.line_limit && rest <= arranged.dialect.line_limit + arranged.dialect.indentation;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "backend/common/arrangement.h"
+#include "support/concat.h"
 #include "support/index.h"
 
 namespace robcogen::backend {
@@ -48,7 +49,7 @@ class Emission {
   std::set<int> angles_done_;  // statements whose sine and cosine are computed with their block
 
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
-  std::string text(const Line& line) const { return dialect_.text(line); }
+  std::string text(const Line& line) const { return backend::text(line, dialect_); }
   std::string text(const Spelling& value) const { return backend::text(value); }
 
   void add(Line line) { kernel_.lines.push_back(std::move(line)); }
@@ -294,14 +295,26 @@ Kernel lower(const Program& program, const std::string& name, const Dialect& dia
   return Emission(program, name, dialect).run();
 }
 
-std::string body(const Kernel& kernel, const Dialect& dialect, std::string text) {
+std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const Parameter& p : parameters) names.push_back(p.name);
+  return names;
+}
+
+std::string text(const Line& line, const Dialect& dialect) {
+  if (dialect.text) return dialect.text(line);
+  const std::string head = line.kind == Line::Kind::store ? "" : dialect.definition;
+  return head + joined(line.targets, dialect.assignment) + dialect.assignment + line.expression + dialect.end;
+}
+
+std::string body(const Kernel& kernel, const Dialect& dialect, std::string before) {
   for (const Line& line : kernel.lines) {
     if (line.kind == Line::Kind::section)
-      text += (text.empty() ? "" : "\n") + dialect.section(line.expression);
+      before += (before.empty() ? "" : "\n") + dialect.section(line.expression);
     else
-      text.append("  ").append(dialect.text(line)).append("\n");
+      before.append("  ").append(text(line, dialect)).append("\n");
   }
-  return text;
+  return before;
 }
 
 }  // namespace robcogen::backend

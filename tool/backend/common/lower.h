@@ -88,10 +88,18 @@ struct Dialect {
   // Where parameters come as a structure: its members, by the labels of all parameters, and what stands before them.
   std::vector<std::string> (*members)(const std::vector<std::string>& labels) = nullptr;
   std::string member_access = ".";
-  // The line, ready to be printed; for `body`, the comment that heads a section, as lines that are indented by two.
+  // Where they come as an array in a structure: its name, with what stands before it.
+  std::string member_array = "";
+  // A line is `definition target assignment expression end`: `const double x = y;`. A store has no `definition`.
+  std::string definition = "", assignment = " = ", end = ";";
+  // Of a language with other lines: the line, ready to be printed.
   std::string (*text)(const Line& line) = nullptr;
+  // For `body`, the comment that heads a section, as lines that are indented by two.
   std::string (*section)(const std::string& text) = nullptr;
 };
+
+// The line in the language, without indentation.
+std::string text(const Line& line, const Dialect& dialect);
 
 // Of a language whose functions return their results: the sine and the cosine of an argument are two definitions, and
 // the printer puts the outputs together at the end. `columns` is what a line may have with its indentation.
@@ -101,8 +109,11 @@ Dialect returning_dialect(std::size_t columns);
 // before arrays do.
 std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
 
+// As a call lists them.
+std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
+
 // The lines of the function, indented by two, behind other text, with an empty line in front of each section.
-std::string body(const Kernel& kernel, const Dialect& dialect, std::string text = "");
+std::string body(const Kernel& kernel, const Dialect& dialect, std::string before = "");
 
 // The rules:
 // - Parameters, sines and cosines that are read come first, where Dialect::binds_parameters is on.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "backend/common/layout.h"
 #include "support/concat.h"
 #include "support/index.h"
 
@@ -107,6 +108,58 @@ std::vector<std::string> column_joints(const Library& library, const Function& f
   std::vector<std::string> names;
   for (const int j : function.columns) names.push_back(library.joints[at(j)].name);
   return names;
+}
+
+std::vector<std::string> describe_columns(const Library& library, const Function& function, const ColumnWords& words) {
+  std::vector<std::string> lines;
+  if (!function.columns.empty()) lines.push_back(words.all + joined(column_joints(library, function)) + words.end);
+  for (std::size_t k = 0; k < function.labels.size(); ++k)
+    lines.push_back(words.one + std::to_string(k + words.first) + ": " + function.labels[k] + words.end);
+  return lines;
+}
+
+std::string describe_elements(const symbolic::InputArray& input) {
+  constexpr std::size_t kMaxListed = 40;
+  if (input.role == Role::link_wrenches) return "six elements a link, base first";
+  return input.elements.size() > kMaxListed ? "" : joined(input.elements);
+}
+
+std::vector<std::string> describe_arrays(
+    const symbolic::Program& program,
+    const std::vector<std::string>& names,
+    bool has_cache) {
+  std::vector<std::string> lines;
+  for (const symbolic::InputArray& input : program.inputs) {
+    const std::string& name = names[lines.size()];
+    const std::string elements = input.role == Role::inertia_factor ? "L, column by column" : describe_elements(input);
+    if (input.role == Role::parameters)
+      lines.push_back(name + (has_cache ? ": of the parameters, as computed before" : ": the parameters"));
+    else
+      lines.push_back(subscripted(name, input.elements.size()) + (elements.empty() ? "" : ": " + elements));
+  }
+  for (const symbolic::OutputArray& output : program.outputs) {
+    const std::string shape = std::to_string(output.rows) + " x " + std::to_string(output.columns);
+    lines.push_back(
+        subscripted(names[lines.size()], output.values.size()) + ": result" +
+        (is_matrix(output) ? ", " + shape + ", column by column" : ""));
+  }
+  return lines;
+}
+
+std::vector<std::string> describe_function(
+    const Library& library,
+    const Function& function,
+    const std::vector<std::string>& arguments,
+    const std::vector<std::string>& results,
+    const ColumnWords& words) {
+  std::vector<std::string> lines = function.summary;
+  if (!function.method.empty()) lines.push_back(function.method);
+  lines.insert(lines.end(), arguments.begin(), arguments.end());
+  if (const std::string remark = remark_on_positions(function.program); !remark.empty()) lines.push_back(remark);
+  lines.insert(lines.end(), results.begin(), results.end());
+  const std::vector<std::string> columns = describe_columns(library, function, words);
+  lines.insert(lines.end(), columns.begin(), columns.end());
+  return lines;
 }
 
 }  // namespace robcogen::backend

@@ -71,6 +71,11 @@ std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wa
   return wanted;
 }
 
+std::vector<std::string> claim_all(const std::vector<std::string>& wanted, IsReserved is_reserved) {
+  NameScope scope(is_reserved);
+  return claim_all(scope, wanted);
+}
+
 std::vector<std::string> words(std::string_view text) {
   std::vector<std::string> result;
   while (!text.empty()) {

@@ -41,6 +41,8 @@ class NameScope {
 
 // One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
 std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted);
+// The same in a scope of their own, as members of a structure have one.
+std::vector<std::string> claim_all(const std::vector<std::string>& wanted, IsReserved is_reserved);
 
 // The words of a text, which blanks separate.
 std::vector<std::string> words(std::string_view text);

@@ -9,6 +9,10 @@
 
 namespace robcogen::backend {
 
+// Kernels of more lines than these are split, into parts of about so many: compilers take less than half as long for
+// parts of hundreds of lines as for thousands at once.
+inline constexpr std::size_t kLongest = 2000, kPart = 700;
+
 // An array of values of one width that parts pass on.
 struct Handed {
   Parameter array;

@@ -1,12 +1,10 @@
 #include "backend/cpp/cpp.h"
 
 #include <algorithm>
-#include <functional>
-#include <utility>
 
+#include "backend/common/planned_file.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
-#include "support/parallel.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -23,11 +21,6 @@ std::string name_of(const std::string& folder) {
 }
 
 }  // namespace
-
-std::vector<std::string> stems(bool has_robot) {
-  if (has_robot) return {"model", "types", kParameters, "reflection"};
-  return {"model", "types", "reflection"};
-}
 
 std::string folder(const std::string& name, const std::string& enclosing) {
   return scoped(enclosing, name, "/");
@@ -91,66 +84,59 @@ std::string includes(std::vector<std::string> names) {
   return result;
 }
 
+namespace {
+
+// All of them, in the order in which they are listed.
+std::vector<PlannedFile<Api>> files(
+    const std::string& folder,
+    const std::vector<std::string>& groups,
+    bool has_robot,
+    bool has_batches,
+    const std::vector<std::string>& levels) {
+  std::vector<PlannedFile<Api>> list;
+  const auto add = [&](const std::string& path, const auto& printer, const auto&... arguments) {
+    list.push_back({path, [=](const Api& api) { return printer(api, arguments..., path); }});
+  };
+  const auto add_kernels = [&](const std::string& group) {
+    add(kernel_path(folder, group), print_kernels, group);
+    add(source_path(folder, group), print_instantiations, group);
+  };
+  add(header_path(folder, "model"), print_model);
+  add(header_path(folder, "types"), print_types);
+  if (has_robot) add(header_path(folder, kParameters), print_parameters);
+  add(header_path(folder, "reflection"), has_robot ? print_reflection : print_factors);
+  add(umbrella_path(folder), print_umbrella);
+  add(kernels_path(folder), print_kernel_declarations);
+  add(functions_path(folder), print_definitions);
+  if (has_robot)
+    for (const char* group : {kParameters, kTrigonometry}) add_kernels(group);
+  for (const std::string& group : groups) add_kernels(group);
+  for (const std::string& level : levels) add(level_path(folder, level), print_level, level);
+  if (!has_batches) return list;
+  add(header_path(folder, kBatch), print_batch);
+  add(source_path(folder, kBatch), print_batch_choice);
+  for (const std::string& group : groups) {
+    add(batch_path(folder, group), print_batch_bodies, group);
+    for (const char* level : kLevels) add(batch_source_path(folder, group, level), print_batch_level, group, level);
+  }
+  return list;
+}
+
+}  // namespace
+
 std::vector<std::string> outputs(
     const std::string& folder,
     const std::vector<std::string>& groups,
     bool has_robot,
     bool has_batches,
     const std::vector<std::string>& levels) {
-  std::vector<std::string> files;
-  for (const std::string& stem : stems(has_robot)) files.push_back(header_path(folder, stem));
-  files.insert(files.end(), {umbrella_path(folder), kernels_path(folder), functions_path(folder)});
-  if (has_robot)
-    for (const char* stem : {kParameters, kTrigonometry})
-      files.insert(files.end(), {kernel_path(folder, stem), source_path(folder, stem)});
-  for (const std::string& group : groups)
-    files.insert(files.end(), {kernel_path(folder, group), source_path(folder, group)});
-  for (const std::string& level : levels) files.push_back(level_path(folder, level));
-  if (!has_batches) return files;
-  files.insert(files.end(), {header_path(folder, kBatch), source_path(folder, kBatch)});
-  for (const std::string& group : groups) {
-    files.push_back(batch_path(folder, group));
-    for (const char* level : kLevels) files.push_back(batch_source_path(folder, group, level));
-  }
-  return files;
+  return paths(files(folder, groups, has_robot, has_batches, levels));
 }
 
 std::vector<OutputFile> print(const Library& library) {
-  const Api names = api(library);
-  const std::string name = folder(library);
-  std::vector<OutputFile> files;
-  std::vector<std::function<std::string()>> texts;
-  const auto add = [&](const std::string& path, const auto& printer, const auto&... arguments) {
-    files.push_back({path, {}});
-    texts.emplace_back([&names, path, printer, arguments...] { return printer(names, arguments..., path); });
-  };
-  add(header_path(name, "model"), print_model);
-  add(header_path(name, "types"), print_types);
-  if (library.has_robot()) add(header_path(name, kParameters), print_parameters);
-  add(header_path(name, "reflection"), library.has_robot() ? print_reflection : print_factors);
-  add(umbrella_path(name), print_umbrella);
-  add(kernels_path(name), print_kernel_declarations);
-  add(functions_path(name), print_definitions);
-  const auto add_kernels = [&](const std::string& group) {
-    add(kernel_path(name, group), print_kernels, group);
-    add(source_path(name, group), print_instantiations, group);
-  };
-  if (library.has_robot()) {
-    add_kernels(kParameters);
-    add_kernels(kTrigonometry);
-  }
-  for (const std::string& group : library.groups) add_kernels(group);
-  for (const std::string& level : library.levels) add(level_path(name, level), print_level, level);
-  if (library.has_batches) {
-    add(header_path(name, kBatch), print_batch);
-    add(source_path(name, kBatch), print_batch_choice);
-    for (const std::string& group : library.groups) {
-      add(batch_path(name, group), print_batch_bodies, group);
-      for (const char* level : kLevels) add(batch_source_path(name, group, level), print_batch_level, group, level);
-    }
-  }
-  for_each_index(files.size(), [&](std::size_t i) { files[i].text = texts[i](); });
-  return files;
+  const bool has_robot = library.has_robot();
+  return backend::print(
+      files(folder(library), library.groups, has_robot, library.has_batches, library.levels), api(library));
 }
 
 }  // namespace robcogen::backend::cpp

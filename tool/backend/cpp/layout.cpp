@@ -55,6 +55,12 @@ std::string comment(const std::string& text, std::size_t indent) {
   return wrapped_text(clean, kColumns, prefix, prefix);
 }
 
+std::string comment(const std::vector<std::string>& texts) {
+  std::string result;
+  for (const std::string& text : texts) result += comment(text);
+  return result;
+}
+
 std::string declaration(
     const std::string& head,
     const std::vector<std::string>& parameters,

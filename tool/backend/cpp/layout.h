@@ -13,6 +13,7 @@ inline constexpr std::size_t kColumns = 120;
 // Comment lines, wrapped at blanks. Characters that would end or continue a comment are replaced, and no question marks
 // follow each other: compilers warn of trigraphs.
 std::string comment(const std::string& text, std::size_t indent = 0);
+std::string comment(const std::vector<std::string>& texts);
 
 // `head(parameters) tail`, as in `inline JointState f(const JointState& q) noexcept {`.
 std::string declaration(

@@ -8,9 +8,9 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// Lines of kernels that may stay in the instruction cache (64 KB, 21 bytes a line on x86-64), and of their parts and
-// those of others.
-constexpr std::size_t kCached = 3000, kPart = 700, kShortPart = 200;
+// Lines of kernels that may stay in the instruction cache (64 KB, 21 bytes a line on x86-64), and of the parts of
+// others.
+constexpr std::size_t kCached = 3000, kShortPart = 200;
 
 std::string element(const std::string& array, std::size_t k) {
   return array + "[" + std::to_string(k) + "]";

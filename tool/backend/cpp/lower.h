@@ -22,10 +22,6 @@ std::vector<Parameter> parameters(const symbolic::Program& program);
 
 Kernel lower(const symbolic::Program& program, const std::string& name);
 
-// Kernels of more lines than these are split: compilers take less than half as long for parts of hundreds of lines as
-// for thousands at once.
-inline constexpr std::size_t kLongest = 2000;
-
 // In parts as long as costs no time when they run; and short ones, for the sake of registers, where the code is larger
 // than the instruction cache of any processor, so that time goes with its size.
 Parts split(const Kernel& kernel);

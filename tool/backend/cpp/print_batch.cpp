@@ -104,7 +104,7 @@ std::string documentation(const Callable& callable, const Signature& signature, 
     return comment("The same; with robcogen::batch::Storage::lower, elements above the diagonal are left as they are.");
   std::string text;
   if (signature.has_gravity)
-    for (const std::string& line : callable.function->summary) text += comment(line);
+    text += comment(callable.function->summary);
   else
     text += comment("The same under standard gravity.");
   return text + comment("Elements of a state: " + sizes + ".");

@@ -1,6 +1,7 @@
 // <name>/kernel/<group>.h, the kernels as text.
 #include <algorithm>
 
+#include "backend/common/cache.h"
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
@@ -75,11 +76,8 @@ std::string definition(const Kernel& kernel, const Parts& parts) {
   std::string text = signature("void " + kernel.name, kernel.parameters, " noexcept {");
   for (const Handed& h : parts.handed)
     text += "  " + type_of(h.array) + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
-  for (const Kernel& part : parts.kernels) {
-    std::vector<std::string> arguments;
-    for (const Parameter& p : part.parameters) arguments.push_back(p.name);
-    text += call(kParts + ("::" + part.name) + "<Scalar>", arguments, 2);
-  }
+  for (const Kernel& part : parts.kernels)
+    text += call(kParts + ("::" + part.name) + "<Scalar>", names_of(part.parameters), 2);
   return text + "}\n";
 }
 
@@ -107,9 +105,8 @@ std::string arrays(const Library& library, const symbolic::Program& program) {
 }
 
 std::string summary(const Callable& callable) {
-  std::string result;
   const Function& function = *callable.function;
-  for (const std::string& line : function.summary) result += comment(line);
+  std::string result = comment(function.summary);
   if (!function.method.empty()) result += comment(function.method);
   // Of a transform that is a few products nobody asks.
   if (function.error && function.group != "transforms")
@@ -133,8 +130,7 @@ std::string print_chooser(
     const Callable& callable,
     const std::vector<Parameter>& parameters,
     const std::string& specifiers = "") {
-  std::vector<std::string> names;
-  for (const Parameter& p : parameters) names.push_back(p.name);
+  const std::vector<std::string> names = names_of(parameters);
   const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
   return signature(specifiers + "void " + callable.kernel, parameters, " noexcept {") +
          "  if constexpr (robcogen::kPrefersLanes<Scalar>) {\n" + call_in(kInLanes) + "  } else {\n" +
@@ -143,8 +139,7 @@ std::string print_chooser(
 
 // The same where the way in lanes is for small angles only.
 std::string print_chooser_of_small_angles(const Callable& callable) {
-  std::vector<std::string> names;
-  for (const Parameter& p : callable.parameters) names.push_back(p.name);
+  const std::vector<std::string> names = names_of(callable.parameters);
   const std::vector<symbolic::InputArray>& inputs = callable.function->program.inputs;
   const auto q = std::find_if(inputs.begin(), inputs.end(), [](const symbolic::InputArray& array) {
     return array.role == symbolic::Role::joint_position;
@@ -231,9 +226,7 @@ std::string print_caller(const Library& library, const Callable& callable) {
   // Stored as vectors and read one by one: a vector across two cache lines would be waited for.
   text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
   text += sines_and_cosines(library, parts.read, parts.angles);
-  std::vector<std::string> arguments;
-  for (const Parameter& p : callable.core_parameters) arguments.push_back(p.name);
-  return text + call("core::" + callable.kernel, arguments, 2) + "}\n";
+  return text + call("core::" + callable.kernel, names_of(callable.core_parameters), 2) + "}\n";
 }
 
 // Behind these comments.
@@ -342,11 +335,11 @@ std::string whole_update(const Api& api) {
       "// The whole cache, from values in the order of kParameterNames, for scalar types that Parameters does not "
       "support.\n"
       "template <class Scalar>\nvoid update(const Scalar* parameters, Scalar* cache) noexcept {\n";
-  int begin = 0;
-  for (const Callable& c : api.updates) {
+  const std::vector<CachePart> parts = cache_parts(*api.library);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const int begin = parts[k].begin;
     const std::string part = begin == 0 ? "cache" : "cache + " + std::to_string(begin);
-    result += "  " + c.kernel + "(parameters, " + part + ");\n";
-    begin += c.function->program.outputs.front().rows;
+    result += "  " + api.updates[k].kernel + "(parameters, " + part + ");\n";
   }
   return result + "}\n";
 }

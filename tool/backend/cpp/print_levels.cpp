@@ -45,10 +45,8 @@ std::string in_their_namespaces(const std::vector<CompiledKernel>& kernels, Prin
 
 // A kernel that passes its arguments to another one, of `space`.
 std::string forwarder(const CompiledKernel& kernel, const std::string& space) {
-  std::vector<std::string> arguments;
-  for (const Parameter& p : kernel.parameters) arguments.push_back(p.name);
   return signature("void " + kernel.name, kernel.parameters, " noexcept {") +
-         call(space + "::" + qualified(kernel) + "<Scalar>", arguments, 2) + "}\n";
+         call(space + "::" + qualified(kernel) + "<Scalar>", names_of(kernel.parameters), 2) + "}\n";
 }
 
 // The text of the kernels, for this unit alone. What it includes is included before.

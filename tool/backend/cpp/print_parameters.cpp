@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/common/cache.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
@@ -118,19 +119,14 @@ std::string all_values_type(const Api& api) {
          (getters.empty() ? "" : "\n" + getters) + "};\n";
 }
 
-int size_of(const Callable& update) {
-  return update.function->program.outputs.front().rows;
-}
-
 std::string compute(const Api& api, const std::vector<std::size_t>& parts) {
+  const std::vector<CachePart> all = cache_parts(*api.library);
   std::string body;
-  for (const std::size_t part : parts) {
-    int begin = 0;
-    for (std::size_t k = 0; k < part; ++k) begin += size_of(api.updates[k]);
-    const int end = begin + size_of(api.updates[part]);
-    if (begin == end) continue;
-    body += "    compute<" + std::to_string(begin) + ", " + std::to_string(end) +
-            ">(&kernel::" + api.updates[part].kernel + "<double>);\n";
+  for (const std::size_t k : parts) {
+    const auto& [begin, size] = all[k];
+    if (size == 0) continue;
+    body += "    compute<" + std::to_string(begin) + ", " + std::to_string(begin + size) +
+            ">(&kernel::" + api.updates[k].kernel + "<double>);\n";
   }
   return body;
 }
@@ -204,8 +200,7 @@ std::string constructors(const Api& api) {
 }
 
 std::string parameters_type(const Api& api) {
-  int size = 0;
-  for (const Callable& update : api.updates) size += size_of(update);
+  const int size = cache_size(*api.library);
   const std::vector<std::string> parts = {
       constructors(api),
       "  // All values anew.\n" + shared_remark(api) + update(api, {kKinds[0], kKinds[1]}, {0, 1, 2}) +

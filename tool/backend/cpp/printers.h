@@ -7,10 +7,6 @@
 
 namespace robcogen::backend::cpp {
 
-// The stems of the headers that users include beside the umbrella. `parameters` tells something only of robots that
-// have some.
-std::vector<std::string> stems(bool has_robot);
-
 // The folder of a library's files, under its name and its enclosing namespaces.
 std::string folder(const Library& library);
 

@@ -55,8 +55,7 @@ std::string solve_columns(const Callable& callable) {
   const std::string size = std::to_string(solved.right_sides.outputs.front().rows);
   const std::vector<symbolic::OutputArray>& outputs = callable.function->program.outputs;
   const std::string rows = std::to_string(outputs[at(solved.blocks.front().output)].rows);
-  std::vector<std::string> arguments;
-  for (const Parameter& p : callable.parameters) arguments.push_back(p.name);
+  std::vector<std::string> arguments = names_of(callable.parameters);
   const std::vector<std::string> results(
       arguments.end() - static_cast<std::ptrdiff_t>(outputs.size()), arguments.end());
   arguments.push_back(factor);

@@ -210,9 +210,8 @@ std::string print_scopes(const std::vector<Callable>& all) {
 }
 
 std::string print_parameters(const Library& library) {
-  std::vector<std::string> names, initial;
-  for (const ParameterData& p : library.parameters) names.push_back(p.name);
-  names = members(names);
+  const std::vector<std::string> names = members(library.parameter_names());
+  std::vector<std::string> initial;
   for (std::size_t i = 0; i < names.size(); ++i)
     initial.push_back(names[i] + ": " + number(library.parameters[i].default_value));
   return "\n/** Values of the parameters as the document declares them; NaN where one has no value. */\n"

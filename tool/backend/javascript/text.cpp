@@ -31,7 +31,7 @@ const Dialect& dialect() {
     d.literal = [](const Number& value, Texts& texts) { return literal(number(value.value()), texts); };
     d.element = subscripted;
     d.members = members;
-    d.text = [](const Line& line) { return "const " + line.targets.front() + " = " + line.expression + ";"; };
+    d.definition = "const ";
     d.section = [](const std::string& text) { return comment_lines({text}, "  // "); };
     return d;
   }();
@@ -39,8 +39,7 @@ const Dialect& dialect() {
 }
 
 std::vector<std::string> members(const std::vector<std::string>& parameters) {
-  NameScope scope(is_free);  // a member may have any name
-  return claim_all(scope, parameters);
+  return claim_all(parameters, is_free);  // a member may have any name
 }
 
 std::string number(double value) {

@@ -117,10 +117,6 @@ bool is_quantity(const std::string& name) {
   return name == "J" || name == "inverse";
 }
 
-std::string text(const Line& line) {
-  return joined(line.targets, ", ") + " = " + line.expression + ";";
-}
-
 Spelling literal(const Number& value, Texts& texts) {
   return backend::literal(number(value.value()), texts);
 }
@@ -151,7 +147,6 @@ const Dialect& dialect() {
     d.literal = literal;
     d.element = element;
     d.members = fields;
-    d.text = text;
     d.section = [](const std::string& text) { return comment(text, 2); };
     return d;
   }();
@@ -159,8 +154,7 @@ const Dialect& dialect() {
 }
 
 std::vector<std::string> fields(const std::vector<std::string>& parameters) {
-  NameScope scope(is_word);
-  return claim_all(scope, parameters);
+  return claim_all(parameters, is_word);
 }
 
 std::string upper_case(std::string text) {

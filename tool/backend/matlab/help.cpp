@@ -40,10 +40,7 @@ std::string results(const Library& library, const Function& function) {
   std::string text = comment("Results:");
   for (const OutputArray& output : function.program.outputs)
     text += line(output.name, output.rows, output.columns, meaning_of(output.role));
-  const std::vector<std::string> joints = column_joints(library, function);
-  if (!joints.empty()) text += comment("    columns: " + joined(joints), 0, 6);
-  for (std::size_t k = 0; k < function.labels.size(); ++k)
-    text += comment("    column " + std::to_string(k + 1) + ": " + function.labels[k], 0, 6);
+  for (const std::string& column : describe_columns(library, function, {})) text += comment("    " + column, 0, 6);
   return text;
 }
 

@@ -202,8 +202,7 @@ std::string print_parameters(const Library& library) {
   text += comment("PARAMETERS  Values of the parameters as the document declares them.");
   text += comment("  A parameter without a value is NaN: give it one before any function takes the struct.");
   text += "\n" + origin(library) + "\n";
-  const std::vector<std::string> members =
-      fields(texts(library.parameters, [](const ParameterData& p) { return p.name; }));
+  const std::vector<std::string> members = fields(library.parameter_names());
   for (std::size_t i = 0; i < members.size(); ++i)
     text += "  parameters." + members[i] + " = " + number(library.parameters[i].default_value) + ";\n";
   return text + "end\n";

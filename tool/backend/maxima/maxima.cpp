@@ -58,7 +58,8 @@ const Dialect& dialect() {
     d.name_limit = 28;  // two of them and a fraction fit in one line
     d.literal = literal;
     d.element = element;
-    d.text = [](const Line& line) { return line.targets.front() + ": " + line.expression + ","; };
+    d.assignment = ": ";
+    d.end = ",";
     return d;
   }();
   return maxima;
@@ -85,11 +86,12 @@ std::string comment(const std::vector<std::string>& lines, const std::string& ma
 }
 
 std::string describe(const InputArray& array, const std::string& name) {
-  constexpr std::size_t kMaxListed = 40;
-  if (array.role == Role::link_wrenches) return name + ": six elements a link, base first";
   if (array.role == Role::inertia_factor) return name + ": column by column, apply(append, args(transpose(L)))";
-  if (array.elements.size() > kMaxListed) return name + ": " + std::to_string(array.elements.size()) + " elements";
-  return name + ": [" + joined(array.elements) + "]";
+  const std::string elements = describe_elements(array);
+  if (array.role == Role::link_wrenches) return name + ": " + elements;
+  if (elements.empty() && !array.elements.empty())
+    return name + ": " + std::to_string(array.elements.size()) + " elements";
+  return name + ": [" + elements + "]";
 }
 
 std::string describe(const OutputArray& output) {
@@ -128,26 +130,18 @@ std::string definition(
   for (const Line& line : kernel.lines) {
     const bool is_section = line.kind == Line::Kind::section;
     if (!is_section) locals.push_back(line.targets.front());
-    lines += is_section ? comment({line.expression}, "  ") : "  " + dialect().text(line) + "\n";
+    lines += is_section ? comment({line.expression}, "  ") : "  " + text(line, dialect()) + "\n";
   }
   const std::string signature = wrapped(name + "(" + joined(arguments) + ") := block(", "");
   return signature + wrapped("[" + joined(locals) + "],", "  ") + lines + value + ")$\n";
 }
 
 std::vector<std::string> documentation(const Library& library, const Function& f, const Kernel& kernel) {
-  std::vector<std::string> lines = f.summary;
-  if (!f.method.empty()) lines.push_back(f.method);
+  std::vector<std::string> arguments, results;
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i)
-    lines.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
-  if (const std::string remark = remark_on_positions(f.program); !remark.empty()) lines.push_back(remark);
-  std::vector<std::string> outputs;
-  const std::vector<std::string> columns = column_joints(library, f);
-  for (const OutputArray& output : f.program.outputs) outputs.push_back(describe(output));
-  lines.push_back("returns " + joined(outputs));
-  if (!columns.empty()) lines.push_back("columns: " + joined(columns));
-  for (std::size_t k = 0; k < f.labels.size(); ++k)
-    lines.push_back("column " + std::to_string(k + 1) + ": " + f.labels[k]);
-  return lines;
+    arguments.push_back(describe(f.program.inputs[i], kernel.parameters[i].name));
+  for (const OutputArray& output : f.program.outputs) results.push_back(describe(output));
+  return describe_function(library, f, arguments, {"returns " + joined(results)});
 }
 
 std::string print_function(const Library& library, const Function& f, const std::string& prefix) {

@@ -1,0 +1,20 @@
+// The cache of a robot's parameters: the results of Library::updates, one after another.
+#pragma once
+
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend {
+
+// What one update computes: so many elements, from this one on.
+struct CachePart {
+  int begin = 0, size = 0;
+};
+
+// In the order of Library::updates.
+std::vector<CachePart> cache_parts(const Library& library);
+
+int cache_size(const Library& library);
+
+}  // namespace robcogen::backend
