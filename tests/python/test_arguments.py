@@ -22,6 +22,32 @@ class Arguments(unittest.TestCase):
             q = RANDOM.uniform(-1, 1, (n, 7))
             self.check(arm.joint_space_inertia(q), [arm.joint_space_inertia(x) for x in q])
 
+    def test_matrices_of_many_states_in_any_order(self):
+        """More states than are copied at a time; matrices row by row, column by column, and with gaps."""
+        n = 150
+        states = [RANDOM.uniform(-1, 1, (n, 7)) for _ in range(3)]
+        expected = [arm.inverse_dynamics_derivatives(*state) for state in zip(*states)]
+        results = (
+            arm.inverse_dynamics_derivatives(*states),
+            [np.zeros((n, 7)), *(np.zeros((n, 7, 7)).transpose(0, 2, 1) for _ in range(3))],
+            [np.zeros((n, 14))[:, ::2], np.zeros((n, 7, 7)), *(np.zeros((2 * n, 7, 14))[::-2, :, 1::2] for _ in range(2))])
+        for out in results[1:]:
+            arm.inverse_dynamics_derivatives(*states, out=tuple(out))
+        for result in results:
+            for k, array in enumerate(result):
+                self.check(array, [state[k] for state in expected])
+        single = arm.inverse_dynamics_derivatives(*(x.astype(np.float32) for x in states))
+        self.check(single[1], [state[1] for state in expected], 1e-3)
+
+    def test_many_states_that_are_copied(self):
+        n = 150
+        q, qd, qdd = (RANDOM.uniform(-1, 1, (n, 7)) for _ in range(3))
+        raw = np.zeros(8 * q.size + 1, np.uint8)
+        odd = raw[1:].view(np.float64).reshape(q.shape)
+        odd[:] = q
+        expected = [arm.inverse_dynamics(*state) for state in zip(q, qd, qdd.astype(np.float32))]
+        self.check(arm.inverse_dynamics(odd, qd[::-1][::-1], qdd.astype(np.float32)), expected)
+
     def test_none_and_one_state(self):
         self.assertEqual(arm.inverse_dynamics(Q[:0], QD[:0], QDD[:0]).shape, (0, 7))
         self.assertEqual(arm.inverse_dynamics(Q[:0], QD[0], QDD[0]).shape, (0, 7))

@@ -82,6 +82,16 @@ class View {
     });
   }
 
+  // The same of `count` states, one after another.
+  template <class Scalar>
+  void gather(std::ptrdiff_t first, std::ptrdiff_t count, Scalar* to) const {
+    for (std::ptrdiff_t i = 0; i < count; ++i) gather(first + i, to + i * inner_ * outer_);
+  }
+  template <class Scalar>
+  void scatter(std::ptrdiff_t first, std::ptrdiff_t count, const Scalar* from) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) scatter(first + i, from + i * inner_ * outer_);
+  }
+
   // Where the library can read or write one state in place, its first element; otherwise nullptr.
   template <class Scalar>
   Scalar* in_place(std::ptrdiff_t state) const {
@@ -140,11 +150,15 @@ class View {
     return is_type<Scalar>() && is_line_ && (line_stride_ == kSize || inner_ * outer_ <= 1) && is_aligned<Scalar>() &&
            state_stride_ % kSize == 0;
   }
+  // Members are read once: for all that compilers know, f changes them.
   template <class T, class F>
   void each(const char* from, F f) const {
+    const std::ptrdiff_t outer = outer_, inner = inner_, outer_stride = outer_stride_, inner_stride = inner_stride_;
     std::ptrdiff_t k = 0;
-    for (std::ptrdiff_t o = 0; o < outer_; ++o)
-      for (std::ptrdiff_t i = 0; i < inner_; ++i) f(from + o * outer_stride_ + i * inner_stride_, k++);
+    for (std::ptrdiff_t o = 0; o < outer; ++o, from += outer_stride) {
+      const char* at = from;
+      for (std::ptrdiff_t i = 0; i < inner; ++i, at += inner_stride) f(at, k++);
+    }
   }
 
   // The strides of rows and columns, in bytes.

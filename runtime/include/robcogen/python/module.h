@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 #include "robcogen/batch.h"
@@ -75,6 +76,7 @@ struct Module {
 };
 
 inline constexpr int kMaxArrays = 32;
+inline constexpr std::ptrdiff_t kBlock = 64;  // states whose arrays are copied at a time: they stay in the cache
 inline constexpr double kStandardGravity[3] = {0, 0, -9.81};
 
 // What belongs to a function while the module lives.
@@ -387,39 +389,64 @@ class Call {
   void call(const double* const* in, double* const* out) const { variant_->in_double(in, out); }
   void call(const float* const* in, float* const* out) const { variant_->in_float(in, out); }
 
-  // By the functions over many states, where the library has them and all arrays are as these read them.
+  // By the functions over many states, where the library has them. Arrays that these cannot read or write in place go
+  // through copies, of a block of states at a time.
   template <class Scalar>
   bool compute_together() {
-    Batch<Scalar> function;
-    if constexpr (sizeof(Scalar) == 4) {
-      function = variant_->batch_in_float;
-    } else {
-      function = variant_->batch_in_double;
-    }
+    const Batch<Scalar> function = many<Scalar>();
     if (!function) return false;
-    batch::Strided<const Scalar> in[kMaxArrays];
-    batch::Strided<Scalar> out[kMaxArrays];
+    batch::Strided<const Scalar> in[kMaxArrays] = {};
+    batch::Strided<Scalar> out[kMaxArrays] = {};
+    Scalar *copies[kMaxArrays] = {}, *results[kMaxArrays] = {};
     Scratch<Scalar> scratch;
+    std::ptrdiff_t block = states_;
     for (std::size_t k = 0; k < inputs(); ++k) {
       const Argument& a = function_.arguments[k];
-      if (a.is_parameters) continue;
+      if (a.is_parameters || place(in_[k], in[k])) continue;
       const bool is_same = !in_[k].is_batch() || in_[k].states() == 1;
-      if (in_[k].template strides<Scalar>(in[k].element, in[k].state)) {
-        in[k].data = in_[k].template first<Scalar>();
-      } else if (is_same) {
-        Scalar* const copy = scratch.take(size(a));
+      if (!is_same) block = std::min(block, kBlock);
+      Scalar* const copy = scratch.take(size(a) * (is_same ? 1 : kBlock));
+      in[k] = {copy, 1, is_same ? 0 : size(a)};
+      if (is_same)
         in_[k].gather(0, copy);
-        in[k] = {copy, 1, 0};
-      } else {
-        return false;
-      }
+      else
+        copies[k] = copy;
     }
     for (std::size_t r = 0; r < function_.results.size(); ++r) {
-      if (!out_[r].template strides<Scalar>(out[r].element, out[r].state)) return false;
-      out[r].data = out_[r].template first<Scalar>();
+      if (place(out_[r], out[r])) continue;
+      block = std::min(block, kBlock);
+      results[r] = scratch.take(size(result(r)) * kBlock);
+      out[r] = {results[r], 1, size(result(r))};
     }
-    function(states_, caches<Scalar>(), in, out);
+    for (std::ptrdiff_t first = 0; first < states_; first += block) {
+      const std::ptrdiff_t count = std::min(block, states_ - first);
+      for (std::size_t k = 0; k < inputs(); ++k)
+        if (copies[k]) in_[k].gather(first, count, copies[k]);
+      function(count, caches<Scalar>(), in, out);
+      for (std::size_t r = 0; r < function_.results.size(); ++r)
+        if (results[r]) out_[r].scatter(first, count, results[r]);
+      for (std::size_t k = 0; k < inputs(); ++k)
+        if (!copies[k]) in[k].data += block * in[k].state;
+      for (std::size_t r = 0; r < function_.results.size(); ++r)
+        if (!results[r]) out[r].data += block * out[r].state;
+    }
     return true;
+  }
+
+  template <class Scalar>
+  Batch<Scalar> many() const {
+    if constexpr (sizeof(Scalar) == 4) {
+      return variant_->batch_in_float;
+    } else {
+      return variant_->batch_in_double;
+    }
+  }
+
+  // Whether the functions over many states can read or write the array where it is; `states` is it then.
+  template <class Number>
+  static bool place(const View& view, batch::Strided<Number>& states) {
+    states.data = view.template first<Number>();
+    return view.template strides<std::remove_const_t<Number>>(states.element, states.state);
   }
 
   PyObject* finished(std::size_t r) {
