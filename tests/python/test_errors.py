@@ -60,6 +60,9 @@ class Errors(unittest.TestCase):
         both = np.zeros(10)
         self.refuse(ValueError, out + "overlaps qd", Z, both[:7], Z, out=both[3:])
         self.refuse(ValueError, out + "overlaps q", both[:7], Z, Z, out=both[:7])
+        for strides in ((0, 8), (8, 8), (56, 4)):
+            shared = np.lib.stride_tricks.as_strided(np.zeros(100), (3, 7), strides)
+            self.refuse(ValueError, out + "has elements that share their place", np.zeros((3, 7)), Z, Z, out=shared)
         L = np.zeros(9)
         self.refuse(
             ValueError, "joint_space_inertia_factor: out for inverse_diagonal overlaps that for L", leg.Parameters(), [0, 0, 0],

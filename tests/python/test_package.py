@@ -74,6 +74,19 @@ class Package(unittest.TestCase):
         leftovers = [f for f in (self.folder / "cache").iterdir() if f.name.startswith("tmp")]
         self.assertEqual(leftovers, [])
 
+    def test_the_tool_of_the_same_installation(self):
+        prefix = self.folder / "prefix"
+        shutil.copytree(PACKAGE / "robcogen", prefix / "share" / "robcogen" / "python" / "robcogen")
+        (prefix / "bin").mkdir()
+        tool = prefix / "bin" / "robcogen"
+        tool.write_text("#!/bin/sh\necho the tool of this prefix >&2\nexit 1\n")
+        tool.chmod(0o755)
+        environment = {k: v for k, v in os.environ.items() if k != "ROBCOGEN_TOOL"}
+        environment["PYTHONPATH"] = str(prefix / "share" / "robcogen" / "python")
+        run = subprocess.run(
+            [sys.executable, "-m", "robcogen", str(self.model)], capture_output=True, text=True, check=False, env=environment)
+        self.assertEqual((run.stderr, run.returncode), ("the tool of this prefix\n", 1))
+
     def test_the_wheel_and_the_command(self):
         out = self.folder / "wheel"
         names = []

@@ -1,7 +1,7 @@
 """Robots as Python modules, without a build system: load("arm.urdf") generates the code of a robot, compiles it once and
 imports it.
 
-It needs the generator (the program robcogen: on the PATH, or named by ROBCOGEN_TOOL), a C++ compiler (CXX, or c++, g++,
+It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same installation, or on the PATH), a C++ compiler (CXX, or c++, g++,
 clang++) and the headers of Python. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
 """
 import hashlib
@@ -64,7 +64,8 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
         if values:
             arguments += [option, *values]
     arguments += options
-    tool = _program("robcogen", [os.environ.get("ROBCOGEN_TOOL"), "robcogen"], "install it, or name it in ROBCOGEN_TOOL")
+    tools = [os.environ.get("ROBCOGEN_TOOL"), *_own_tool(), "robcogen"]
+    tool = _program("robcogen", tools, "install it, or name it in ROBCOGEN_TOOL")
     version = _run([tool, "--version"])
     cache = _cache()
     # What was read for this call before, and what came of it.
@@ -134,6 +135,12 @@ def _runtime():
         if (folder / "robcogen" / "python" / "make_module.h").is_file():
             return folder
     raise Error(f"the headers of robcogen are not beside {here}")
+
+
+def _own_tool():
+    """The generator of the installation that this package is part of, <prefix>/share/robcogen/python."""
+    folder = Path(__file__).resolve().parents[1]
+    return [str(folder.parents[2] / "bin" / "robcogen")] if folder.parts[-3:] == ("share", "robcogen", "python") else []
 
 
 def _cache():

@@ -8,12 +8,15 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace robcogen::python {
@@ -64,6 +67,8 @@ class View {
   bool is_array() const { return has_buffer_; }
   bool is_float() const { return type_ == 'f'; }
   bool overlaps(const View& other) const { return low_ < other.high_ && other.low_ < high_; }
+  // Whether elements share their place, as those of broadcast arrays do.
+  bool overlaps_itself() const;
 
   // Elements in the order of the library, of one state.
   template <class Scalar>
@@ -261,6 +266,20 @@ inline void View::find_range() {
   if (states_ * inner_ * outer_ == 0) return;
   low_ = reinterpret_cast<std::uintptr_t>(data_) + static_cast<std::uintptr_t>(low);
   high_ = reinterpret_cast<std::uintptr_t>(data_) + static_cast<std::uintptr_t>(high) + (type_ == 'f' ? 4 : 8);
+}
+
+inline bool View::overlaps_itself() const {
+  std::array<std::pair<std::ptrdiff_t, std::ptrdiff_t>, 3> dimensions = {
+      // distance and count
+      {{std::abs(state_stride_), states_}, {std::abs(inner_stride_), inner_}, {std::abs(outer_stride_), outer_}}};
+  std::sort(dimensions.begin(), dimensions.end());
+  std::ptrdiff_t reach = type_ == 'f' ? 4 : 8;
+  for (const auto& [distance, count] : dimensions) {
+    if (count <= 1) continue;
+    if (distance < reach) return true;
+    reach += (count - 1) * distance;
+  }
+  return false;
 }
 
 // The type of numbers that a buffer holds: 'd', 'f', or 0 for any other.

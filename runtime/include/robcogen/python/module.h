@@ -337,6 +337,7 @@ class Call {
           entry_, name + " must have the shape " + shape(result(r), is_batch_ ? states : "") + ", has " +
                       shape(result(r), out.is_batch() ? std::to_string(out.states()) : ""));
     }
+    if (out.overlaps_itself()) return refuse(entry_, name + " has elements that share their place");
     for (std::size_t k = 0; k < inputs(); ++k)
       if (!function_.arguments[k].is_parameters && out.overlaps(in_[k]))
         return refuse(entry_, name + " overlaps " + function_.arguments[k].name);
