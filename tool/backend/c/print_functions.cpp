@@ -1,6 +1,7 @@
 // The functions of a group: declarations with their documentation, and bodies.
 #include "backend/c/printers.h"
 #include "backend/common/cache.h"
+#include "backend/common/layout.h"
 #include "backend/common/meaning.h"
 #include "backend/common/parts.h"
 #include "backend/cpp/printers.h"
