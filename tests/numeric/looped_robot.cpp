@@ -210,7 +210,7 @@ class Writer {
     if (five) lead(name + (dice_.chance(0.5) ? "3" : "4"));
     if (dice_.chance(0.3)) {
       add("l_" + name + "1", name + "c", "r_joint", triple(0.1), triple(1.0));
-      couplings_ += fmt::format("{0}c = 0.5 * {0}d ", name);
+      couplings_ += fmt::format("{0}c = 0.5 * {0}d + 0.2 ", name);
       add("l_" + name + "3", name + "d", "r_joint", triple(0.1), triple(1.0));
       lead(name + "d");
     }
