@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pass/angle_sums.h"
 #include "symbolic/angle_parts.h"
 
 namespace robcogen::pass {
@@ -26,13 +27,6 @@ struct SplitAngles {
 struct WithLanes {
   const symbolic::Program& program;
   const symbolic::Program* in_lanes = nullptr;
-};
-
-// The position of a joint that turns, or slides: then its sine and cosine are not known, but a coupled joint may turn
-// by it.
-struct Position {
-  std::string joint;
-  bool is_angle = true;
 };
 
 // A sine or cosine of anything other than a sum of angles, constants and parameters stays where it is. All programs

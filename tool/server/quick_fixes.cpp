@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <map>
 #include <optional>
 #include <string_view>
 
+#include "language/common/characters.h"
 #include "language/common/lexer.h"
 #include "server/text_fixes.h"
 
@@ -14,10 +14,6 @@ namespace robcogen::server {
 namespace {
 
 using language::Token;
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 // The text between the first quotes behind `before`; empty where there is none.
 std::string quoted_after(const std::string& text, std::string_view before) {
@@ -46,7 +42,7 @@ std::optional<Span> word_at(const Place& place) {
   std::size_t begin = place.span.begin;
   if (begin < text.size() && (text[begin] == '^' || text[begin] == '"' || text[begin] == '\'')) ++begin;
   std::size_t end = begin;
-  while (end < text.size() && is_word(text[end])) ++end;
+  while (end < text.size() && language::is_word(text[end])) ++end;
   if (end == begin) return std::nullopt;
   return Span{begin, end};
 }

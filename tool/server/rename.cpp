@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
+#include "language/common/characters.h"
 #include "server/features.h"
 #include "server/lookup.h"
 #include "server/session.h"
@@ -21,9 +21,8 @@ constexpr std::size_t kMaxName = 255;
 }
 
 bool is_identifier(const std::string& name) {
-  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  return !name.empty() && name.size() <= kMaxName && std::all_of(name.begin(), name.end(), is_word) &&
-         std::isdigit(static_cast<unsigned char>(name[0])) == 0 && static_cast<unsigned char>(name[0]) < 0x80;
+  return !name.empty() && name.size() <= kMaxName && std::all_of(name.begin(), name.end(), language::is_word) &&
+         !language::is_digit(name[0]);
 }
 
 // The text with another word at these places, which are in order.

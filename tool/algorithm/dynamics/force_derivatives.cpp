@@ -11,13 +11,13 @@
 #include "algorithm/dynamics/force_derivatives.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
+#include "algorithm/dynamics/drive_derivatives.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/spread.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
-#include "symbolic/derivative.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -60,6 +60,20 @@ std::vector<Vector3> spins(const TracedRobot& robot, const std::vector<Expressio
     result[at(j.parent)] += to_parent(robot.pose(*joint).rotation, result[at(j.child)]);
   }
   return result;
+}
+
+// Whether the joint behind it towards the base has its motion subspace in the same axes.
+bool has_axes_of_child(const Joint& joint) {
+  return joint.is_spherical() && joint.axis > 0;
+}
+
+using Row = std::vector<Expression>;
+
+void set_base_rows(Row& column, const Force& wrench) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    column[k] = wrench.moment[k];
+    column[3 + k] = wrench.linear[k];
+  }
 }
 
 class JointWalks {
@@ -151,41 +165,14 @@ class JointWalks {
     for (std::size_t k = 0; k < 3; ++k) {
       Force wrench = wrench_of(body, bodies_.spread[0], by_base_turning(unit(k), {bodies_.w[0], v}));
       if (!spin_.empty()) wrench.moment += cross(unit(k), spin_[0]);
-      set(result.base_velocity[k], wrench);
+      set_base_rows(result.base_velocity[k], wrench);
     }
     const SquareMatrix inertia = matrix(rigid_body_inertia(body));
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c) result.base_acceleration[at(c)][at(r)] = inertia(r, c);
   }
 
-  // The joints' drives, which nothing but the joint itself moves; then from joints to coordinates.
-  void add_drives(const StateInputs& in) {
-    const bool is_coupled = !robot_.tree().couplings.empty();
-    const std::vector<Expression> passive = passive_forces(robot_.trace, in.q, in.qd);
-    for (std::size_t j = 0; j < passive.size(); ++j) {
-      if (!is_coupled) add_passive(in, passive, j, j);
-      result.qdd[j][at(base_) + j] += drive_inertia(robot_.trace, static_cast<int>(j));
-    }
-    if (!is_coupled) return;
-    robot_.trace.section("coupled", "derivatives of coupled joints");
-    for (Columns* columns : {&result.q, &result.qd, &result.qdd})
-      *columns = by_coordinate(robot_.trace, *columns, base_);
-    for (Columns* columns : {&result.base_rotation, &result.base_velocity, &result.base_acceleration})
-      *columns = rows_by_coordinate(robot_.trace, *columns, base_);
-    const std::vector<int> coordinates = robot_.tree().coordinates();
-    StateInputs independent = in;
-    for (std::size_t k = 0; k < coordinates.size(); ++k) {
-      independent.q[k] = in.q[at(coordinates[k])];
-      independent.qd[k] = in.qd[at(coordinates[k])];
-    }
-    const std::vector<Expression> reduced = by_coordinate(robot_.trace, passive);
-    for (std::size_t row = 0; row < reduced.size(); ++row)
-      for (std::size_t column = 0; column < reduced.size(); ++column) add_passive(independent, reduced, row, column);
-  }
-
  private:
-  using Row = std::vector<Expression>;
-
   // What a joint's own motion changes of the wrench on a link below it; half of it by velocity.
   struct Walk {
     int joint;
@@ -200,9 +187,6 @@ class JointWalks {
   Expression half_ = robot_.trace.graph.constant(0.5);
   std::vector<std::string> names_;  // of rows, a joint each
   int base_;                        // rows of the base
-
-  // Whether the joint behind it towards the base has its motion subspace in the same axes.
-  static bool has_axes_of_child(const Joint& joint) { return joint.is_spherical() && joint.axis > 0; }
 
   // Of the link of a joint; of a spherical one if that stood still.
   LinkMotion felt_motion(Joint joint) const {
@@ -220,13 +204,6 @@ class JointWalks {
   }
 
   Vector3 unit(std::size_t k) const { return unit_vector(robot_.trace.graph, k); }
-
-  // By the positions and velocities of `in`.
-  void add_passive(const StateInputs& in, const std::vector<Expression>& passive, std::size_t row, std::size_t column) {
-    const std::size_t place = at(base_) + row;
-    result.q[column][place] += symbolic::derivative(passive[row], in.q[column]);
-    result.qd[column][place] += symbolic::derivative(passive[row], in.qd[column]);
-  }
 
   // Carriers beyond the joint.
   void add_rotors_beyond(const Joint& joint, const Motion& S, Walk& walk, ChangeOfMotion& row) const {
@@ -247,13 +224,6 @@ class JointWalks {
     walk.by_velocity.moment += half;
     row.Q.moment += to_end(robot_, path, rotor_momentum(robot_, walk.joint));
     row.e += half;
-  }
-
-  static void set(Row& column, const Force& wrench) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      column[k] = wrench.moment[k];
-      column[3 + k] = wrench.linear[k];
-    }
   }
 
   void set(Columns& columns, const char* by, int row, int column, const Expression& value) {
@@ -280,10 +250,10 @@ class JointWalks {
 
   void fill_base_of_joint(const Walk& walk, const ChangeOfMotion& row, const Vector3& base_v) {
     const std::size_t j = at(walk.joint);
-    set(result.q[j], walk.by_position);
-    set(result.qd[j], walk.by_velocity);
+    set_base_rows(result.q[j], walk.by_position);
+    set_base_rows(result.qd[j], walk.by_velocity);
     for (std::size_t k = 0; k < 6; ++k) result.qd[j][k] += result.qd[j][k];
-    set(result.qdd[j], row.Q);
+    set_base_rows(result.qdd[j], row.Q);
     for (std::size_t k = 0; k < 3; ++k)
       result.base_velocity[k][at(base_) + j] = dot(row, by_base_turning(unit(k), {bodies_.w[0], base_v}));
     for (std::size_t k = 0; k < 6; ++k) result.base_acceleration[k][at(base_) + j] = result.qdd[j][k];
@@ -314,7 +284,7 @@ ForceDerivatives force_derivatives(
     walks.fill_base(in.base_velocity.linear);
     fill_free_columns(gravity, in.base_velocity.angular, walks.result);
   }
-  walks.add_drives(in);
+  add_drives(robot.trace, in, walks.result);
   return std::move(walks.result);
 }
 

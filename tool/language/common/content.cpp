@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "language/common/characters.h"
+
 namespace robcogen::language {
 namespace {
 
@@ -15,12 +17,9 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kBlanks), text.size()));
 }
 
-bool begins_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
+// Of a name in XML.
 bool is_of_name(char c) {
-  return begins_name(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':';
+  return is_word(c) || c == '-' || c == '.' || c == ':';
 }
 
 std::string_view name_at(std::string_view text) {
@@ -33,7 +32,7 @@ std::string_view name_at(std::string_view text) {
 std::string_view root_element(std::string_view text) {
   for (text = without_blanks(text); text.starts_with('<'); text = without_blanks(text)) {
     const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : ">";
-    if (text.size() > 1 && begins_name(text[1])) return name_at(text.substr(1));
+    if (text.size() > 1 && is_letter(text[1])) return name_at(text.substr(1));
     if (!text.starts_with("<?") && !text.starts_with("<!")) return {};
     const std::size_t at = text.find(end);
     if (at == std::string_view::npos) return {};
@@ -65,14 +64,9 @@ bool is_yaml(std::string_view text) {
   if (text.starts_with("---") || text.starts_with("%YAML")) return true;
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   const std::size_t key = std::min(line.find(':'), line.size());
-  const bool is_key = key > 0 && begins_name(line[0]) && name_at(line.substr(0, key)).size() == key;
+  const bool is_key = key > 0 && is_letter(line[0]) && name_at(line.substr(0, key)).size() == key;
   const bool ends = key + 1 == line.size() || (key + 1 < line.size() && line[key + 1] == ' ');
   return is_key && ends && line.find('{') == std::string_view::npos;
-}
-
-bool is_utf16(std::string_view text) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
-  return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
 }
 
 // For a message: what the text is.

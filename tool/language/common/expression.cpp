@@ -37,7 +37,7 @@ std::string inside(const Expression& e, Strength least) {
 
 // Without an exponent, which the first RobCoGen did not read, unless the number is too large or too small to be
 // readable.
-std::string literal(const Number& number) {
+std::string decimal(const Number& number) {
   const double value = number.value(), magnitude = std::abs(value);
   if (magnitude < 1e-300 || magnitude >= 1e20) return print_double(value);
   std::array<char, 400> buffer;
@@ -52,15 +52,22 @@ bool same(const ExpressionPtr& a, const ExpressionPtr& b) {
 
 }  // namespace
 
+ExpressionPtr literal(Span span, const Number& number) {
+  Expression e;
+  e.span = span;
+  e.number = number;
+  return std::make_shared<const Expression>(std::move(e));
+}
+
 std::string print(const Expression& e) {
   switch (e.kind) {
     case Kind::number:
-      return literal(e.number);
+      return decimal(e.number);
     case Kind::pi:
       return e.name;
     case Kind::name: {
       const std::string group = e.is_parameter ? "p:" : e.group.empty() ? "" : e.group + ".";
-      return group + (e.escaped ? "^" : "") + e.name + (e.default_value ? "[" + literal(*e.default_value) + "]" : "");
+      return group + (e.escaped ? "^" : "") + e.name + (e.default_value ? "[" + decimal(*e.default_value) + "]" : "");
     }
     case Kind::constant:
       return std::string("<") + (e.escaped ? "^" : "") + e.name + (e.left ? "=" + print(*e.left) : "") + ">";

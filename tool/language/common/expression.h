@@ -43,6 +43,9 @@ struct Expression {
   bool juxtaposed = false;              // kind multiply: written `2.0 a`, not `2.0*a`
 };
 
+// A literal, or a folded constant.
+ExpressionPtr literal(Span span, const Number& number);
+
 // Text that parses back to an equal tree, except for spans. Prefers the spelling of the first RobCoGen (`PI/2.0`,
 // `-PI/2.0`, `0.5 len`) where it exists.
 std::string print(const Expression& e);

@@ -4,27 +4,14 @@
 
 #include <algorithm>
 
+#include "language/common/characters.h"
+#include "language/common/malformed_number.h"
+#include "language/common/stray_character.h"
+
 namespace robcogen::language {
 namespace {
 
-constexpr std::string_view kSymbols = "{}()[]=,:+-*/<>~";
 constexpr std::size_t kMaxNameLength = 255;
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_word(char c) {
-  return is_letter(c) || is_digit(c);
-}
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-bool is_symbol(char c) {
-  return kSymbols.find(c) != std::string_view::npos;
-}
 
 class Lexer {
  public:
@@ -35,7 +22,7 @@ class Lexer {
 
   TokenList run() {
     if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-    if (is_utf16()) {
+    if (is_utf16(text_)) {
       error("not-utf-8", 0, "the file is in UTF-16").hint = "save it as UTF-8";
       list_.cut = true;
     }
@@ -56,12 +43,6 @@ class Lexer {
 
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
   std::string_view text_from(std::size_t begin) const { return text_.substr(begin, at_ - begin); }
-
-  bool is_utf16() const {
-    if (text_.size() < 2) return false;
-    const bool marked = text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff");
-    return marked || (text_[0] == '\0') != (text_[1] == '\0');
-  }
 
   void next() {
     const char c = peek();
@@ -122,11 +103,8 @@ class Lexer {
     while (is_word(peek())) ++at_;
     const std::string_view name = text_from(first);
     if (!escaped && peek() == '.' && is_digit(peek(1))) {
-      skip_malformed_number();
-      Diagnostic& fault =
-          error("bad-number", begin, fmt::format("{} is neither a name nor a number", quote(text_from(begin))));
-      if (name == "O" || name == "o") fault.hint = "write the digit 0, not the letter O";
-      push(Token::Kind::number, begin, text_from(begin));
+      const bool has_letter = name == "O" || name == "o";
+      bad_number(begin, "neither a name nor a number", has_letter ? "write the digit 0, not the letter O" : "");
       return;
     }
     push(Token::Kind::identifier, begin, name.substr(0, kMaxNameLength)).escaped = escaped;
@@ -151,11 +129,9 @@ class Lexer {
       at_ += 1 + sign;
       digits();
     }
-    const std::string hint = hint_to_malformed_number(begin, at_ > mantissa_end);
+    const std::string hint = hint_to_malformed_number(text_from(begin), text_.substr(at_), at_ > mantissa_end);
     if (peek() == '.' || !hint.empty()) {
-      skip_malformed_number();
-      error("bad-number", begin, fmt::format("{} is not a decimal number", quote(text_from(begin)))).hint = hint;
-      push(Token::Kind::number, begin, text_from(begin));
+      bad_number(begin, "not a decimal number", hint);
       return;
     }
     push(Token::Kind::number, begin, text_from(begin));
@@ -163,36 +139,11 @@ class Lexer {
       error("number-too-large", begin, fmt::format("number {} is too large for a double", quote(text_from(begin))));
   }
 
-  // Letters, digits and points, and the sign of an exponent.
-  void skip_malformed_number() {
-    const auto at_sign = [&] {
-      const char before = text_[at_ - 1];
-      return (before == 'e' || before == 'E') && (peek() == '+' || peek() == '-');
-    };
-    while (is_word(peek()) || peek() == '.' || at_sign()) ++at_;
-  }
-
-  // The hint for a number with letters at its end, as other languages write numbers; empty when no letters follow, or
-  // when they are a name.
-  std::string hint_to_malformed_number(std::size_t begin, bool has_exponent) const {
-    std::size_t end = at_;
-    while (end < text_.size() && is_word(text_[end])) ++end;
-    const std::string_view number = text_from(begin), word = text_.substr(at_, end - at_);
-    if (word.empty()) return "";
-    const std::string_view tail = word.substr(1);
-    const bool counts = !tail.empty() && std::all_of(tail.begin(), tail.end(), is_digit);
-    const auto begins_with = [&](char letter) { return (word[0] | 0x20) == letter; };
-    if (number == "0" && (begins_with('x') || (begins_with('b') && counts))) return "write the number in base ten";
-    const std::size_t not_underscore = std::min(word.find_first_not_of('_'), word.size());
-    if (not_underscore > 0 && (not_underscore == word.size() || is_digit(word[not_underscore])))
-      return "write digits without separators";
-    const std::string product = fmt::format("'{0} {1}' for {0} times '{1}'", number, word);
-    if (begins_with('e') && tail.empty()) return fmt::format("write digits after the '{}', or {}", word, product);
-    if (begins_with('e') && counts && has_exponent) return "write one exponent";
-    if (begins_with('d') && counts)
-      return fmt::format("write '{}e{}' for a power of ten, or {}", number, tail, product);
-    if (begins_with('f') && tail.empty()) return fmt::format("write '{}', or {}", number, product);
-    return "";
+  // Reported, but a number for those who read on.
+  void bad_number(std::size_t begin, std::string_view what, const std::string& hint) {
+    at_ = end_of_malformed_number(text_, at_);
+    error("bad-number", begin, fmt::format("{} is {}", quote(text_from(begin)), what)).hint = hint;
+    push(Token::Kind::number, begin, text_from(begin));
   }
 
   void digits() {
@@ -233,20 +184,14 @@ class Lexer {
     list_.cut = true;
   }
 
-  // Nothing but blanks stands before it in its line.
-  bool begins_line(std::size_t at) const {
-    const std::size_t last = text_.substr(0, at).find_last_not_of(" \t");
-    return last == std::string_view::npos || text_[last] == '\n' || text_[last] == '\r';
-  }
-
   // A run of meaningless bytes is one error, and so are a pair of quotes and a character that repeats in its line.
   void stray() {
     const std::size_t begin = at_;
-    const auto byte = static_cast<unsigned char>(peek());
-    const bool is_repeated = strays_.find(peek()) != std::string::npos;
-    strays_ += peek();
+    const char c = peek();
+    const bool is_repeated = strays_.find(c) != std::string::npos;
+    strays_ += c;
     ++at_;
-    if (byte == '"' || byte == '\'') {
+    if (c == '"' || c == '\'') {
       quotes(begin, is_repeated);
       return;
     }
@@ -254,24 +199,9 @@ class Lexer {
            peek() != '$')
       ++at_;
     if (is_repeated) return;
-    if (byte >= 0x80) {
-      error("stray-character", begin, "unexpected character outside ASCII").hint =
-          "names consist of A-Z, a-z, 0-9 and '_'; comments may hold any text";
-    } else if (byte == '#' || (byte == ';' && begins_line(begin))) {
-      at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
-      error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin])).hint =
-          "a comment begins with '//'";
-    } else if (byte == ';') {
-      error("stray-character", begin, "unexpected character ';'").hint =
-          "items need no separator, components and names of a list are separated by ',', a comment begins with '//'";
-    } else if (byte == '^' && at_ < text_.size() && is_word(peek())) {
-      error("stray-character", begin, "unexpected character '^'").hint =
-          "write a power as a product; '^' stands only before a name that is a keyword";
-    } else if (byte > 0x20 && byte < 0x7f) {
-      error("stray-character", begin, fmt::format("unexpected character '{}'", text_[begin]));
-    } else {
-      error("stray-character", begin, fmt::format("unexpected byte 0x{:02x}", byte));
-    }
+    StrayCharacter found = stray_character(text_, {begin, at_});
+    if (found.begins_comment) at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    error("stray-character", begin, std::move(found.message)).hint = std::move(found.hint);
   }
 
   // The text between quotes is read as if they were absent.

@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "language/common/parse_named_value.h"
+
 namespace robcogen::language {
 namespace {
 
@@ -30,13 +32,6 @@ ExpressionPtr operation(
   e.left = std::move(left);
   e.right = std::move(right);
   e.juxtaposed = juxtaposed;
-  return std::make_shared<const Expression>(std::move(e));
-}
-
-ExpressionPtr literal(Span span, const Number& number) {
-  Expression e;
-  e.span = span;
-  e.number = number;
   return std::make_shared<const Expression>(std::move(e));
 }
 
@@ -146,10 +141,7 @@ class ExpressionParser {
       return literal(token.span, number_of(token));
     }
     if (cursor_.at("(")) return parenthesised();
-    if (cursor_.at("<")) return named_constant();
-    if (cursor_.at("c") && cursor_.at(":", 1)) return coloned_constant();
-    if (cursor_.at("p") && cursor_.at(":", 1)) return coloned_parameter();
-    if (cursor_.at_name() && cursor_.at(".", 1)) return member();
+    if (ExpressionPtr value = parse_named_value(cursor_)) return value;
     if (cursor_.at_name()) return name_or_function();
     missing_operand();
   }
@@ -197,57 +189,13 @@ class ExpressionParser {
     e.span = token.span;
     e.name = token.text;
     e.escaped = token.escaped;
-    if (accept_default(e)) {
+    if (accept_default(cursor_, e)) {
       e.kind = Kind::name;
     } else if (!token.escaped && (lower_case == "nan" || lower_case == "inf" || lower_case == "infinity")) {
       cursor_.error_at(token.span, "not-a-number", fmt::format("'{}' is not a finite number", token.text)).hint =
           fmt::format("write '^{}' for a parameter of this name", token.text);
       throw SyntaxError{};
     }
-    return std::make_shared<const Expression>(std::move(e));
-  }
-
-  bool accept_default(Expression& e) {
-    if (!cursor_.accept("[")) return false;
-    e.default_value = signed_number("as the default of a parameter");
-    e.span.end = cursor_.expect("]", "after the default of a parameter").span.end;
-    return true;
-  }
-
-  // `p:name`, `p:name[1.5]`
-  ExpressionPtr coloned_parameter() {
-    const std::size_t begin = cursor_.take().span.begin;
-    cursor_.take();  // ':'
-    const Token name = cursor_.expect_name("the name of a parameter");
-    Expression e;
-    e.kind = Kind::name;
-    e.name = name.text;
-    e.escaped = name.escaped;
-    e.is_parameter = true;
-    e.span = {begin, name.span.end};
-    accept_default(e);
-    return std::make_shared<const Expression>(std::move(e));
-  }
-
-  // `c:name:1.5` declares, `c:name` uses.
-  ExpressionPtr coloned_constant() {
-    const std::size_t begin = cursor_.take().span.begin;
-    cursor_.take();  // ':'
-    return std::make_shared<const Expression>(constant(begin, ":"));
-  }
-
-  // `group.name`; in the group `consts` it is a constant.
-  ExpressionPtr member() {
-    const Token group = cursor_.take();
-    cursor_.take();  // '.'
-    const Token name = cursor_.expect_name("the name of a parameter");
-    Expression e;
-    e.kind = group.text == "consts" ? Kind::constant : Kind::name;
-    e.name = name.text;
-    e.escaped = name.escaped;
-    if (e.kind == Kind::name) e.group = group.text;
-    e.span = {group.span.begin, name.span.end};
-    if (e.kind == Kind::name) accept_default(e);
     return std::make_shared<const Expression>(std::move(e));
   }
 
@@ -268,38 +216,6 @@ class ExpressionParser {
     ExpressionPtr argument = parenthesised();
     const Span span{name.span.begin, cursor_.previous().span.end};
     return operation(known->second, span, std::move(argument));
-  }
-
-  // `<name=3.2>` declares, `<name>` uses.
-  ExpressionPtr named_constant() {
-    const Token open = cursor_.take();
-    Expression e = constant(open.span.begin, "=");
-    e.span.end = cursor_.expect(">", "after a named constant").span.end;
-    return std::make_shared<const Expression>(std::move(e));
-  }
-
-  // The name, and after the symbol the value.
-  Expression constant(std::size_t begin, std::string_view before_value) {
-    const Token name = cursor_.expect_name("the name of a constant");
-    Expression e;
-    e.kind = Kind::constant;
-    e.name = name.text;
-    e.escaped = name.escaped;
-    if (cursor_.accept(before_value)) {
-      const std::size_t value_begin = cursor_.peek().span.begin;
-      const Number value = signed_number("as the value of a constant");
-      e.left = literal({value_begin, cursor_.previous().span.end}, value);
-    }
-    e.span = {begin, cursor_.previous().span.end};
-    return e;
-  }
-
-  Number signed_number(std::string_view context) {
-    const bool negative = cursor_.accept("-");
-    if (!negative) cursor_.accept("+");
-    if (cursor_.peek().kind != Token::Kind::number) cursor_.unexpected("a number", context);
-    const Number number = number_of(cursor_.take());
-    return negative ? -number : number;
   }
 
   void enter(Span span) {

@@ -1,0 +1,20 @@
+// Characters that belong to no token.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "support/diagnostics.h"
+
+namespace robcogen::language {
+
+struct StrayCharacter {
+  std::string message;
+  std::string hint;             // what to write instead; empty where nobody knows
+  bool begins_comment = false;  // of another language: the rest of the line is not meant as text
+};
+
+// What is wrong with the first character of a run of bytes without meaning.
+StrayCharacter stray_character(std::string_view text, Span run);
+
+}  // namespace robcogen::language
