@@ -427,7 +427,7 @@ function(_robcogen_add_selfcheck target)
   _robcogen_exclusion(exclusion)
   add_executable(${target} ${exclusion})
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
-  # A self-check compiles long and runs briefly: builds of this project use -O0 for most robots.
+  # A self-check compiles about as long as it runs: builds of this project use -Og.
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
