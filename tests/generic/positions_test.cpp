@@ -25,6 +25,16 @@ static_assert(kQuaternions<R>.size() == 2 && kQuaternions<R>[0] == 0 && kQuatern
 static_assert(ball_leg::index(ball_leg::Position::knee) == 4 && ball_leg::index(ball_leg::Joint::knee) == 3);
 static_assert(std::is_same_v<JointPositions<hyl::Robot>, hyl::JointState>);
 
+// A robot with loops that are assembled away from zero: three coordinates, and a joint that follows.
+struct Assembled {
+  using Scalar = double;
+  using JointState = Eigen::Vector3d;
+  using JointPositions = Eigen::Vector4d;
+  static constexpr std::array<int, 0> kQuaternions = {};
+  static constexpr std::array<double, 1> kAssembledFollowers = {0.7};
+  static constexpr std::array<double, 3> kAssembledCoordinates = {0.3, 0.0, -0.5};
+};
+
 Way random_way(std::mt19937_64& engine, double limit) {
   Way way;
   for (double& x : way) x = reference::uniform(engine, limit);
@@ -111,6 +121,7 @@ TEST(Positions, OfOtherRobotsAreAdded) {
   EXPECT_EQ(integrate_positions<hyl::Robot>(q, qd, 0.5), hyl::JointState(q + 0.5 * qd));
   EXPECT_EQ(position_difference<hyl::Robot>(q, qd), hyl::JointState(qd - q));
   EXPECT_EQ(neutral_positions<hyl::Robot>(), hyl::JointState::Zero());
+  EXPECT_EQ(neutral_positions<Assembled>(), (Eigen::Vector4d(0.3, 0.0, -0.5, 0.7)));
 }
 
 State<R> moving_state() {

@@ -249,10 +249,12 @@ rc::Gen<kinematics::Joint> joint() {
     const auto words = kinematics::coordinate_words(joint.type);
     if (words.empty()) return joint;
     for (std::size_t k = joint.comments.size() % 2; k < words.size(); ++k)
-      joint.coordinates.push_back({{std::string(words[k]), {}}, joint.drive, joint.rotor, joint.limits});
+      joint.coordinates.push_back(
+          {{std::string(words[k]), {}}, joint.drive, joint.rotor, joint.limits, joint.assembled});
     joint.drive = {};
     joint.rotor.reset();
     joint.limits = {};
+    joint.assembled = nullptr;
     return joint;
   };
   const auto any = rc::gen::build<Joint>(
@@ -264,7 +266,7 @@ rc::Gen<kinematics::Joint> joint() {
       rc::gen::set(&Joint::id, rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()))),
       rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::drive, drive()),
       rc::gen::set(&Joint::rotor, maybe(rotor())), rc::gen::set(&Joint::limits, limits()),
-      rc::gen::set(&Joint::comments, comments()));
+      rc::gen::set(&Joint::assembled, maybe_expression()), rc::gen::set(&Joint::comments, comments()));
   return rc::gen::map(rc::gen::pair(any, expression(1)), of_its_type);
 }
 

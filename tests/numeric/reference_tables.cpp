@@ -133,6 +133,7 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     const int last = tables.robot().joints.size - 1;
     tables.set_drive(last, drive_of(joint, parameters));
     tables.set_pitch(last, model::evaluate(joint.pitch, parameters));
+    if (robot.coupling_of(j) == nullptr) tables.set_assembled(last, joint.assembled.value_or(0.0));
   }
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (const model::Coupling& coupling : robot.couplings) {

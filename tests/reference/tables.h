@@ -57,6 +57,7 @@ class Tables {
   }
 
   void set_pitch(int joint, double pitch) { joints_[static_cast<std::size_t>(joint)].pitch = pitch; }
+  void set_assembled(int joint, double position) { joints_[static_cast<std::size_t>(joint)].assembled = position; }
   void set_drive(int joint, const JointDrive& drive) { joints_[static_cast<std::size_t>(joint)].drive = drive; }
 
   // Of the last joints, in their order: the next one follows the others by these factors.

@@ -63,7 +63,8 @@ struct JointData {
   std::array<double, 3> rotation{};
   JointLimits limits{};
   std::optional<DriveData> drive = {};
-  double pitch = 0;  // of a helical joint: m a radian
+  double pitch = 0;      // of a helical joint: m a radian
+  double assembled = 0;  // of a coordinate: its position (rad, m) where loops are assembled
 };
 
 // As in the document: of a component of a spherical joint, `hip_x`, the name of that joint.
@@ -212,7 +213,7 @@ struct Library {
   // Of the last elements of q, which follow the others through loops that no formulas close.
   struct Follower {
     int joint = 0;           // of all_joints()
-    double assembled = 0.0;  // its position where those of the coordinates are zero
+    double assembled = 0.0;  // its position where loops are assembled
   };
   std::vector<Follower> followers = {};
   std::vector<ActuatorData> actuators = {};

@@ -85,7 +85,8 @@ std::vector<double> parameters(const ViewOptions& options, const view::ViewedRob
   return values;
 }
 
-// Zero, or the limit that is nearest to it; of spherical joints no turn. Joints that follow are where loops close.
+// Zero, or where loops are assembled, or the limit that is nearest to it; of spherical joints no turn. Joints that
+// follow are where loops close.
 std::vector<double> positions(
     const ViewOptions& options,
     const view::ViewedRobot& robot,
@@ -97,7 +98,8 @@ std::vector<double> positions(
     const backend::JointData& joint = robot.library.joints[j];
     if (joint.type == backend::JointType::spherical && !robot.library.is_follower(j)) values.push_back(1.0);
     values.push_back(
-        joint.limits.lower <= joint.limits.upper ? std::clamp(0.0, joint.limits.lower, joint.limits.upper) : 0.0);
+        joint.limits.lower <= joint.limits.upper ? std::clamp(joint.assembled, joint.limits.lower, joint.limits.upper)
+                                                 : joint.assembled);
   }
   assign("--q", options.q, names, values);
   for (const int first : robot.library.quaternions()) normalise(names, static_cast<std::size_t>(first), values);

@@ -69,7 +69,8 @@ class Constants {
         values(first.placement.rotation),
         {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
         drive_of(joint),
-        value(joint.pitch)};
+        value(joint.pitch),
+        tree_.coupling_of(index) == nullptr ? joint.assembled.value_or(0.0) : 0.0};
   }
 
   std::optional<backend::DriveData> drive_of(const model::Joint& joint) const {
@@ -101,7 +102,7 @@ class Constants {
           coupling.terms.begin(), coupling.terms.end(), [&](const auto& candidate) { return candidate.joint == j; });
       data.factors.push_back(term == coupling.terms.end() ? 0.0 : is_linear ? value(term->factor) : kNone);
     }
-    if (!is_linear && tree_.loops[at(tree_.closures[at(coupling.closure)].loop())].takes_other_branch)
+    if (!is_linear && is_assembled_elsewhere(tree_.closures[at(coupling.closure)]))
       data.assembled = value(coupling.offset);
     return data;
   }
@@ -135,6 +136,18 @@ class Constants {
   }
 
  private:
+  // Than next to where its joints are drawn.
+  bool is_assembled_elsewhere(const model::Closure& closure) const {
+    return std::any_of(closure.loops.begin(), closure.loops.end(), [&](int index) {
+      const model::LoopJoint& loop = tree_.loops[at(index)];
+      const auto is_elsewhere = [&](const model::LoopEnd& end) {
+        return std::any_of(
+            end.joints.begin(), end.joints.end(), [&](int joint) { return tree_.joints[at(joint)].assembled; });
+      };
+      return loop.takes_other_branch || std::any_of(loop.ends.begin(), loop.ends.end(), is_elsewhere);
+    });
+  }
+
   double value(const model::Quantity& q) const { return model::evaluate(q, defaults_); }
   std::array<double, 3> values(const std::array<model::Quantity, 3>& q) const {
     return {value(q[0]), value(q[1]), value(q[2])};

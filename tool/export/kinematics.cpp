@@ -137,6 +137,7 @@ class Writer {
     joint.drive = write(from.drive);
     if (from.drive.rotor) joint.rotor = write(*from.drive.rotor, from.parent);
     joint.limits = write(from.limits);
+    if (from.assembled) joint.assembled = write(Quantity(*from.assembled));
     return joint;
   }
 

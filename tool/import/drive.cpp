@@ -54,6 +54,12 @@ class DriveDescriber {
     read_limit(limits.effort, described_.limits.effort, places.effort_limit);
   }
 
+  void describe_assembled(const ExpressionPtr& position) {
+    double& value = described_.assembled.emplace();
+    read_constant(position, "the position in which loops are assembled", value, described_.assembled_place);
+    check_angle(*position, model::Quantity(Number(value)));
+  }
+
  private:
   QuantityReader& reader_;
   Diagnostics& diagnostics_;
@@ -73,33 +79,54 @@ class DriveDescriber {
   }
 
   void read_limit(const ExpressionPtr& expression, double& limit, Place& place) {
-    if (!expression) return;
+    if (expression) read_constant(expression, "a limit", limit, place);
+  }
+
+  void read_constant(const ExpressionPtr& expression, const char* what, double& constant, Place& place) {
     model::Quantity value;
     read(expression, value, place);
     if (value.is_constant()) {
-      limit = value.number().value();
+      constant = value.number().value();
       return;
     }
+    const bool is_limit = what == std::string("a limit");
     diagnostics_
         .error(
-            "limit-with-parameter", place, fmt::format("a limit of joint '{}' depends on a parameter", described_.name))
-        .hint = "limits are constants: write a number";
+            is_limit ? "limit-with-parameter" : "assembled-with-parameter", place,
+            fmt::format("{} of joint '{}' depends on a parameter", what, described_.name))
+        .hint = is_limit ? "limits are constants: write a number" : "write a number";
   }
 };
 
-}  // namespace
-
-void describe_drive(
-    const kinematics::Drive& drive,
-    const std::optional<kinematics::Rotor>& rotor,
-    const kinematics::Limits& limits,
+template <class Owner>
+void describe_drive_of(
+    const Owner& owner,
     QuantityReader& reader,
     Diagnostics& diagnostics,
     model::DescribedJoint& described) {
   DriveDescriber describer(reader, diagnostics, described);
-  describer.describe(drive);
-  if (rotor) describer.describe(*rotor);
-  describer.describe(limits);
+  describer.describe(owner.drive);
+  if (owner.rotor) describer.describe(*owner.rotor);
+  describer.describe(owner.limits);
+  if (owner.assembled) describer.describe_assembled(owner.assembled);
+}
+
+}  // namespace
+
+void describe_drive(
+    const kinematics::Joint& joint,
+    QuantityReader& reader,
+    Diagnostics& diagnostics,
+    model::DescribedJoint& described) {
+  describe_drive_of(joint, reader, diagnostics, described);
+}
+
+void describe_drive(
+    const kinematics::Coordinate& coordinate,
+    QuantityReader& reader,
+    Diagnostics& diagnostics,
+    model::DescribedJoint& described) {
+  describe_drive_of(coordinate, reader, diagnostics, described);
 }
 
 }  // namespace robcogen::import

@@ -1,7 +1,5 @@
-// Drives and limits of joints, from robot documents to the model.
+// Drives and limits of joints, and where loops are assembled, from robot documents to the model.
 #pragma once
-
-#include <optional>
 
 #include "import/parameters.h"
 #include "language/kinematics/document.h"
@@ -9,11 +7,15 @@
 
 namespace robcogen::import {
 
-// Fills in drive and limits. Values of the drive are dynamics quantities; reports limits that depend on a parameter.
+// Fills in what a joint, or one of its coordinates, says of them. Values of the drive are dynamics quantities; reports
+// limits, and positions in which loops are assembled, that depend on a parameter.
 void describe_drive(
-    const language::kinematics::Drive& drive,
-    const std::optional<language::kinematics::Rotor>& rotor,
-    const language::kinematics::Limits& limits,
+    const language::kinematics::Joint& joint,
+    QuantityReader& reader,
+    Diagnostics& diagnostics,
+    model::DescribedJoint& described);
+void describe_drive(
+    const language::kinematics::Coordinate& coordinate,
     QuantityReader& reader,
     Diagnostics& diagnostics,
     model::DescribedJoint& described);

@@ -29,6 +29,7 @@ class Describer {
   model::Description describe() {
     model::Description description;
     description.name = document_.robot.text;
+    description.may_say_assembled = true;
     description.place = place(document_.robot.span);
     for (const kinematics::Link& link : document_.links) {
       if (link.is_base) {
@@ -137,7 +138,7 @@ class Describer {
     model::DescribedJoint result = {
         joint.name.text, place(joint.name.span), type_of(joint.type), read(joint.placement)};
     if (joint.pitch) result.pitch = read_pitch(joint);
-    describe_drive(joint.drive, joint.rotor, joint.limits, reader_, diagnostics_, result);
+    describe_drive(joint, reader_, diagnostics_, result);
     return result;
   }
 
@@ -153,7 +154,7 @@ class Describer {
       made.name = model::coordinate_name(joint.name.text, coordinate);
       made.type = coordinate.type;
       for (const kinematics::Coordinate& c : joint.coordinates)
-        if (c.word.text == coordinate.name) describe_drive(c.drive, c.rotor, c.limits, reader_, diagnostics_, made);
+        if (c.word.text == coordinate.name) describe_drive(c, reader_, diagnostics_, made);
     }
     return result;
   }

@@ -81,7 +81,8 @@ void declare_elements(Assembly& a) {
     if (!declare(a.joints, "joint", "duplicate-joint", joint.name, joint.place, a.tree.joints, a.diagnostics))
       a.joints_repeat = true;
     a.tree.joints.push_back(
-        {joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits, joint.drive, joint.pitch});
+        {joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits, joint.drive, joint.pitch,
+         joint.assembled});
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
           .error(

@@ -22,7 +22,10 @@ std::vector<double> closed_followers(
     const LoopCluster cluster(tree, closure.loops, parameters);
     double gap = 0.0;
     for (int step = 0; step <= kSteps; ++step) {
-      for (const int joint : tree.coordinates()) joints[at(joint)] = q[at(elements[at(joint)])] * step / kSteps;
+      for (const int joint : tree.coordinates()) {
+        const double from = tree.joints[at(joint)].assembled.value_or(0.0), to = q[at(elements[at(joint)])];
+        joints[at(joint)] = step < kSteps ? from + (to - from) * step / kSteps : to;
+      }
       gap = cluster.close(joints, closure.dependents);
     }
     if (!(gap <= kClosed * cluster.size(joints)))

@@ -71,10 +71,42 @@ class LoopDeclaration {
     tree_.loops.push_back(std::move(loop));
   }
 
+  // The position of a joint where loops are assembled, when all of these are declared.
+  void check_assembled(const DescribedJoint& described) {
+    const int joint = *tree_.find_joint(described.name);
+    if (described.type == JointType::spherical) return;  // reported: it has no such position
+    if (tree_.coupling_of(joint) != nullptr) {
+      diagnostics_
+          .error(
+              "assembled-coupled", described.assembled_place,
+              fmt::format(
+                  "joint '{}' cannot say where loops are assembled: a coupling ties it to others", described.name))
+          .hint = "write 'assembled' in the joints that it follows";
+    } else if (!moves_loop(joint)) {
+      diagnostics_.error(
+          "assembled-without-loop", described.assembled_place,
+          fmt::format("joint '{}' says where loops are assembled, but moves none", described.name));
+    }
+  }
+
  private:
   KinematicTree& tree_;
   Diagnostics& diagnostics_;
   std::map<int, Place>& independent_;
+
+  // Itself, or joints that couplings tie to it.
+  bool moves_loop(int joint) const {
+    const auto follows = [&](int other) {
+      const Coupling* coupling = tree_.coupling_of(other);
+      return coupling != nullptr && std::any_of(
+                                        coupling->terms.begin(), coupling->terms.end(),
+                                        [&](const Coupling::Term& term) { return term.joint == joint; });
+    };
+    return std::any_of(tree_.loops.begin(), tree_.loops.end(), [&](const LoopJoint& loop) {
+      const std::vector<int> joints = joints_of(loop);
+      return std::any_of(joints.begin(), joints.end(), [&](int j) { return j == joint || follows(j); });
+    });
+  }
 
   // One that the geometry depends on; nullptr where there is none.
   const Parameter* parameter_without_value(const LoopJoint& loop) const {
@@ -102,6 +134,8 @@ void declare_loops(const Description& description, LoopContext& context) {
   LoopDeclaration declaration(context);
   for (const DescribedIndependent& named : description.independents) declaration.declare(named);
   for (const DescribedLoop& loop : description.loops) declaration.declare(loop);
+  for (const DescribedJoint& joint : description.joints)
+    if (joint.assembled) declaration.check_assembled(joint);
 }
 
 }  // namespace robcogen::model

@@ -65,6 +65,8 @@ struct DescribedJoint {
   DrivePlaces drive_places = {};
   std::optional<std::string> rotor_carrier = {};  // the joint's parent where none is named
   Quantity pitch = {};                            // of a helical joint: m a radian
+  std::optional<double> assembled = {};           // its position where the loops that it is part of are assembled
+  Place assembled_place = {};
 };
 
 // The position of a joint as a sum over other joints, which may follow others in turn.
@@ -129,6 +131,7 @@ struct Description {
   std::vector<DescribedActuator> actuators = {};
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};
+  bool may_say_assembled = false;  // the format has DescribedJoint::assembled
 };
 
 // The base is link 0, then the links as declared.

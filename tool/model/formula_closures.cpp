@@ -69,16 +69,31 @@ class FormulaSearch {
           .hint = context_.hint_to_free(joints_of(loop));
       return true;
     }
-    const auto parallelogram = find_parallelogram(tree(), loop, context_.parameters, closure);
+    auto parallelogram = find_parallelogram(tree(), loop, context_.parameters, closure);
+    if (parallelogram && !is_assembled_as(*parallelogram, loop, free, closure)) parallelogram.reset();
     choose(loop, free, wanted, parallelogram, closure);
     if (closure.dependents.empty()) return false;
     for (const int joint : closure.dependents) followed_.insert({joint, static_cast<int>(closures_.size())});
     if (parallelogram) {
       closure.shares = parallelogram->shares(closure.dependents);
-      if (parallelogram->is_flat()) warn_of_flat(loop);
+      if (parallelogram->is_flat() && !context_.has_start(joints_of(loop))) warn_of_flat(loop);
     }
     closures_.push_back(std::move(closure));
     return true;
+  }
+
+  // Where the document says where it is assembled, its links may be crossed there.
+  bool is_assembled_as(
+      const Parallelogram& parallelogram,
+      const LoopJoint& loop,
+      const std::vector<int>& free,
+      Closure closure) const {
+    if (!context_.has_start(joints_of(loop))) return true;
+    choose(loop, free, 2, std::nullopt, closure);
+    if (closure.dependents.empty()) return true;
+    std::vector<double> q = context_.start();
+    model::close(tree(), closure, q, context_.parameters);
+    return parallelogram.holds(q);
   }
 
   void warn_of_flat(const LoopJoint& loop) {
@@ -89,7 +104,7 @@ class FormulaSearch {
                 "loop '{}' is flat at q = 0: it is taken for a parallelogram, whose opposite links stay parallel, not "
                 "for crossed links",
                 loop.name))
-        .hint = "turn the placement of a joint so that the loop is open at q = 0";
+        .hint = context_.hint_to_assemble(joints_of(loop), "the loop is open");
   }
 
   std::vector<int> candidates(const LoopJoint& loop) const {
@@ -108,7 +123,7 @@ class FormulaSearch {
       std::size_t wanted,
       const std::optional<Parallelogram>& parallelogram,
       Closure& closure) const {
-    const LoopPosture start = posture(tree(), loop, context_.zeros(), context_.parameters);
+    const LoopPosture start = posture(tree(), loop, context_.start(), context_.parameters);
     const double length = evaluate(loop.length, context_.parameters);
     std::optional<Score> best;
     const auto consider = [&](std::vector<int> joints) {
@@ -218,7 +233,7 @@ void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<dou
   const double gap = model::close(context.tree, closure, q, context.parameters);
   const LoopPosture now = posture(context.tree, loop, q, context.parameters);
   if (!(gap <= kClosed * size_of(now))) {
-    context.report(loop, open_loop(loop, gap));
+    context.report(loop, open_loop(loop, gap, context.where(joints_of(loop))));
     return;
   }
   const double length = evaluate(loop.length, context.parameters);
@@ -227,16 +242,18 @@ void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<dou
         .error(
             "loop-stretched", loop.place,
             fmt::format(
-                "loop '{}' is stretched at q = 0: the way it is assembled, and the motions of {}, are undefined",
-                loop.name, context.quoted(closure.dependents)))
-        .hint = "turn the placement of a joint so that the loop is open at q = 0";
+                "loop '{}' is stretched {}: the way it is assembled, and the motions of {}, are undefined", loop.name,
+                context.where(joints_of(loop)), context.quoted(closure.dependents)))
+        .hint = context.hint_to_assemble(joints_of(loop), "the loop is open");
     return;
   }
   closure.branch = branch_of(context.tree, closure, now);
   if (loop.takes_other_branch && !assemble_other_way(context, closure, q))
     context.diagnostics.error(
         "loop-branch", loop.place,
-        fmt::format("loop '{}' has no other way to be assembled at q = 0 than that which is drawn", loop.name));
+        fmt::format(
+            "loop '{}' has no other way to be assembled {} than that which is drawn", loop.name,
+            context.where(joints_of(loop))));
 }
 
 }  // namespace robcogen::model

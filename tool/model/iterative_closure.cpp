@@ -62,6 +62,7 @@ class IterativeSearch {
   bool is_one() const { return loops_.size() == 1; }
   std::string take() const { return (is_one() ? "loop " : "loops ") + names() + (is_one() ? " takes" : " take"); }
   std::string their() const { return is_one() ? "its" : "their"; }
+  std::string where() const { return context_.where(cluster_.joints()); }
   static std::string motions(int count) { return fmt::format("{} motion{}", count, count == 1 ? "" : "s"); }
 
   std::nullopt_t report(const std::string& code, const std::string& message, const std::string& hint) {
@@ -82,18 +83,20 @@ class IterativeSearch {
       return report(
           "loop-cannot-close",
           fmt::format(
-              "{} would close at q = 0 with frames that are turned by half a turn",
-              is_one() ? "loop " + names() : "loops " + names()),
+              "{} would close {} with frames that are turned by half a turn",
+              is_one() ? "loop " + names() : "loops " + names(), where()),
           "turn one of the frames by PI");
     if (is_one()) {
-      PlaneFault fault = open_loop(first(), gap);
-      if (const std::string reason = reason_in_space(); !reason.empty()) fault.hint = reason;
+      PlaneFault fault = open_loop(first(), gap, where());
+      const std::string reason = reason_in_space();
+      fault.hint = reason.empty() ? context_.hint_to_close(cluster_.joints()) : reason;
       context_.report(first(), fault);
       return std::nullopt;
     }
     return report(
-        "loop-cannot-close", fmt::format("loops {} do not close at q = 0: they remain open by {:.3g} m", names(), gap),
-        "q = 0 of the independent joints is the position in which loops are assembled: check lengths and frames");
+        "loop-cannot-close",
+        fmt::format("loops {} do not close {}: they remain open by {:.3g} m", names(), where(), gap),
+        context_.hint_to_close(cluster_.joints()));
   }
 
   // Without drives before those with, of these the last ones of the document.
@@ -126,9 +129,9 @@ class IterativeSearch {
           report(
               "loop-stretched",
               fmt::format(
-                  "{} away {} at q = 0, but {} nearby: the motions of {} are undefined", take(), motions(rank), nearby,
-                  context_.quoted(following)),
-              "turn the placement of a joint so that q = 0 is another position");
+                  "{} away {} {}, but {} nearby: the motions of {} are undefined", take(), motions(rank), where(),
+                  nearby, context_.quoted(following)),
+              context_.hint_to_assemble(cluster_.joints(), is_one() ? "the loop is open" : "the loops are open"));
           return false;
         }
         break;
@@ -138,10 +141,10 @@ class IterativeSearch {
       report(
           "loop-over-constrained",
           fmt::format(
-              "{} away {} at q = 0, but {} joints close {} there alone: q = 0 is stretched, or nothing moves", take(),
-              motions(rank), their(), is_one() ? "it" : "them"),
-          reason_in_space().empty() ? "place the links so that they are open at q = 0; axes that are meant to be "
-                                      "parallel, or to meet, must do so to the digit"
+              "{} away {} {}, but {} joints close {} there alone: that is stretched, or nothing moves", take(),
+              motions(rank), where(), their(), is_one() ? "it" : "them"),
+          reason_in_space().empty() ? context_.hint_to_assemble(cluster_.joints(), "the links are open") +
+                                          "; axes that are meant to be parallel, or to meet, must do so to the digit"
                                     : reason_in_space());
     return has_moved;
   }

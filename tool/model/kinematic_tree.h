@@ -74,6 +74,8 @@ struct Joint {
   JointLimits limits = {};  // infinite when the document has none
   Drive drive = {};
   Quantity pitch = {};  // of a helical joint: m a radian
+  // Its position (rad, m) where the loops that it is part of are assembled: near there, where it follows; else at zero.
+  std::optional<double> assembled = {};
   // Of a component of a spherical joint: the name of that joint, and the axis of the child, 0, 1 or 2. The first one
   // has the placement, the others stay where it is; all three have the same drive and limits.
   std::string spherical = {};
@@ -92,8 +94,8 @@ Quantity slide_of(const Joint& joint);
 std::array<Quantity, 3> rotor_axis(const Joint& joint);
 
 // A joint that follows others: q_joint = offset + sum of factor * q_k, over independent joints k. Through a loop it
-// follows in another way: then the terms only tell which joints it follows, and the offset is its position where those
-// are zero.
+// follows in another way: then the terms only tell which joints it follows, and the offset is its position where loops
+// are assembled.
 struct Coupling {
   struct Term {
     int joint = -1;   // independent

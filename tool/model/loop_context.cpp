@@ -20,6 +20,48 @@ std::string LoopContext::quoted(const std::vector<int>& joints) const {
   return text;
 }
 
+std::vector<double> LoopContext::start() const {
+  std::vector<double> q;
+  for (const Joint& joint : tree.joints) q.push_back(joint.assembled.value_or(0.0));
+  for (const Coupling& coupling : tree.couplings) {
+    if (!coupling.is_linear()) continue;
+    q[at(coupling.joint)] = evaluate(coupling.offset, parameters);
+    for (const Coupling::Term& term : coupling.terms)
+      q[at(coupling.joint)] += evaluate(term.factor, parameters) * q[at(term.joint)];
+  }
+  return q;
+}
+
+bool LoopContext::has_start(const std::vector<int>& joints) const {
+  return std::any_of(joints.begin(), joints.end(), [&](int joint) {
+    const auto gives = [&](int other) { return tree.joints[at(other)].assembled.value_or(0.0) != 0.0; };
+    const Coupling* coupling = tree.coupling_of(joint);
+    if (coupling == nullptr || !coupling->is_linear()) return gives(joint);
+    return std::any_of(
+        coupling->terms.begin(), coupling->terms.end(), [&](const Coupling::Term& term) { return gives(term.joint); });
+  });
+}
+
+std::string LoopContext::where(const std::vector<int>& joints) const {
+  return has_start(joints) ? "where its joints say that it is assembled" : "at q = 0";
+}
+
+std::string LoopContext::hint_to_close(const std::vector<int>& joints) const {
+  if (has_start(joints)) return "the independent joints are where they say, or at zero: check lengths and frames";
+  return std::string(
+             "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and "
+             "frames, or ") +
+         (may_say_assembled ? "write 'assembled = 0.5' in joints, positions near which it closes"
+                            : "turn the placement of a joint to where it closes");
+}
+
+std::string LoopContext::hint_to_assemble(const std::vector<int>& joints, const std::string& how) const {
+  if (has_start(joints)) return fmt::format("'assembled' of its joints must be positions near which {}", how);
+  const std::string turned = fmt::format("turn the placement of a joint so that {} at q = 0", how);
+  if (!may_say_assembled) return turned;
+  return turned + fmt::format(", or write 'assembled = 0.5' in joints, positions in which {}", how);
+}
+
 bool LoopContext::is_free(int joint) const {
   const JointType type = tree.joints[at(joint)].type;
   return (type == JointType::revolute || type == JointType::prismatic) && !given.contains(joint) &&

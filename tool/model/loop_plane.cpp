@@ -105,7 +105,7 @@ PlaneFault find_plane(
         !reason.is_rounding};
   const Numbers3 normal = turning->axis;
   if (const double gap = gap_along(start, normal); gap > 0.0)
-    return open_loop(loop, gap, " along the axes of its joints");
+    return open_loop(loop, gap, "at q = 0", " along the axes of its joints");
   std::vector<double> others = parameters;
   for (std::size_t k = 0; k < others.size(); ++k) others[k] += 0.05 + 0.01 * static_cast<double>(k);
   const LoopPosture moved = posture(tree, loop, zeros, others);
@@ -117,13 +117,13 @@ PlaneFault find_plane(
   return {};
 }
 
-PlaneFault open_loop(const LoopJoint& loop, double gap, const std::string& where) {
+PlaneFault open_loop(const LoopJoint& loop, double gap, const std::string& where, const std::string& along) {
   return {
       "loop-cannot-close",
       fmt::format(
-          "loop '{}' does not close at q = 0: '{}' misses '{}' by {:.3g} m{}", loop.name, loop.ends[0].frame,
-          loop.ends[1].frame, gap, where),
-      "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and frames"};
+          "loop '{}' does not close {}: '{}' misses '{}' by {:.3g} m{}", loop.name, where, loop.ends[0].frame,
+          loop.ends[1].frame, gap, along),
+      "check lengths and frames"};
 }
 
 double size_of(const LoopPosture& posture) {

@@ -23,8 +23,12 @@ PlaneFault find_plane(
     const std::vector<double>& parameters,
     Closure& closure);
 
-// The message that a loop does not close at q = 0.
-PlaneFault open_loop(const LoopJoint& loop, double gap, const std::string& where = "");
+// The message that a loop does not close, `where`; `along`: in which direction, or all.
+PlaneFault open_loop(
+    const LoopJoint& loop,
+    double gap,
+    const std::string& where = "at q = 0",
+    const std::string& along = "");
 
 // A length: of the longest lever of a joint.
 double size_of(const LoopPosture& posture);

@@ -15,8 +15,8 @@
 namespace robcogen::model {
 namespace {
 
-LoopContext context_of(KinematicTree& tree, Diagnostics& diagnostics) {
-  LoopContext context{tree, diagnostics, {}, {}, {}};
+LoopContext context_of(const Description& description, KinematicTree& tree, Diagnostics& diagnostics) {
+  LoopContext context{tree, diagnostics, {}, {}, {}, description.may_say_assembled};
   for (const Parameter& p : tree.parameters) context.parameters.push_back(p.default_value.value_or(1.0));
   for (const Coupling& coupling : tree.couplings) {
     context.given.insert(coupling.joint);
@@ -30,9 +30,13 @@ void report_spherical_joints(LoopContext& context) {
   for (const LoopJoint& loop : context.tree.loops)
     for (const int joint : joints_of(loop))
       if (context.tree.joints[at(joint)].type == JointType::spherical)
-        context.diagnostics.error(
-            "loop-spherical", loop.place,
-            fmt::format("spherical joint '{}' cannot be part of loop '{}'", context.name(joint), loop.name));
+        context.diagnostics
+            .error(
+                "loop-spherical", loop.place,
+                fmt::format("spherical joint '{}' cannot be part of loop '{}'", context.name(joint), loop.name))
+            .hint =
+            "a rod with a ball at each end moves alike with a 'u_joint' at one end, which keeps it from spinning, and "
+            "a loop with 'type = point' at the other; a rod without mass is a loop with a 'distance'";
 }
 
 // Loops that share joints, directly or through others.
@@ -70,12 +74,10 @@ std::vector<std::vector<int>> add_formula_closures(LoopContext& context) {
   return others;
 }
 
-// Returns the positions of all joints where those that are independent are at zero.
+// Returns the positions of all joints where loops are assembled.
 std::vector<double> assemble(LoopContext& context, const std::vector<std::vector<int>>& without_formulas) {
   const std::size_t errors_before = context.diagnostics.error_count();
-  std::vector<double> q = context.zeros();
-  for (const Coupling& coupling : context.tree.couplings)
-    q[at(coupling.joint)] = evaluate(coupling.offset, context.parameters);
+  std::vector<double> q = context.start();
   for (Closure& closure : context.tree.closures)
     if (context.diagnostics.error_count() == errors_before) assemble_by_formula(context, closure, q);
   for (const std::vector<int>& loops : without_formulas)
@@ -118,9 +120,12 @@ void add_couplings(KinematicTree& tree, const std::vector<double>& q) {
 }  // namespace
 
 void resolve_loops(const Description& description, KinematicTree& tree, Diagnostics& diagnostics) {
-  if (description.loops.empty() && description.independents.empty()) return;
+  const auto says_assembled = [](const DescribedJoint& joint) { return joint.assembled.has_value(); };
+  if (description.loops.empty() && description.independents.empty() &&
+      std::none_of(description.joints.begin(), description.joints.end(), says_assembled))
+    return;
   const std::size_t errors_before = diagnostics.error_count();
-  LoopContext context = context_of(tree, diagnostics);
+  LoopContext context = context_of(description, tree, diagnostics);
   declare_loops(description, context);
   if (diagnostics.error_count() == errors_before) report_spherical_joints(context);
   if (diagnostics.error_count() > errors_before) return;

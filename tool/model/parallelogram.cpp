@@ -100,6 +100,16 @@ bool Parallelogram::determines(const std::vector<int>& joints) const {
   return first->second[0] * second->second[1] != first->second[1] * second->second[0];
 }
 
+bool Parallelogram::holds(const std::vector<double>& q) const {
+  constexpr double kSame = 1e-6;  // rad
+  for (const std::size_t sum : {std::size_t{0}, std::size_t{1}}) {
+    double total = 0.0;
+    for (const auto& [joint, counts] : sums_) total += counts[sum] * q[at(joint)];
+    if (!(std::abs(std::remainder(total, 2.0 * std::acos(-1.0))) < kSame)) return false;
+  }
+  return true;
+}
+
 std::vector<std::vector<LoopShare>> Parallelogram::shares(const std::vector<int>& dependents) const {
   const std::array<int, 2>&a = sums_.at(dependents[0]), &b = sums_.at(dependents[1]);
   const int determinant = a[0] * b[1] - a[1] * b[0];

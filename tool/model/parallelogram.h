@@ -22,6 +22,8 @@ class Parallelogram {
   bool determines(const std::vector<int>& joints) const;
   // By dependent joint: those that it follows.
   std::vector<std::vector<LoopShare>> shares(const std::vector<int>& dependents) const;
+  // Whether its links are parallel, and not crossed, in this position in which it is closed.
+  bool holds(const std::vector<double>& q) const;
   // Whether all of its pivots are on one line, where crossed links meet, too.
   bool is_flat() const { return is_flat_; }
 

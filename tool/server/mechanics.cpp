@@ -119,7 +119,12 @@ Pose RestingRobot::placed(const Pose& parent, const model::Placement& placement)
 
 Pose RestingRobot::moved(const Pose& frame, int j) const {
   const model::Coupling* coupling = tree_.coupling_of(j);
-  const double q = coupling == nullptr ? 0.0 : value(coupling->offset);
+  double q = tree_.joints[index(j)].assembled.value_or(0.0);
+  if (coupling != nullptr) {
+    q = value(coupling->offset);
+    for (const model::Coupling::Term& term : coupling->terms)
+      if (coupling->is_linear()) q += value(term.factor) * tree_.joints[index(term.joint)].assembled.value_or(0.0);
+  }
   if (q == 0.0) return frame;
   const model::Joint& joint = tree_.joints[index(j)];
   Pose motion = elementary(model::turns(joint.type), 2, q);

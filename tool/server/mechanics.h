@@ -32,7 +32,7 @@ struct Carried {
 
 class RestingRobot {
  public:
-  // Independent joints are at zero, coupled ones where the couplings put them.
+  // Independent joints are at zero, or where loops are assembled; coupled ones where the couplings put them.
   explicit RestingRobot(const model::KinematicTree& tree);
 
   const Pose& link(int link) const { return links_[static_cast<std::size_t>(link)]; }

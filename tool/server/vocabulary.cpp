@@ -23,7 +23,7 @@ std::vector<BlockWords> blocks_of_robots() {
   const Words joints = {"r_joint", "p_joint", "h_joint", "c_joint", "u_joint", "planar_joint", "s_joint"};
   const Words placement = {"translation", "rotation"};
   const Words inertia = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
-  const Words drive = {"damping", "friction", "armature", "spring", "rotor", "limits"};
+  const Words drive = {"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"};
   const Words joint = {"id", "ref_frame"};
   return {
       {"", {"Robot", "Part", "import"}},

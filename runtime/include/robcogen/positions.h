@@ -32,6 +32,15 @@ template <class R>
 struct FollowersOf<R, std::void_t<decltype(R::kAssembledFollowers)>> {
   static constexpr auto kAssembled = R::kAssembledFollowers;
 };
+// Where loops are assembled: an element of qd each.
+template <class R, class = void>
+struct CoordinatesOf {
+  static constexpr std::array<double, 0> kAssembled = {};
+};
+template <class R>
+struct CoordinatesOf<R, std::void_t<decltype(R::kAssembledCoordinates)>> {
+  static constexpr auto kAssembled = R::kAssembledCoordinates;
+};
 template <class R>
 struct Of<R, std::void_t<typename R::JointPositions>> {
   using Type = typename R::JointPositions;
@@ -88,11 +97,19 @@ void set_quaternion(Vector& q, int k, const Quaternion& value) noexcept {
 
 }  // namespace positions
 
-// Zero, and of spherical joints the frames of child and joint coincide; followers where their loops close.
+// Zero, or where loops are assembled; of spherical joints the frames of child and joint coincide; followers where their
+// loops close.
 template <class R>
 JointPositions<R> neutral_positions() noexcept {
   JointPositions<R> q = JointPositions<R>::Zero();
   for (const int k : kQuaternions<R>) q[k] = 1;
+  constexpr auto coordinates = positions::CoordinatesOf<R>::kAssembled;
+  if constexpr (coordinates.size() > 0)
+    positions::visit<R>(
+        [](int, int) {},
+        [&](int k, int velocity) {
+          q[k] = static_cast<typename R::Scalar>(coordinates[static_cast<std::size_t>(velocity)]);
+        });
   constexpr auto assembled = positions::FollowersOf<R>::kAssembled;
   for (std::size_t k = 0; k < assembled.size(); ++k)
     q[kPositionCount<R> - kFollowerCount<R> + static_cast<int>(k)] = static_cast<typename R::Scalar>(assembled[k]);

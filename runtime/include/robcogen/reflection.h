@@ -24,7 +24,8 @@ struct Joint {
   double translation[3];
   double rotation[3];
   JointDrive drive = {};
-  double pitch = 0;  // of a helical joint: m a radian
+  double pitch = 0;      // of a helical joint: m a radian
+  double assembled = 0;  // of an element of qd: its position (rad, m) where loops are assembled
 };
 
 struct Link {
@@ -298,7 +299,7 @@ struct ActuatorKernels {
 // A coupled joint whose position is an element of q: it follows through loops that no formulas close.
 struct Follower {
   int joint;
-  double assembled;  // its position where those of the coordinates are zero
+  double assembled;  // its position where loops are assembled: those of the coordinates are Joint::assembled
 };
 
 struct Robot {

@@ -235,6 +235,12 @@ std::string robot_type(const Api& api) {
     positions += constant(
         "std::array<double, " + std::to_string(assembled.size()) + ">", "kAssembledFollowers", braced(assembled));
   }
+  const auto is_assembled = [](const JointData& joint) { return joint.assembled != 0; };
+  if (std::any_of(library.joints.begin(), library.joints.end(), is_assembled)) {
+    std::vector<std::string> assembled;
+    for (const JointData& joint : library.joints) assembled.push_back(model_number(joint.assembled));
+    positions += constant("std::array<double, kDof>", "kAssembledCoordinates", braced(assembled));
+  }
   std::vector<std::string> parts = {
       types,
       constant("int", "kDof", std::to_string(library.joints.size())) + positions +

@@ -36,8 +36,10 @@ Table joints(const Library& library) {
     rows.push_back(
         {quoted(j.name), joint_type(j.type), j.parent, j.child, numbers(j.translation), numbers(j.rotation)});
     const bool has_pitch = j.type == JointType::helical;
-    if (j.drive || has_pitch) rows.back().push_back(drive_numbers(j.drive.value_or(DriveData())));
-    if (has_pitch) rows.back().push_back(model_number(j.pitch));
+    const bool is_assembled = j.assembled != 0;
+    if (j.drive || has_pitch || is_assembled) rows.back().push_back(drive_numbers(j.drive.value_or(DriveData())));
+    if (has_pitch || is_assembled) rows.back().push_back(model_number(j.pitch));
+    if (is_assembled) rows.back().push_back(model_number(j.assembled));
   }
   return table("Joint", "kJoints", rows);
 }

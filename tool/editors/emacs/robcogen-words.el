@@ -31,6 +31,7 @@
     "actuators"
     "armature"
     "as"
+    "assembled"
     "at"
     "axis"
     "base"

@@ -153,7 +153,8 @@ class Reflection {
   void reflect_drive(Owner& owner, bool slides, const Signs& carrier, int sense) {
     if (owner.rotor) rotors_.push_back({&*owner.rotor, slides, carrier, sense});
     if (sense > 0) return;
-    if (owner.drive.rest) owner.drive.rest = negated(owner.drive.rest);
+    for (ExpressionPtr* position : {&owner.drive.rest, &owner.assembled})
+      if (*position) *position = negated(*position);
     if (!owner.limits.position) return;
     auto& [lower, upper] = *owner.limits.position;
     std::swap(lower, upper);

@@ -120,6 +120,7 @@ struct Coordinate {
   Drive drive;
   std::optional<Rotor> rotor;
   Limits limits;
+  ExpressionPtr assembled = {};
 };
 
 struct Joint {
@@ -132,6 +133,7 @@ struct Joint {
   Drive drive;
   std::optional<Rotor> rotor;
   Limits limits;
+  ExpressionPtr assembled = {};         // its position where the loops that it is part of are assembled: rad, m
   std::vector<Coordinate> coordinates;  // those of which something is said, in the order of coordinate_words
   std::vector<std::string> comments;
   Span span;

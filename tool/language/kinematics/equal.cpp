@@ -113,7 +113,7 @@ bool same(const Limits& a, const Limits& b) {
 template <class Owner>
 bool same_drive_and_limits(const Owner& a, const Owner& b) {
   return same(a.drive, b.drive) && a.rotor.has_value() == b.rotor.has_value() &&
-         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits);
+         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits) && same(a.assembled, b.assembled);
 }
 
 bool same(const Coordinate& a, const Coordinate& b) {

@@ -50,6 +50,7 @@ void visit_drive_and_limits(Owner& owner, Visit visit) {
     for (auto& bound : *owner.limits.position) visit(bound);
   visit_given(owner.limits.velocity);
   visit_given(owner.limits.effort);
+  visit_given(owner.assembled);
 }
 
 template <class JointType, class Visit>

@@ -91,6 +91,7 @@ class Judge {
     const Limits& limits = joint.limits;
     const ExpressionPtr& first = limits.position ? (*limits.position)[0] : limits.velocity;
     refuse_clause("limits", first ? first : limits.effort);
+    refuse_clause("assembled", joint.assembled);
   }
 };
 

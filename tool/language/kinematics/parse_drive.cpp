@@ -66,7 +66,7 @@ bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
 }  // namespace
 
 bool at_drive_item(const Cursor& cursor) {
-  return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits"});
+  return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"});
 }
 
 bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, const DriveItems& items) {
@@ -78,9 +78,10 @@ bool drive_item(BlockParser& parser, const std::string& owner, const Token& word
   if (word.text == "friction" && parser.cursor().at("{"))
     return pair(parser, "the friction of " + owner, word, kFrictionItems, drive.friction, drive.friction_velocity);
   parser.equals(word);
-  (word.text == "damping"    ? drive.damping
-   : word.text == "friction" ? drive.friction
-                             : drive.armature) = parser.scalar();
+  (word.text == "damping"     ? drive.damping
+   : word.text == "friction"  ? drive.friction
+   : word.text == "assembled" ? items.assembled
+                              : drive.armature) = parser.scalar();
   return true;
 }
 

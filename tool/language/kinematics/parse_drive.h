@@ -1,4 +1,5 @@
-// The items of a joint behind its frame: drive and limits. Their words are not reserved: only there do they mean this.
+// The items of a joint behind its frame: drive, limits, and where loops are assembled. Their words are not reserved:
+// only there do they mean this.
 #pragma once
 
 #include "language/kinematics/block_parser.h"
@@ -13,6 +14,7 @@ struct DriveItems {
   Drive& drive;
   std::optional<Rotor>& rotor;
   Limits& limits;
+  ExpressionPtr& assembled;
 };
 
 // Reads the item behind its word. Returns whether there was no error in it.

@@ -8,14 +8,15 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-const WordList kJointItems = {"id", "ref_frame", "damping", "friction", "armature", "spring", "rotor", "limits"};
+const WordList kJointItems = {"id",     "ref_frame", "damping", "friction", "armature",
+                              "spring", "rotor",     "limits",  "assembled"};
 const WordList kHelicalItems = {"id",       "ref_frame", "pitch", "damping", "friction",
-                                "armature", "spring",    "rotor", "limits"};
+                                "armature", "spring",    "rotor", "limits",  "assembled"};
 const WordList kJointNeeds = {"ref_frame"}, kHelicalNeeds = {"ref_frame", "pitch"};
 const WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
 const WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
 const WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
-const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits"};
+const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"};
 
 Joint::Type type_of(std::string_view word) {
   using enum Joint::Type;
@@ -78,7 +79,8 @@ class JointParser {
       } else if (is_coordinate(joint.type, key.text)) {
         sound_items = coordinate(owner, key, joint) && sound_items;
       } else {
-        sound_items = drive_item(parser_, owner, key, {joint.drive, joint.rotor, joint.limits}) && sound_items;
+        sound_items =
+            drive_item(parser_, owner, key, {joint.drive, joint.rotor, joint.limits, joint.assembled}) && sound_items;
       }
     });
     const WordList& needed = joint.type == Joint::Type::helical ? kHelicalNeeds : kJointNeeds;
@@ -105,7 +107,8 @@ class JointParser {
     const bool sound = parser_.block(owner, kCoordinateItems, [&] {
       if (!at_drive_item(cursor_)) parser_.unknown_item(owner, kCoordinateItems);
       sound_drive =
-          drive_item(parser_, owner, parser_.word(found), {read.drive, read.rotor, read.limits}) && sound_drive;
+          drive_item(parser_, owner, parser_.word(found), {read.drive, read.rotor, read.limits, read.assembled}) &&
+          sound_drive;
     });
     const auto words = coordinate_words(joint.type);
     const auto place = [&](const Coordinate& c) { return std::find(words.begin(), words.end(), c.word.text); };

@@ -184,8 +184,11 @@ class AtLoops {
     constexpr int kSteps = 30;
     Vector<Real> joints(robot_.joints.size);
     for (const int joint : dependent_) joints(joint) = robot_.couplings[joint - robot_.dof()].assembled;
+    Vector<Real> start = y;
+    for (int j = 0; j < robot_.dof(); ++j)
+      if (robot_.joints[j].type != JointType::spherical) start(robot_.position_of(j)) = robot_.joints[j].assembled;
     for (int step = 0; step <= kSteps; ++step)
-      close(static_cast<Real>(step) / kSteps * y, step == 0 ? 5 * kIterations : kIterations, joints);
+      close(start + static_cast<Real>(step) / kSteps * (y - start), step == 0 ? 5 * kIterations : kIterations, joints);
     return joints;
   }
   Vector<Real> closed_near(const Vector<Real>& y, Vector<Real> joints) const {

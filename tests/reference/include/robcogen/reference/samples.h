@@ -58,7 +58,8 @@ inline Sample random_sample(std::mt19937_64& engine, const Robot& robot) {
     if (robot.joints[j].type == JointType::spherical)
       s.motion.q.set_block(k - 1, 0, unit_vector(engine, 4));
     else if (follows_through_loops(robot))  // near the position in which loops are assembled: others may not close
-      s.motion.q(k) = uniform(engine, turns(robot.joints[j].type) ? kNearAngle : kNearStroke);
+      s.motion.q(k) =
+          robot.joints[j].assembled + uniform(engine, turns(robot.joints[j].type) ? kNearAngle : kNearStroke);
     else
       s.motion.q(k) = uniform(engine, turns(robot.joints[j].type) ? kAngle : kStroke);
   }
