@@ -17,6 +17,19 @@ namespace {
 constexpr double kStretched = 1e-4;
 constexpr double kWellDetermined = 0.1;
 
+// The number of driven joints that follow, that of joints that other loops share, whether they are determined badly,
+// and how early they stand in the document.
+using Score = std::tuple<int, int, bool, int>;
+
+// A loop of the group, and the joints that may follow by a formula of it: the best first.
+struct Alternatives {
+  Closure closure;  // but for these joints
+  std::optional<Parallelogram> parallelogram;
+  std::vector<std::pair<Score, std::vector<int>>> dependents;
+};
+
+// Loops that share joints take them from one another. Each loop in turn takes the best joints that those before have
+// left; where a later one is left with none, or loops wait for one another, those before take their next best ones.
 class FormulaSearch {
  public:
   FormulaSearch(LoopContext& context, const std::vector<int>& loops) : context_(context), loops_(loops) {
@@ -27,25 +40,32 @@ class FormulaSearch {
   std::optional<std::vector<Closure>> run() {
     const std::size_t errors_before = context_.diagnostics.error_count();
     for (const int loop : loops_)
-      if (!resolve(loop)) return std::nullopt;
+      if (!add_alternatives(loop)) return std::nullopt;
     if (context_.diagnostics.error_count() > errors_before) return std::vector<Closure>();
-    return in_order();
+    if (!choose_from(0)) return std::nullopt;
+    for (const Alternatives& loop : alternatives_)
+      if (loop.parallelogram && loop.parallelogram->is_flat()) warn_of_flat(tree().loops[at(loop.closure.loop())]);
+    return sorted_;
   }
 
  private:
   LoopContext& context_;
   const std::vector<int>& loops_;
   std::map<int, int> loops_of_;  // by joint: how many it is part of
-  std::map<int, int> followed_;  // dependent joints, and their closures
-  std::vector<Closure> closures_;
+  std::vector<Alternatives> alternatives_;
+  std::map<int, int> followed_;    // dependent joints, and their closures
+  std::vector<Closure> closures_;  // of the first loops
+  std::vector<Closure> sorted_;
+  int trials_ = 0;
 
   const KinematicTree& tree() const { return context_.tree; }
 
   // False where another method may close it.
-  bool resolve(int index) {
+  bool add_alternatives(int index) {
     const LoopJoint& loop = tree().loops[at(index)];
     if (loop.type == LoopType::slider || loop.type == LoopType::weld) return false;
-    Closure closure;
+    Alternatives found;
+    Closure& closure = found.closure;
     closure.loops = {index};
     closure.method = loop.type == LoopType::distance ? Closure::Method::distance : Closure::Method::planar;
     if (closure.method == Closure::Method::planar) {
@@ -56,30 +76,30 @@ class FormulaSearch {
         return true;
       }
     }
-    const std::vector<int> free = candidates(loop);
+    std::vector<int> free = joints_of(loop);
+    std::erase_if(free, [&](int joint) { return !context_.is_free(joint); });
     const std::size_t wanted = closure.method == Closure::Method::planar ? 2 : 1;
     if (free.size() < wanted) {
       if (loops_.size() > 1) return false;
-      context_.diagnostics
-          .error(
-              "loop-over-constrained", loop.place,
-              fmt::format(
-                  "loop '{}' takes away {}, but only {} of its joints can follow the others", loop.name,
-                  wanted == 1 ? "one motion" : "two motions", free.empty() ? "none" : "one"))
-          .hint = context_.hint_to_free(joints_of(loop));
+      report_over_constrained(loop, wanted, free);
       return true;
     }
-    auto parallelogram = find_parallelogram(tree(), loop, context_.parameters, closure);
-    if (parallelogram && !is_assembled_as(*parallelogram, loop, free, closure)) parallelogram.reset();
-    choose(loop, free, wanted, parallelogram, closure);
-    if (closure.dependents.empty()) return false;
-    for (const int joint : closure.dependents) followed_.insert({joint, static_cast<int>(closures_.size())});
-    if (parallelogram) {
-      closure.shares = parallelogram->shares(closure.dependents);
-      if (parallelogram->is_flat() && !context_.has_start(joints_of(loop))) warn_of_flat(loop);
-    }
-    closures_.push_back(std::move(closure));
+    found.parallelogram = find_parallelogram(tree(), loop, context_.parameters, closure);
+    if (found.parallelogram && !is_assembled_as(*found.parallelogram, loop, free, closure)) found.parallelogram.reset();
+    found.dependents = dependents_of(loop, free, wanted, found.parallelogram, closure);
+    if (found.dependents.empty()) return false;
+    alternatives_.push_back(std::move(found));
     return true;
+  }
+
+  void report_over_constrained(const LoopJoint& loop, std::size_t wanted, const std::vector<int>& free) {
+    context_.diagnostics
+        .error(
+            "loop-over-constrained", loop.place,
+            fmt::format(
+                "loop '{}' takes away {}, but only {} of its joints can follow the others", loop.name,
+                wanted == 1 ? "one motion" : "two motions", free.empty() ? "none" : "one"))
+        .hint = context_.hint_to_free(joints_of(loop));
   }
 
   // Where the document says where it is assembled, its links may be crossed there.
@@ -89,14 +109,16 @@ class FormulaSearch {
       const std::vector<int>& free,
       Closure closure) const {
     if (!context_.has_start(joints_of(loop))) return true;
-    choose(loop, free, 2, std::nullopt, closure);
-    if (closure.dependents.empty()) return true;
+    const auto found = dependents_of(loop, free, 2, std::nullopt, closure);
+    if (found.empty()) return true;
+    closure.dependents = found.front().second;
     std::vector<double> q = context_.start();
     model::close(tree(), closure, q, context_.parameters);
     return parallelogram.holds(q);
   }
 
   void warn_of_flat(const LoopJoint& loop) {
+    if (context_.has_start(joints_of(loop))) return;
     context_.diagnostics
         .warning(
             "loop-flat", loop.place,
@@ -107,25 +129,15 @@ class FormulaSearch {
         .hint = context_.hint_to_assemble(joints_of(loop), "the loop is open");
   }
 
-  std::vector<int> candidates(const LoopJoint& loop) const {
-    std::vector<int> result = joints_of(loop);
-    std::erase_if(result, [&](int joint) { return !context_.is_free(joint) || followed_.contains(joint); });
-    return result;
-  }
-
-  // The number of driven joints, that of joints that other loops share, whether they are determined badly, and how
-  // early they stand in the document.
-  using Score = std::tuple<int, int, bool, int>;
-
-  void choose(
+  std::vector<std::pair<Score, std::vector<int>>> dependents_of(
       const LoopJoint& loop,
       const std::vector<int>& free,
       std::size_t wanted,
       const std::optional<Parallelogram>& parallelogram,
-      Closure& closure) const {
+      const Closure& closure) const {
     const LoopPosture start = posture(tree(), loop, context_.start(), context_.parameters);
     const double length = evaluate(loop.length, context_.parameters);
-    std::optional<Score> best;
+    std::vector<std::pair<Score, std::vector<int>>> result;
     const auto consider = [&](std::vector<int> joints) {
       Closure trial = closure;
       trial.dependents = std::move(joints);
@@ -138,14 +150,14 @@ class FormulaSearch {
         std::get<1>(score) += loops_of_.at(joint) - 1;
         std::get<3>(score) -= joint;
       }
-      if (best && !(score < *best)) return;
-      best = score;
-      closure.dependents = trial.dependents;
+      result.emplace_back(score, std::move(trial.dependents));
     };
     for (std::size_t i = 0; i < free.size(); ++i) {
       if (wanted == 1) consider({free[i]});
       for (std::size_t k = i + 1; wanted == 2 && k < free.size(); ++k) consider({free[i], free[k]});
     }
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return result;
   }
 
   int slides(const std::vector<int>& joints) const {
@@ -153,20 +165,40 @@ class FormulaSearch {
         joints.begin(), joints.end(), [&](int j) { return tree().joints[at(j)].type == JointType::prismatic; }));
   }
 
-  // Every closure behind those whose joints it takes as given.
-  std::optional<std::vector<Closure>> in_order() const {
-    std::vector<Closure> sorted;
+  // For this loop of the group and those behind it; returns whether all of them can be solved one after another.
+  bool choose_from(std::size_t loop) {
+    constexpr int kMaxTrials = 100'000;
+    if (loop == alternatives_.size()) return put_in_order();
+    for (const auto& [score, joints] : alternatives_[loop].dependents) {
+      if (++trials_ > kMaxTrials) return false;
+      const auto is_followed = [&](int joint) { return followed_.contains(joint); };
+      if (std::any_of(joints.begin(), joints.end(), is_followed)) continue;
+      Closure closure = alternatives_[loop].closure;
+      closure.dependents = joints;
+      if (const auto& parallelogram = alternatives_[loop].parallelogram) closure.shares = parallelogram->shares(joints);
+      closures_.push_back(std::move(closure));
+      for (const int joint : joints) followed_.insert({joint, static_cast<int>(loop)});
+      if (choose_from(loop + 1)) return true;
+      for (const int joint : joints) followed_.erase(joint);
+      closures_.pop_back();
+    }
+    return false;
+  }
+
+  // Every closure behind those whose joints it takes as given; returns whether there is such an order.
+  bool put_in_order() {
+    sorted_.clear();
     std::vector<bool> done(closures_.size());
-    while (sorted.size() < closures_.size()) {
+    while (sorted_.size() < closures_.size()) {
       bool progress = false;
       for (std::size_t k = 0; k < closures_.size(); ++k) {
         if (done[k] || !is_ready(static_cast<int>(k), done)) continue;
-        sorted.push_back(closures_[k]);
+        sorted_.push_back(closures_[k]);
         done[k] = progress = true;
       }
-      if (!progress) return std::nullopt;
+      if (!progress) return false;
     }
-    return sorted;
+    return true;
   }
 
   bool is_ready(int closure, const std::vector<bool>& done) const {
@@ -233,7 +265,9 @@ void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<dou
   const double gap = model::close(context.tree, closure, q, context.parameters);
   const LoopPosture now = posture(context.tree, loop, q, context.parameters);
   if (!(gap <= kClosed * size_of(now))) {
-    context.report(loop, open_loop(loop, gap, context.where(joints_of(loop))));
+    PlaneFault fault = open_loop(loop, gap, context.where(joints_of(loop)));
+    fault.hint = context.hint_to_close(joints_of(loop));
+    context.report(loop, fault);
     return;
   }
   const double length = evaluate(loop.length, context.parameters);
