@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "export/urdf.h"
+#include "export/urdf_loops.h"
 #include "import/kinematics.h"
 #include "import/parts.h"
 
@@ -81,15 +82,21 @@ inline std::vector<NamedRobot> all_robots() {
   return robots;
 }
 
-// Those that a URDF can say: it knows no parameters, no spherical joint, no joint that follows several others, and of
-// drives only damping and friction, to which others are cut.
+// Those that a URDF can say: it knows no parameters, no spherical or helical joint, no joint that follows others in any
+// way, and of drives only damping and friction, to which others are cut. Without loops that close only near where they
+// are drawn.
 inline std::vector<NamedRobot> constant_robots() {
   std::vector<NamedRobot> robots = all_robots();
   std::erase_if(robots, [](const NamedRobot& robot) {
     const model::KinematicTree& tree = robot.tree;
+    const auto is_helical = [](const model::Joint& joint) { return joint.type == model::JointType::helical; };
     return !tree.parameters.empty() || !tree.spherical_joints().empty() ||
+           std::any_of(tree.joints.begin(), tree.joints.end(), is_helical) || !tree.closures.empty() ||
+           !std::all_of(
+               tree.loops.begin(), tree.loops.end(),
+               [&](const model::LoopJoint& loop) { return exporting::may_be_urdf_loop(tree, loop); }) ||
            !std::all_of(tree.couplings.begin(), tree.couplings.end(), [&](const model::Coupling& coupling) {
-             return exporting::may_be_mimic(tree, coupling);
+             return exporting::has_urdf_form(tree, coupling);
            });
   });
   for (NamedRobot& robot : robots) {

@@ -10,6 +10,7 @@
 #include "export/frames.h"
 #include "export/kinematics.h"
 #include "export/urdf.h"
+#include "export/urdf_loops.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 #include "support/files.h"
@@ -72,10 +73,36 @@ void require_no_loops(const driver::Model& model, const Robot& robot, std::strin
                        robot.tree.name, robot.tree.loops.front().name)};
 }
 
-// Fails where a joint follows several others.
-void require_mimics(const driver::Model& model, const Robot& robot) {
+// Fails where URDF+ cannot say a loop.
+void require_hinges(const driver::Model& model, const Robot& robot) {
+  for (const model::LoopJoint& loop : robot.tree.loops) {
+    if (exporting::may_be_urdf_loop(robot.tree, loop)) continue;
+    const std::string owner = fmt::format("loop '{}' of robot '{}'", loop.name, robot.tree.name);
+    const std::string message =
+        loop.type == model::LoopType::hinge
+            ? fmt::format(
+                  "URDF+ cannot say that {} is assembled elsewhere than where it is drawn [loop-lost]\nhint: turn the "
+                  "placements of its joints to where it is assembled",
+                  owner)
+            : fmt::format(
+                  "URDF+ has hinges alone, but {} is of type {} [loop-lost]", owner,
+                  model::kLoopTypes[static_cast<std::size_t>(loop.type)]);
+    throw Failure{wrong_input, fmt::format("{}: error: {}", model.file.string(), message)};
+  }
+}
+
+// Readers of plain URDF pass over the elements of URDF+: one note.
+void mention_urdf_plus(const Robot& robot, Diagnostics& diagnostics) {
+  if (robot.tree.loops.empty()) return;
+  diagnostics.note(
+      "urdf-plus", robot.tree.loops.front().place,
+      "loops are elements of URDF+: readers of plain URDF leave them open, and the joints that follow move freely");
+}
+
+// Fails where a joint follows several others in a way that URDF+ does not have.
+void require_couplings(const driver::Model& model, const Robot& robot) {
   for (const model::Coupling& coupling : robot.tree.couplings) {
-    if (exporting::may_be_mimic(robot.tree, coupling)) continue;
+    if (exporting::has_urdf_form(robot.tree, coupling)) continue;
     throw Failure{
         wrong_input, fmt::format(
                          "{}: error: a joint of URDF mimics one other at most, but joint '{}' of robot '{}' follows {} "
@@ -221,9 +248,10 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
       return robot_document(options, robot);
     case Language::urdf: {
       require_values(*model, robot);
-      require_no_loops(*model, robot, "documents of URDF have no loops");
-      require_mimics(*model, robot);
+      require_hinges(*model, robot);
+      require_couplings(*model, robot);
       require_urdf_types(*model, robot);
+      mention_urdf_plus(robot, diagnostics);
       mention_lost_drives(robot, diagnostics);
       std::string text = exporting::urdf(robot.tree);
       mention_implausible(text, model->file, diagnostics);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "export/pose.h"
+#include "export/urdf_loops.h"
 #include "support/index.h"
 #include "support/unique_names.h"
 
@@ -63,7 +64,7 @@ Names choose_names(const KinematicTree& tree, const std::vector<const UserFrame*
   for (const Joint& joint : tree.joints) joints.reserve(joint.name);
   Names names;
   for (const UserFrame& frame : tree.user_frames) {
-    if (frame.hidden || own[at(frame.link)] == &frame) continue;
+    if (frame.hidden || own[at(frame.link)] == &frame || is_made_by_loop(tree, frame.name)) continue;
     names.frame_links.push_back({&frame, links.reserve(frame.name) ? frame.name : "", ""});
   }
   // Generated names differ from all given ones.
@@ -178,8 +179,9 @@ std::string joint(
     const Pose& parent_X_child,
     const std::string& parent,
     const std::string& child,
-    const std::string& motion = "") {
-  std::string text = fmt::format("  <joint name=\"{}\" type=\"{}\">\n", escaped(name), type);
+    const std::string& motion = "",
+    const std::string& attributes = "") {
+  std::string text = fmt::format("  <joint name=\"{}\" type=\"{}\"{}>\n", escaped(name), type, attributes);
   text += fmt::format("    {}\n", origin(parent_X_child));
   text += fmt::format("    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n", escaped(parent), escaped(child));
   return text + motion + "  </joint>\n";
@@ -217,15 +219,48 @@ std::string motion(const Joint& joint, const Vector3& axis) {
   return text + limit(joint);
 }
 
+bool is_mimic(const KinematicTree& tree, const model::Coupling& coupling) {
+  if (!coupling.is_linear() || coupling.loop >= 0) return false;
+  return coupling.terms.size() == 1 || (coupling.terms.empty() && tree.dof() > 0);
+}
+
 // Of a joint that follows one other, or stands still: then it follows any joint, with multiplier 0.
 std::string mimic(const KinematicTree& tree, int index) {
   const model::Coupling* coupling = tree.coupling_of(index);
-  if (coupling == nullptr) return "";
+  if (coupling == nullptr || !is_mimic(tree, *coupling)) return "";
   const bool follows = !coupling->terms.empty();
   const int followed = follows ? coupling->terms.front().joint : tree.coordinates().front();
   return fmt::format(
       "    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n", escaped(tree.joints[at(followed)].name),
       follows ? number(value(coupling->terms.front().factor)) : "0", number(value(coupling->offset)));
+}
+
+// URDF+ has joints that follow: all others lead, where there is one.
+std::string followers_attribute(const KinematicTree& tree, int joint) {
+  const model::Coupling* coupling = tree.coupling_of(joint);
+  return coupling != nullptr && !is_mimic(tree, *coupling) ? " independent=\"false\"" : "";
+}
+
+// The frames of both ends coincide but for their angle about z.
+std::string loop(const KinematicTree& tree, const model::LoopJoint& loop, const std::vector<Pose>& link_X_urdf) {
+  std::string text = fmt::format("  <loop name=\"{}\" type=\"continuous\">\n", escaped(loop.name));
+  for (std::size_t e = 0; e < 2; ++e) {
+    const model::LoopEnd& end = loop.ends[e];
+    const Pose pose = inverse_of(link_X_urdf[at(end.link)]) * pose_of(end.placement);
+    text += fmt::format(
+        "    <{0} link=\"{1}\">\n      {2}\n    </{0}>\n", e == 0 ? "predecessor" : "successor",
+        escaped(tree.links[at(end.link)].name), origin(pose));
+  }
+  return text + "    <axis xyz=\"0.0 0.0 1.0\"/>\n  </loop>\n";
+}
+
+std::string coupling(const KinematicTree& tree, const model::Coupling& coupling) {
+  const LinkCoupling links = *link_coupling(tree, coupling);
+  return fmt::format(
+      "  <coupling name=\"of_{}\">\n    <predecessor link=\"{}\"/>\n    <successor link=\"{}\"/>\n    <ratio "
+      "value=\"{}\"/>\n  </coupling>\n",
+      escaped(tree.joints[at(coupling.joint)].name), escaped(tree.links[at(links.predecessor)].name),
+      escaped(tree.links[at(links.successor)].name), number(links.ratio));
 }
 
 std::string heading(const KinematicTree& tree) {
@@ -237,9 +272,8 @@ std::string heading(const KinematicTree& tree) {
 
 }  // namespace
 
-bool may_be_mimic(const KinematicTree& tree, const model::Coupling& coupling) {
-  if (!coupling.is_linear()) return false;
-  return coupling.terms.size() == 1 || (coupling.terms.empty() && tree.dof() > 0);
+bool has_urdf_form(const KinematicTree& tree, const model::Coupling& coupling) {
+  return !coupling.is_linear() || coupling.loop >= 0 || is_mimic(tree, coupling) || link_coupling(tree, coupling);
 }
 
 std::string urdf(const KinematicTree& tree) {
@@ -265,13 +299,17 @@ std::string urdf(const KinematicTree& tree) {
     const Pose pose = inverse_of(link_X_urdf[at(from.parent)]) * pose_of(from.placement) * child;
     text += joint(
         from.name, type_of(from), pose, tree.links[at(from.parent)].name, tree.links[at(from.child)].name,
-        motion(from, joint_axis(child)) + mimic(tree, static_cast<int>(j)));
+        motion(from, joint_axis(child)) + mimic(tree, static_cast<int>(j)),
+        followers_attribute(tree, static_cast<int>(j)));
   }
   for (const FrameLink& made : names.frame_links) {
     const int carrier = made.frame->link;
     const Pose pose = inverse_of(link_X_urdf[at(carrier)]) * pose_of(made.frame->placement);
     text += joint(made.joint, "fixed", pose, tree.links[at(carrier)].name, made.link);
   }
+  for (const model::LoopJoint& closing : tree.loops) text += loop(tree, closing, link_X_urdf);
+  for (const model::Coupling& given : tree.couplings)
+    if (!follows_through_loop(tree, given.joint) && !is_mimic(tree, given)) text += coupling(tree, given);
   return text + "</robot>\n";
 }
 

@@ -18,13 +18,15 @@ namespace robcogen::exporting {
 // - A floating base hangs on a root link without mass, `world`, by a joint of type `floating`, `floating_base`.
 // - Revolute joints without position limits become `continuous`. Other limits that URDF requires and the model does not
 //   have are 1e9.
-// - A joint that follows another mimics it; all couplings must be such that URDF can say them.
+// - A joint that follows another mimics it. Loops, and joints that follow several others, are elements of URDF+; all of
+//   them must be such that it can say them (has_urdf_form, may_be_urdf_loop).
 // There must be no helical joint.
 // Names that are added get `_2` and so on when they are taken. Rotations of quarter turns, and about one axis, are
 // exact, others within 1e-15 rad; mass properties are rounded once. The robot must not have parameters.
 std::string urdf(const model::KinematicTree& tree);
 
-// Whether URDF can say this coupling: a joint that follows one other, or that stands still where another moves.
-bool may_be_mimic(const model::KinematicTree& tree, const model::Coupling& coupling);
+// Whether URDF can say this coupling: a joint that follows one other, or that stands still where another moves; of
+// URDF+, through a loop, or sums over joints between two links.
+bool has_urdf_form(const model::KinematicTree& tree, const model::Coupling& coupling);
 
 }  // namespace robcogen::exporting

@@ -90,13 +90,29 @@ TEST(Convert, RefusesWhatALanguageCannotSay) {
 
 TEST(Convert, RefusesLoopsWhereALanguageHasNone) {
   const Scratch scratch("loops");
-  for (const char* to : {"five_bar.urdf", "five_bar.motdsl", "five_bar.ctdsl"}) {
+  for (const char* to : {"five_bar.motdsl", "five_bar.ctdsl"}) {
     const Outcome refused = run_tool("convert " + quoted(robot("five_bar")) + " " + quoted(scratch.path / to));
     EXPECT_EQ(refused.status, 1) << to;
     EXPECT_NE(refused.errors.find("but robot 'FiveBar' has loop 'tip' [loop-lost]"), std::string::npos)
         << refused.errors;
     EXPECT_FALSE(fs::exists(scratch.path / to));
   }
+}
+
+TEST(Convert, WritesHingesToUrdf) {
+  const Scratch scratch("hinges");
+  const fs::path urdf = scratch.path / "five_bar.urdf";
+  const Outcome written = run_tool("convert " + quoted(robot("five_bar")) + " " + quoted(urdf));
+  EXPECT_EQ(written.status, 0) << written.errors;
+  EXPECT_NE(written.errors.find("[urdf-plus]"), std::string::npos) << written.errors;
+  EXPECT_NE(read_text(urdf).find("<loop name=\"tip\""), std::string::npos);
+  EXPECT_EQ(run_tool("check " + quoted(urdf)).status, 0);
+  // Rods of a fixed length are not.
+  const fs::path other = scratch.path / "leg.urdf";
+  const Outcome refused = run_tool("convert " + quoted(robot("achilles_leg")) + " " + quoted(other));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("is of type distance [loop-lost]"), std::string::npos) << refused.errors;
+  EXPECT_FALSE(fs::exists(other));
 }
 
 TEST(Convert, KeepsLimits) {

@@ -1,0 +1,113 @@
+// Robots with loops to URDF+ and back.
+#include <gtest/gtest.h>
+
+#include "coupling_sums.h"
+#include "document_tree.h"
+#include "export/urdf.h"
+#include "export/urdf_loops.h"
+#include "import/urdf.h"
+#include "interpreted_robot.h"
+#include "robcogen/reference/loops.h"
+#include "robots.h"
+
+namespace robcogen::test {
+namespace {
+
+using model::KinematicTree;
+using numeric::InterpretedRobot;
+
+constexpr double kSame = 1e-10;
+
+KinematicTree through_urdf(const KinematicTree& tree) {
+  Diagnostics diagnostics;
+  import::UrdfOptions options;
+  options.passive_forces = true;
+  auto back = import::urdf(std::make_shared<Source>("exported.urdf", exporting::urdf(tree)), options, diagnostics);
+  EXPECT_TRUE(back) << diagnostics.render() << exporting::urdf(tree);
+  if (!back) throw std::runtime_error("the URDF is refused");
+  return *std::move(back);
+}
+
+std::vector<std::string> names_of(const KinematicTree& tree, const std::vector<int>& joints) {
+  std::vector<std::string> names;
+  for (const int j : joints) names.push_back(tree.joints[static_cast<std::size_t>(j)].name);
+  return names;
+}
+
+void expect_same_motion(const KinematicTree& found, const KinematicTree& expected) {
+  ASSERT_EQ(names_of(found, found.coordinates()), names_of(expected, expected.coordinates()));
+  const InterpretedRobot back(found, {}, {}, {}, {}, {"forward_dynamics"});
+  const InterpretedRobot robot(expected, {}, {}, {}, {}, {"forward_dynamics"});
+  std::mt19937_64 engine(3);
+  for (int i = 0; i < 5; ++i) {
+    reference::Sample sample;
+    draw(engine, robot.tables(), sample);
+    const reference::Vector<double> tau = reference::uniform_vector(engine, expected.dof(), 5.0);
+    const auto wanted = robot.forward_dynamics(sample.motion, tau, {&sample.gravity, nullptr});
+    const auto accelerations = back.forward_dynamics(sample.motion, tau, {&sample.gravity, nullptr});
+    for (int k = 0; k < wanted.rows(); ++k)
+      EXPECT_NEAR(accelerations(k), wanted(k), kSame * (1 + std::abs(wanted(k)))) << k;
+  }
+}
+
+// Of the folder robots, cut to drives that URDF has.
+class UrdfLoops : public testing::TestWithParam<std::string> {
+ protected:
+  static KinematicTree robot() {
+    Diagnostics diagnostics;
+    const auto file = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / GetParam() / (GetParam() + ".kindsl");
+    auto tree = read_document(source_of(file), diagnostics);
+    if (!tree) throw std::runtime_error(diagnostics.render());
+    for (model::Joint& joint : tree->joints) {
+      const model::Drive drive = std::exchange(joint.drive, {});
+      joint.drive.damping = drive.damping;
+      joint.drive.friction = drive.friction;
+    }
+    return *std::move(tree);
+  }
+};
+
+TEST_P(UrdfLoops, AreReadBack) {
+  const KinematicTree tree = robot();
+  ASSERT_FALSE(tree.loops.empty());
+  const KinematicTree once = through_urdf(tree), twice = through_urdf(once);
+  for (const KinematicTree* back : {&once, &twice}) {
+    EXPECT_EQ(back->loops.size(), tree.loops.size());
+    EXPECT_EQ(back->closures.size(), tree.closures.size());
+    EXPECT_EQ(back->parallelograms.size(), tree.parallelograms.size());
+    expect_same_motion(*back, tree);
+  }
+  EXPECT_EQ(twice.user_frames.size(), once.user_frames.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(, UrdfLoops, testing::Values("five_bar", "four_bar_leg", "palletiser"));
+
+// A belt along the upper arm: the second rotor turns with the sum of both joints.
+TEST(UrdfCouplings, AreSumsAlongPaths) {
+  const std::string at = " { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } } ";
+  const auto link = [](const std::string& name, int id, const std::string& children) {
+    return "link " + name + " { id = " + std::to_string(id) +
+           " inertia_params { mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix = 0.02 Iy = 0.03 Iz = 0.03 Ixy = 0.0 Ixz = 0.0 Iyz = "
+           "0.0 } children { " +
+           children + " } } ";
+  };
+  const auto robot = [&](const std::string& coupling) {
+    return numeric::tree_of_text(
+        "Robot Belt { RobotBase base { children { upper via a first via m second via n } } " +
+        link("upper", 1, "lower via b") + link("lower", 2, "") + link("first", 3, "") + link("second", 4, "") +
+        "r_joint a" + at + "r_joint b" + at + "r_joint m" + at + "r_joint n" + at + "couplings { " + coupling + " } }");
+  };
+  for (const char* coupling : {"m = 6.0 * a + 6.0 * b n = 2.0 * a", "b = 0.5 * m - 1.0 * a"}) {
+    const KinematicTree tree = robot(coupling);
+    EXPECT_EQ(sums(through_urdf(tree)), sums(tree));
+    expect_same_motion(through_urdf(tree), tree);
+  }
+  // Of two motors on the base no path has both.
+  for (const char* coupling : {"b = 0.5 * m + 0.5 * n", "m = 6.0 * a + 6.0 * b + 0.1", "m = 6.0 * a + 5.0 * b"}) {
+    const KinematicTree tree = robot(coupling);
+    EXPECT_FALSE(exporting::has_urdf_form(tree, tree.couplings.front())) << coupling;
+  }
+}
+
+}  // namespace
+}  // namespace robcogen::test
