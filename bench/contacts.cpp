@@ -6,36 +6,20 @@
 // (J M^-1 J' + R) f = reference acceleration - J M^-1 (forces - bias). R is the compliance of the generated function
 // and the reference acceleration, but for what velocities add, its contact acceleration: both are taken over, so that
 // the two agree to rounding. Exit status 1: they do not.
-#include <mujoco/mujoco.h>
-#include <quadruped_on_feet/quadruped_on_feet.h>
-#include <robcogen/conversions.h>
-#include <robcogen/generic/simulation.h>
+#include "contacts.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <mujoco/mujoco.h>
+
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace robcogen::bench {
 namespace {
-
-namespace quadruped = quadruped_on_feet;
-using Robot = quadruped::Robot;
-using State = robcogen::State<Robot>;
-using Rows = Eigen::Matrix<double, 12, 1>;
-using Active = Eigen::Vector4d;
-
-constexpr double kAgreement = 1e-10;  // of the largest acceleration
-constexpr int kStates = 50;
-constexpr int kDof = quadruped::kDof;
 
 struct Deleter {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -75,12 +59,6 @@ ModelPtr model_with_feet(const std::string& urdf, const std::string& scratch) {
   return model;
 }
 
-struct Call {
-  State state;
-  quadruped::JointState tau;
-  Rows contact_acceleration, compliance;
-};
-
 class Comparison {
  public:
   explicit Comparison(const std::string& urdf)
@@ -94,15 +72,7 @@ class Comparison {
 
   // A state with the feet where they are tied, and what the constraints of MuJoCo ask for there.
   Call call(std::mt19937_64& engine, const Active& active) {
-    std::uniform_real_distribution<double> number(-1, 1);
-    Call c;
-    for (double& x : c.state.q) x = number(engine);
-    for (double& x : c.state.qd) x = number(engine);
-    for (double& x : c.tau) x = 20 * number(engine);
-    c.state.pose = BasePose::from_rpy(number(engine), number(engine), number(engine), Eigen::Vector3d(0, 0, 0.6));
-    Eigen::Matrix<double, 6, 1> velocity;
-    for (double& x : velocity) x = number(engine);
-    c.state.base_velocity = Twist(velocity);
+    Call c = random_call(engine);
     set(c);
     namespace homogeneous = quadruped::transforms::homogeneous;
     const Eigen::Matrix4d feet[] = {
@@ -116,7 +86,8 @@ class Comparison {
     mj_forward(model_.get(), data_.get());
     // What velocities add: MuJoCo leaves it out, with the acceleration of the base's origin instead of the spatial one.
     const Rows bias = quadruped::contact_bias(c.state.q, c.state.qd, c.state.base_velocity);
-    const Eigen::Vector3d excess = velocity.head<3>().cross(velocity.tail<3>());
+    const Twist& velocity = c.state.base_velocity;
+    const Eigen::Vector3d excess = velocity.angular().cross(velocity.linear());
     for (int k = 0, row = 0; k < 4; ++k) {
       auto wanted = c.contact_acceleration.segment<3>(3 * k);
       auto compliance = c.compliance.segment<3>(3 * k);
@@ -142,15 +113,9 @@ class Comparison {
     mj_forward(model_.get(), data_.get());
   }
 
-  static quadruped::ConstrainedForwardDynamics run_ours(const Call& c, const Active& active) {
-    return quadruped::constrained_forward_dynamics(
-        c.state.q, c.state.qd, c.tau, c.state.base_velocity, c.contact_acceleration, active, c.compliance,
-        gravity_in_base(c.state));
-  }
-
   // Of the accelerations, relative to the largest.
   double difference(const Call& c, const Active& active) {
-    const auto ours = run_ours(c, active);
+    const auto ours = run_generated(c, active);
     run_theirs(c);
     const auto base = classical_from_spatial(ours.base_acceleration, c.state.base_velocity);
     Eigen::Matrix<double, 6 + kDof, 1> expected = Eigen::Matrix<double, 6 + kDof, 1>::Zero();
@@ -172,22 +137,6 @@ class Comparison {
   std::optional<JointOrder<kDof>> order_;
 };
 
-// The least of some averages over the states (ns).
-template <class Run>
-double time_of(const std::vector<Call>& calls, const Run& run) {
-  using Clock = std::chrono::steady_clock;
-  constexpr int kRounds = 30, kTimes = 20;
-  double least = HUGE_VAL;
-  for (int round = 0; round < kRounds; ++round) {
-    const auto before = Clock::now();
-    for (int i = 0; i < kTimes; ++i)
-      for (const Call& c : calls) run(c);
-    const std::chrono::duration<double, std::nano> time = Clock::now() - before;
-    least = std::min(least, time.count() / kTimes / static_cast<double>(calls.size()));
-  }
-  return least;
-}
-
 int compare(const std::string& urdf) {
   Comparison comparison(urdf);
   std::mt19937_64 engine(3);
@@ -204,7 +153,7 @@ int compare(const std::string& urdf) {
     if (active.sum() != 4 || !is_equal) continue;
     comparison.quick();
     double sum = 0;
-    const double ours = time_of(calls, [&](const Call& c) { sum += Comparison::run_ours(c, active).qdd[0]; });
+    const double ours = time_of(calls, [&](const Call& c) { sum += run_generated(c, active).qdd[0]; });
     const double theirs = time_of(calls, [&](const Call& c) { comparison.run_theirs(c); });
     std::printf("generated: %.0f ns, MuJoCo: %.0f ns a call%s\n", ours, theirs, std::isnan(sum) ? " (NaN)" : "");
   }
