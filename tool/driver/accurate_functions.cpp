@@ -88,7 +88,7 @@ void run_on(
   const bool has_formulation = !simpler.plain_programs.empty();
   function.results = std::make_shared<const AccurateResults>(
       has_formulation ? simpler.plain_programs[index] : traced.program, parameters);
-  RobotFunction searched = traced;
+  symbolic::Program searched = traced.program;
   traced = optimised(std::move(traced), passes);
   if (measure(traced, *function.results)) {
     if (function.congruent) function.congruent = pass::run(std::move(*function.congruent), passes);
@@ -96,7 +96,8 @@ void run_on(
   }
   function.congruent.reset();
   // Sums in another order lose other digits.
-  RobotFunction as_traced = optimised(std::move(searched), without(passes, "reassociate"));
+  RobotFunction as_traced = traced;
+  as_traced.program = pass::run(std::move(searched), without(passes, "reassociate"));
   const bool keeps_digits = measure(as_traced, *function.results);
   traced = optimised(simpler.unsearched(index), passes);
   const bool is_unsearched_kept = measure(traced, *function.results);

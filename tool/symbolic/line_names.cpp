@@ -1,7 +1,9 @@
 #include "symbolic/line_names.h"
 
+#include <algorithm>
 #include <map>
 
+#include "support/concat.h"
 #include "support/index.h"
 #include "support/unique_names.h"
 
@@ -41,6 +43,7 @@ std::string part_of_whole(const QuantityNames& known, const Statement& s) {
 std::map<std::size_t, std::string> names_of_parts(const QuantityNames& known, const std::vector<bool>& is_line) {
   const Program& program = known.program();
   std::map<std::size_t, std::string> result;
+  if (std::find(is_line.begin(), is_line.end(), true) == is_line.end()) return result;
   std::vector<int> reader(known.size(), -1);
   for (std::size_t i = known.size(); i-- > 0;)
     for_each_operand(program.statements[i], [&](const Operand& o) {
@@ -77,15 +80,16 @@ std::vector<std::string> distinct(
       take(i, text(known[i]));
   for (const auto& [i, name] : parts)
     if (result[i].empty()) take(i, name);
-  std::map<std::string, int> next;
+  std::map<std::string, int> next_of_prefix;
+  std::vector<int*> next;  // by section
+  for (const Section& section : program.sections) next.push_back(&next_of_prefix[section.prefix]);
   for (const bool lines : {true, false}) {
     for (std::size_t i = 0; i < known.size(); ++i) {
       if (is_line[i] != lines || !result[i].empty()) continue;
-      const std::string& prefix = program.sections[at(program.statements[i].section)].prefix;
-      std::string name;
-      do name = prefix + "_t" + std::to_string(next[prefix]++);
-      while (used.contains(name));
-      take(i, name);
+      const auto section = at(program.statements[i].section);
+      const std::string& prefix = program.sections[section].prefix;
+      do result[i] = concat({prefix, "_t", std::to_string((*next[section])++)});
+      while (!used.reserve(result[i]));
     }
   }
   return result;

@@ -55,11 +55,12 @@ bool NameScope::take(const std::string& name) {
 std::string NameScope::claim(const std::string& wanted) {
   const std::string name = identifier(wanted, is_reserved_);
   if (take(name)) return name;
-  int& uses = uses_[name];
-  while (true) {
-    const std::string numbered = (name.back() == '_' ? name : name + "_") + std::to_string(++uses);
-    if (take(numbered)) return numbered;
-  }
+  int uses = *uses_.find(name);
+  std::string numbered;
+  do numbered = (name.back() == '_' ? name : name + "_") + std::to_string(++uses);
+  while (!take(numbered));
+  *uses_.find(name) = uses;
+  return numbered;
 }
 
 std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted) {

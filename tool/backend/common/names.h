@@ -3,8 +3,9 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
+
+#include "support/name_table.h"
 
 namespace robcogen::backend {
 
@@ -23,7 +24,7 @@ std::string identifier(const std::string& wanted, IsReserved is_reserved);
 // At most `limit` characters: the middle is cut, because the ends tell most about the meaning.
 std::string shortened(const std::string& name, std::size_t limit, IsReserved is_reserved);
 
-// Identifiers taken in one scope. Never iterated: the map decides no order.
+// Identifiers taken in one scope.
 class NameScope {
  public:
   explicit NameScope(IsReserved reserved, const std::vector<std::string>& taken = {});
@@ -36,7 +37,7 @@ class NameScope {
 
  private:
   IsReserved is_reserved_;
-  std::unordered_map<std::string, int> uses_;
+  NameTable<int> uses_;
 };
 
 // One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.

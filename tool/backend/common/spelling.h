@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "backend/common/texts.h"
+#include "support/texts.h"
 #include "symbolic/program.h"
 
 namespace robcogen::backend {

@@ -1,6 +1,8 @@
 #include "backend/cpp/names.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 #include <unordered_set>
@@ -61,10 +63,28 @@ const std::unordered_set<std::string_view>& reserved() {
   return names;
 }
 
+// A number for the first and the last character of a word, and how many such numbers there are.
+constexpr std::size_t kEnds = 32 * 32;
+std::size_t ends(std::string_view word) {
+  const auto number = [](char c) { return static_cast<unsigned char>(c) % std::size_t{32}; };
+  return 32 * number(word.front()) + number(word.back());
+}
+
+// Of all longer words the same.
+std::uint64_t length_bit(std::string_view word) {
+  return std::uint64_t{1} << std::min<std::size_t>(word.size(), 63);
+}
+
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  return reserved().count(name) > 0;
+  // Most names are of other lengths than all reserved ones that begin and end as they do.
+  static const auto lengths = [] {
+    std::array<std::uint64_t, kEnds> result{};  // a bit each
+    for (const std::string_view word : reserved()) result[ends(word)] |= length_bit(word);
+    return result;
+  }();
+  return !name.empty() && (lengths[ends(name)] & length_bit(name)) != 0 && reserved().contains(name);
 }
 
 bool is_reserved_namespace(const std::string& name) {

@@ -46,8 +46,9 @@ std::vector<bool> inner_sums(const Program& p) {
   return inner;
 }
 
-std::vector<Operand> terms_of(const Program& p, const std::vector<bool>& inner, int sum) {
-  std::vector<Operand> terms, pending = {{Operand::Kind::statement, sum, false}};
+void terms_of(const Program& p, const std::vector<bool>& inner, int sum, std::vector<Operand>& terms) {
+  terms.clear();
+  std::vector<Operand> pending = {{Operand::Kind::statement, sum, false}};
   for (bool root = true; !pending.empty(); root = false) {
     const Operand o = pending.back();
     pending.pop_back();
@@ -62,7 +63,6 @@ std::vector<Operand> terms_of(const Program& p, const std::vector<bool>& inner, 
     pending.push_back(b);
     pending.push_back(a);
   }
-  return terms;
 }
 
 Correspondence::Correspondence(

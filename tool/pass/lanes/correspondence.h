@@ -61,7 +61,11 @@ class Correspondence {
 // Which sums stand inside the only statement that reads them, a sum of the same width.
 std::vector<bool> inner_sums(const symbolic::Program& program);
 
-// The terms of a sum, those of its inner sums included.
-std::vector<symbolic::Operand> terms_of(const symbolic::Program& program, const std::vector<bool>& inner, int sum);
+// Makes `terms` those of a sum, the terms of its inner sums included.
+void terms_of(
+    const symbolic::Program& program,
+    const std::vector<bool>& inner,
+    int sum,
+    std::vector<symbolic::Operand>& terms);
 
 }  // namespace robcogen::pass

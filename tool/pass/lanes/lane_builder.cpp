@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "pass/statements.h"
+#include "support/concat.h"
 #include "support/index.h"
 #include "support/unique_names.h"
 #include "symbolic/count.h"
@@ -279,11 +280,13 @@ void LaneBuilder::name_all(Program& program) const {
   for (const bool scalars : {true, false})
     for (Statement& s : program.statements)
       if (!s.name.empty() && (s.width == 1) == scalars) s.name = used.add(s.name);
-  std::map<std::string, int> next;
+  std::map<std::string, int> next_of_prefix;
+  std::vector<int*> next;  // by section
+  for (const symbolic::Section& section : program.sections) next.push_back(&next_of_prefix[section.prefix]);
   for (Statement& s : program.statements) {
     if (!s.name.empty()) continue;
-    const std::string& prefix = program.sections[at(s.section)].prefix;
-    s.name = used.add(prefix + "_t" + std::to_string(next[prefix]++));
+    const auto section = at(s.section);
+    s.name = used.add(concat({program.sections[section].prefix, "_t", std::to_string((*next[section])++)}));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "pass/lanes/lane_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "pass/statements.h"
@@ -13,6 +14,9 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
+
+// Kinds and indices of the lanes; -1: there is none.
+using LaneKey = std::array<std::pair<Operand::Kind, int>, at(kMaxLanes)>;
 
 // Which values are packed.
 class LanePacker {
@@ -35,8 +39,9 @@ class LanePacker {
   std::vector<bool> inner_;
   Correspondence correspondence_;
   LanePlan plan_;
-  std::map<std::vector<std::pair<int, int>>, int> known_;  // by kinds and indices of the lanes
+  std::map<LaneKey, int> known_;
   std::vector<int> pending_packed_, pending_scalars_;
+  std::vector<std::vector<Operand>> lists_;  // of expand_packed: what is allocated once serves all packed values
 
   const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
 
@@ -66,13 +71,14 @@ class LanePacker {
 
   Part part(Tuple tuple) {
     Part result;
-    std::vector<std::pair<int, int>> key;
+    LaneKey key;
+    key.fill({Operand::Kind::constant, -1});
     for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
       if (tuple[lane].negative) result.flips |= 1U << lane;
       tuple[lane].negative = false;
-      key.emplace_back(static_cast<int>(tuple[lane].kind), tuple[lane].index);
+      key[lane] = {tuple[lane].kind, tuple[lane].index};
     }
-    const auto [place, fresh] = known_.try_emplace(std::move(key), static_cast<int>(plan_.packed_values.size()));
+    const auto [place, fresh] = known_.try_emplace(key, static_cast<int>(plan_.packed_values.size()));
     result.packed_value = place->second;
     if (fresh) add(std::move(tuple));
     return result;
@@ -131,31 +137,32 @@ class LanePacker {
     const Op op = statement(lanes.front()).op;
     std::vector<Part> parts;
     if (kind == PackedValue::Kind::sum) {
-      std::vector<std::vector<Operand>> lists;
-      for (const Operand& o : lanes) lists.push_back(terms_of(p_, inner_, o.index));
-      parts = parts_of(std::move(lists));
+      lists_.resize(lanes.size());
+      for (std::size_t lane = 0; lane < lanes.size(); ++lane) terms_of(p_, inner_, lanes[lane].index, lists_[lane]);
+      parts = parts_of(lists_);
     } else if (op == Op::multiply) {
-      std::vector<std::vector<Operand>> lists;
-      for (const Operand& o : lanes) lists.push_back({statement(o).a, statement(o).b});
-      parts = parts_of(std::move(lists));
+      lists_.resize(lanes.size());
+      for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+        lists_[lane] = {statement(lanes[lane]).a, statement(lanes[lane]).b};
+      parts = parts_of(lists_);
     } else {
       Tuple a, b;
       for (const Operand& o : lanes) {
         a.push_back(statement(o).a);
         b.push_back(statement(o).b);
       }
-      parts.push_back(part(a));
-      if (symbolic::is_binary(op)) parts.push_back(part(b));
+      parts.push_back(part(std::move(a)));
+      if (symbolic::is_binary(op)) parts.push_back(part(std::move(b)));
     }
     plan_.packed_values[w].op = op;
     plan_.packed_values[w].parts = std::move(parts);
   }
 
   // Of the terms or factors of each limb, those that correspond come first.
-  std::vector<Part> parts_of(std::vector<std::vector<Operand>> lists) {
+  std::vector<Part> parts_of(std::vector<std::vector<Operand>>& lists) {
     std::vector<Part> parts;
-    for (const Tuple& tuple : correspondence_.match(lists)) parts.push_back(part(tuple));
-    for (const Tuple& tuple : filled_up(lists)) parts.push_back(part(tuple));
+    for (Tuple& tuple : correspondence_.match(lists)) parts.push_back(part(std::move(tuple)));
+    for (Tuple& tuple : filled_up(lists)) parts.push_back(part(std::move(tuple)));
     return parts;
   }
 
@@ -184,7 +191,9 @@ class LanePacker {
     SumOfLimbs sum;
     std::vector<std::vector<std::vector<Operand>>> lists;
     for (std::size_t c = 0; c < classes_.size(); ++c) lists.emplace_back(width(c));
-    for (const Operand& o : terms_of(p_, inner_, s)) {
+    std::vector<Operand> terms;
+    terms_of(p_, inner_, s, terms);
+    for (const Operand& o : terms) {
       const Correspondence::Owner owner = correspondence_.owner(o);
       (owner.limbs < 0 || !is_statement(o) ? sum.rest : lists[at(owner.limbs)][at(owner.lane)]).push_back(o);
     }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace robcogen::backend {
+namespace robcogen {
 
 // Texts that keep their addresses as long as this object lives, also when it is moved. They are stored in long strings,
 // because allocating memory for each takes longer than writing it.
@@ -22,4 +22,4 @@ class Texts {
   std::vector<std::string> blocks_;  // none ever grows beyond its capacity
 };
 
-}  // namespace robcogen::backend
+}  // namespace robcogen

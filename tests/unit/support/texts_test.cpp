@@ -1,4 +1,4 @@
-#include "backend/common/texts.h"
+#include "support/texts.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace robcogen::backend {
+namespace robcogen {
 namespace {
 
 TEST(Texts, ArePiecesOneAfterAnother) {
@@ -30,4 +30,4 @@ TEST(Texts, StayWhereTheyAreWhenOthersComeAndWhenMoved) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend
+}  // namespace robcogen

@@ -1,8 +1,8 @@
-#include "backend/common/texts.h"
+#include "support/texts.h"
 
 #include <algorithm>
 
-namespace robcogen::backend {
+namespace robcogen {
 
 std::string_view Texts::add(std::initializer_list<std::string_view> pieces) {
   constexpr std::size_t kBlock = 1 << 14;
@@ -16,4 +16,4 @@ std::string_view Texts::add(std::initializer_list<std::string_view> pieces) {
   return std::string_view(block).substr(begin);
 }
 
-}  // namespace robcogen::backend
+}  // namespace robcogen
