@@ -14,7 +14,8 @@ backend::Library library_of(
     const std::string& name,
     driver::Primitives primitives,
     const std::vector<driver::Derivative>& derivatives,
-    const std::vector<std::string>& groups) {
+    const std::vector<std::string>& groups,
+    const backend::Features& features) {
   Diagnostics diagnostics;
   driver::LoadOptions reading;
   reading.derivatives = derivatives;
@@ -24,7 +25,16 @@ backend::Library library_of(
   const std::optional<driver::Model> model = driver::load(document, reading, diagnostics);
   if (!model) throw std::runtime_error(diagnostics.render());
   if (!model->robot()) primitives = std::nullopt;
-  return driver::library(*model, {.names = {name}, .groups = groups, .primitives = primitives});
+  return driver::library(*model, {.names = {name}, .groups = groups, .primitives = primitives}, features);
+}
+
+ColumnLoopLibraries column_loop_libraries(const std::string& robot) {
+  const auto library = [&](backend::ColumnLoops loops) {
+    return library_of(
+        std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / robot / (robot + ".kindsl"), robot, std::nullopt, {},
+        {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}, {.column_loops = loops});
+  };
+  return {library(backend::ColumnLoops::if_faster), library(backend::ColumnLoops::none)};
 }
 
 Arrays<double> random_inputs(const backend::Library& library, const Program& program, std::mt19937_64& engine) {

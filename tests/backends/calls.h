@@ -19,7 +19,14 @@ backend::Library library_of(
     const std::string& name,
     driver::Primitives primitives = std::nullopt,
     const std::vector<driver::Derivative>& derivatives = {},
-    const std::vector<std::string>& groups = algorithm::groups());
+    const std::vector<std::string>& groups = algorithm::groups(),
+    const backend::Features& features = {});
+
+// Derivatives of the dynamics of a robot: solved for in a loop over columns, and written out for the interpreter.
+struct ColumnLoopLibraries {
+  backend::Library in_loops, written_out;
+};
+ColumnLoopLibraries column_loop_libraries(const std::string& robot);
 
 // Of both signs, up to 2; parameters above 0.5.
 // Loops close near the position in which they are assembled.

@@ -173,7 +173,7 @@ struct Function {
   // for each class.
   std::optional<symbolic::Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
-  // For languages with loops: that it calls the stage of this name, `right_sides`, of which `factor` is the last
+  // By Features::column_loops: that it calls the stage of this name, `right_sides`, of which `factor` is the last
   // output, and solves. Then `program` has inputs and outputs only.
   std::optional<symbolic::SolvedColumns> solved = {};
   // Homogeneous transforms, where Library::primitives is a convention: in this convention.
@@ -182,14 +182,20 @@ struct Function {
   std::optional<ProductData> factors = {};
 };
 
+// Which functions loop over right-hand sides: Function::solved, Library::stages.
+enum class ColumnLoops {
+  none,       // all is written out
+  if_long,    // those that are too long without the loop
+  if_faster,  // those too that are faster with columns in lanes
+};
+
 // The forms of programs that a language uses.
 struct Features {
   bool caches_parameters =
-      false;                    // functions read values that depend on parameters alone from a cache: Library::updates
-  bool has_lanes = false;       // congruent limbs share the lanes of vectors: Function::in_lanes
-  bool takes_sines = false;     // functions take precomputed sines and cosines: Library::trigonometry
-  bool solves_columns = false;  // functions may loop over right-hand sides: Function::solved, Library::stages
-  bool takes_long_programs = true;  // else functions that only such a loop makes short are left out
+      false;                 // functions read values that depend on parameters alone from a cache: Library::updates
+  bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
+  ColumnLoops column_loops = ColumnLoops::none;
 };
 
 struct Library {

@@ -132,30 +132,7 @@ void write(const fs::path& path, const std::string& text) {
   if (!file) throw Failure{wrong_usage, fmt::format("robcogen: error: cannot write '{}'", path.string())};
 }
 
-// A language that has no loops leaves out what would be too long without them, or fails where it is asked for.
-void report_missing_loops(
-    const driver::Model& model,
-    const backend::Language& language,
-    const std::vector<std::string>& asked) {
-  const std::vector<std::string> groups = groups_of(language, asked);
-  const std::vector<std::string> printed = driver::printable(model, groups, language.features);
-  for (const std::string& group : groups) {
-    if (contains(printed, group)) continue;
-    const bool is_named = contains(asked, group);
-    const std::string text = fmt::format(
-        "{}: {}: '{}' of robot '{}' {} in {}: with so many joints its code without loops would outgrow the caches of "
-        "processors; the C++ library has it [{}]",
-        model.file.string(), is_named ? "error" : "note", group, model.robot()->tree.name,
-        is_named ? "is not available" : "is left out", language.name,
-        is_named ? "unavailable-group" : "left-out-group");
-    if (is_named) throw Failure{wrong_input, text};
-    report(text + "\n");
-  }
-}
-
 Status write_libraries(const GenerateOptions& options, const driver::Model& model) {
-  for (const backend::Language* language : languages_of(options))
-    if (model.robot()) report_missing_loops(model, *language, asked_groups(options));
   if (!options.primitives.empty() && model.robot())
     refuse_spherical_joints(
         model.robot()->tree, "products of primitives (--primitives) have no rotations by quaternions");

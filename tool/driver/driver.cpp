@@ -16,18 +16,9 @@ Functions programs(
   return optimise(model, std::move(functions), steps, features);
 }
 
-std::vector<std::string> printable(
-    const Model& model,
-    std::vector<std::string> groups,
-    const backend::Features& features) {
-  if (features.solves_columns || features.takes_long_programs || !model.robot()) return groups;
-  std::erase_if(groups, [&](const std::string& g) { return algorithm::needs_loops(model.robot()->tree, g); });
-  return groups;
-}
-
 backend::Library library(const Model& model, const LibraryOptions& options, const backend::Features& features) {
   const std::vector<std::string> groups = model.robot() ? options.groups : std::vector<std::string>{kTransformsGroup};
-  Functions functions = programs(model, printable(model, groups, features), options.steps, features);
+  Functions functions = programs(model, groups, options.steps, features);
   backend::Library result = assemble(model, options.names, groups, std::move(functions), options.primitives);
   result.has_batches = options.has_batches;
   result.levels = options.levels;

@@ -23,12 +23,6 @@ Functions programs(
     const Steps& steps,
     const backend::Features& features = {});
 
-// Without the groups whose code would be too long in a language that has no loops.
-std::vector<std::string> printable(
-    const Model& model,
-    std::vector<std::string> groups,
-    const backend::Features& features);
-
 // What a library is to hold.
 struct LibraryOptions {
   LibraryNames names;

@@ -37,6 +37,19 @@ Functions run_passes(Functions functions, const Passes& passes) {
   return functions;
 }
 
+// Leaves only the loops over right-hand sides that a language wants.
+Functions choose_column_loops(Functions functions, backend::ColumnLoops loops) {
+  for (Function& function : functions.list) {
+    std::optional<symbolic::SolvedColumns>& solved = function.traced.solved;
+    if (!solved || loops == backend::ColumnLoops::if_faster) continue;
+    if (loops == backend::ColumnLoops::if_long && solved->is_long)
+      solved->limbs.reset();  // their columns are solved in lanes
+    else
+      solved.reset();
+  }
+  return functions;
+}
+
 // Right-hand sides become functions of their own, which are followed by a loop over the solutions: their programs are
 // those that are printed, of the function itself only its inputs and outputs.
 Functions separate_right_sides(Functions functions, const Passes& passes, const Passes& passes_of_solution) {
@@ -147,8 +160,8 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   if (!robot) return run_passes(std::move(functions), passes);
   const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
   functions = run_accurate_passes(*robot, std::move(functions), steps.formulation(), splits ? Passes() : passes);
-  if (features.solves_columns)
-    functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
+  functions = choose_column_loops(std::move(functions), features.column_loops);
+  functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
   if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
   // Of quaternions there are no sines, and joints that follow are no coordinates.

@@ -25,6 +25,7 @@ struct SolvedColumns {
     bool of_limbs = false;  // with Limbs: a column for each joint of each limb, zero in the rows of other limbs
   };
   std::vector<Block> blocks;
+  bool is_long = false;  // without the loop, the code would be too long for compilers and for caches of instructions
 
   // Limbs of equal structure, one after another in rows and columns behind the rows that they have in common: a column
   // of each limb is solved at a time, one in each lane.

@@ -29,7 +29,11 @@ struct Asked {
   std::vector<std::string> contacts = {};
 };
 
-Library library(const std::filesystem::path& document, const std::string& name, const Asked& asked = {}) {
+Library library(
+    const std::filesystem::path& document,
+    const std::string& name,
+    const Asked& asked = {},
+    const Features& features = {.caches_parameters = true}) {
   const std::filesystem::path desired = std::filesystem::path(document).replace_extension("dtdsl");
   driver::LoadOptions options;
   if (exists(desired)) options.desired = desired;
@@ -38,8 +42,7 @@ Library library(const std::filesystem::path& document, const std::string& name, 
   Diagnostics diagnostics;
   const auto model = driver::load(document, options, diagnostics);
   EXPECT_TRUE(model.has_value()) << document;
-  return model ? driver::library(*model, {.names = {name}, .groups = asked.groups}, {.caches_parameters = true})
-               : Library();
+  return model ? driver::library(*model, {.names = {name}, .groups = asked.groups}, features) : Library();
 }
 
 // The files below the folder, and a unit that has all of them.
@@ -265,6 +268,60 @@ TEST(C, UpdatedCachesStandForTheParameters) {
   for (std::size_t j = 0; j < wanted.size(); ++j) EXPECT_NEAR(arrays.back()[j], wanted[j], 1e-12 * 300);
   dlclose(loaded);
 }
+
+// Columns that are solved in a loop are those that are written out, to rounding; with a parameter from a cache too.
+class ColumnLoops : public testing::TestWithParam<std::string> {};
+
+TEST_P(ColumnLoops, GiveWhatIsWrittenOut) {
+  const test::Scratch scratch("c-columns-" + GetParam());
+  const std::filesystem::path hexapod = kRobots / "hexapod", document = scratch.path / "hexapod.kindsl";
+  std::string text = test::read_text(hexapod / "hexapod.kindsl");
+  const std::string mass = "mass = 1.2";
+  text.replace(text.find(mass), mass.size(), GetParam() == "parameter" ? "mass = body_mass[1.2]" : mass);
+  test::write_text(document, text);
+  copy(hexapod / "parts", scratch.path / "parts");
+  const Asked asked = {{"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}};
+  const Library plain = library(document, "robot", asked, {});
+  const Library looped =
+      library(document, "robot", asked, {.caches_parameters = true, .column_loops = backend::ColumnLoops::if_faster});
+  ASSERT_EQ(
+      std::count_if(looped.functions.begin(), looped.functions.end(), [](const Function& f) { return f.solved; }), 4);
+  write(scratch.path, looped);
+  ASSERT_EQ(run(scratch.path, "gcc " + (kStrict + std::string("-shared -fPIC -I. all.c -o all.so -lm"))), "");
+  void* const loaded = dlopen((scratch.path / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(loaded, nullptr) << dlerror();
+  std::vector<double> parameters = {1.3}, cache(1000, std::numeric_limits<double>::quiet_NaN());
+  if (!looped.updates.empty()) call(dlsym(loaded, "robot_update"), {parameters.data(), cache.data()});
+  std::mt19937 dice(7);
+  for (const c::Callable& c : c::names(plain).callables) {
+    const symbolic::Program& program = c.function->program;
+    symbolic::Arrays<double> inputs;
+    std::vector<std::vector<double>> arrays;
+    for (const symbolic::InputArray& input : program.inputs) {
+      const bool is_parameter = input.role == symbolic::Role::parameters;
+      inputs[input.name] = is_parameter ? parameters : random_values<double>(plain, input, dice);
+      arrays.push_back(is_parameter ? cache : inputs[input.name]);
+    }
+    const std::size_t first = arrays.size();
+    for (const symbolic::OutputArray& output : program.outputs) arrays.emplace_back(output.values.size());
+    std::vector<void*> arguments;
+    for (std::vector<double>& array : arrays) arguments.push_back(array.data());
+    call(dlsym(loaded, c.name.c_str()), arguments);
+    const symbolic::Arrays<double> expected = symbolic::interpret<double>(program, inputs);
+    for (std::size_t o = 0; o < program.outputs.size(); ++o) {
+      const std::vector<double>& wanted = expected.at(program.outputs[o].name);
+      double largest = 1;
+      for (const double value : wanted) largest = std::max(largest, std::abs(value));
+      for (std::size_t k = 0; k < wanted.size(); ++k)
+        ASSERT_NEAR(arrays[first + o][k], wanted[k], 1e-11 * largest) << c.name << ", " << program.outputs[o].name;
+    }
+  }
+  dlclose(loaded);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ColumnLoops, testing::Values("constants", "parameter"), [](const auto& kind) {
+  return kind.param;
+});
 
 TEST(C, DerivativesAndContactsGiveWhatTheInterpreterGives) {
   const Library leg = library(

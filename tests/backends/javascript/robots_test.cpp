@@ -31,6 +31,14 @@ INSTANTIATE_TEST_SUITE_P(Of, JavaScriptRobots, testing::ValuesIn(kRobots), [](co
 
 class JavaScript : public WithNode {};
 
+TEST_F(JavaScript, ColumnsSolvedInALoopAreThoseWrittenOut) {
+  const ColumnLoopLibraries libraries = column_loop_libraries("hexapod");
+  const OutputFile module = module_of(libraries.in_loops);
+  ASSERT_NE(module.text.find("$solve($results.d_qdd, 18, "), std::string::npos);
+  ASSERT_NE(module.text.find("$solve($results.d_tau, 18, "), std::string::npos);
+  EXPECT_EQ(differences(libraries.written_out, module), "");
+}
+
 TEST_F(JavaScript, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
   const backend::Library euler =
       library_of(std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl", "euler");

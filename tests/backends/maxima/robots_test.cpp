@@ -47,6 +47,17 @@ TEST_F(WithMaxima, DerivativesGiveWhatTheInterpreterGives) {
   }
 }
 
+TEST_F(WithMaxima, ColumnsSolvedInALoopAreThoseWrittenOut) {
+  ColumnLoopLibraries libraries = column_loop_libraries("quadruped");
+  for (backend::Library* library : {&libraries.in_loops, &libraries.written_out})
+    std::erase_if(library->functions, [](const backend::Function& f) {  // Maxima takes seconds for each
+      return f.kernel != "forward_dynamics_derivatives";
+    });
+  const OutputFile text = maxima_text(libraries.in_loops);
+  ASSERT_NE(text.text.find("forward_dynamics_derivatives_columns(factor, 3, "), std::string::npos);
+  EXPECT_EQ(differences(libraries.written_out, text), "");
+}
+
 class MaximaText : public testing::TestWithParam<std::string> {};
 
 TEST_P(MaximaText, IsTidy) {

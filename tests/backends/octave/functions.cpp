@@ -63,8 +63,7 @@ std::optional<backend::Library> load(
   for (const std::string& text : derivatives) reading.derivatives.push_back(driver::parse_derivative(text));
   Diagnostics diagnostics;
   const auto loaded = driver::load(model, reading, diagnostics);
-  // What MATLAB takes.
-  return loaded ? std::optional(driver::library(*loaded, options, {.takes_long_programs = false})) : std::nullopt;
+  return loaded ? std::optional(driver::library(*loaded, options)) : std::nullopt;
 }
 
 Call shape(const backend::Library& library, const backend::Function& function) {

@@ -90,7 +90,7 @@ const Group* group_of(const std::string& name) {
   return found == kGroups.end() ? nullptr : &*found;
 }
 
-// The program without a loop, which some languages print and `eval` runs, would take too long to make.
+// The program without a loop, which `eval` runs, would take too long to make.
 bool has_many_operations(const KinematicTree& tree) {
   constexpr long kMany = 600'000;
   return operations_of_solutions(tree) > kMany;
@@ -190,10 +190,6 @@ const std::vector<std::string>& groups_between_frames() {
 bool is_available(const KinematicTree& tree, const std::string& group) {
   const Group* found = group_of(group);
   return found && is_available(*found, tree);
-}
-
-bool needs_loops(const KinematicTree& tree, const std::string& group) {
-  return group == "forward_dynamics_derivatives" && needs_columns(tree);
 }
 
 std::string reason_of_absence(const KinematicTree& tree, const std::string& group, Reasons reasons) {

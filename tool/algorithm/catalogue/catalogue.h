@@ -47,9 +47,6 @@ const std::vector<std::string>& default_groups();
 // inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
 bool is_available(const model::KinematicTree& tree, const std::string& group);
 
-// Whether the code of a group would be too long without loops.
-bool needs_loops(const model::KinematicTree& tree, const std::string& group);
-
 // Why a group is not available; empty where it is, and, if asked so, where the mass properties do not allow it, which
 // diagnostics of the model say.
 enum class Reasons { all, other_than_masses };

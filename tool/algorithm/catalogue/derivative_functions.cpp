@@ -88,9 +88,11 @@ std::vector<RobotFunction> inverse_dynamics_derivatives_functions(
       add_base(summary, "the base acceleration", "the base's velocity (d_base_velocity), and ");
       add("inverse_dynamics_derivatives", summary, unactuated_base_inverse_dynamics_derivatives);
       if (solves_for_base_in_columns(tree))
-        for (RobotFunction& f : list)
+        for (RobotFunction& f : list) {
           f.solved = unactuated_base_inverse_dynamics_derivatives_in_columns(
               tree, f.program.name, loads_of(f.program), formulation);
+          f.solved->is_long = are_long_solutions(operations_of_base_solutions(tree));
+        }
     }
     std::vector<std::string> summary = {forces + "the wrench on the base, and " + kColumns + ")."};
     add_base(
@@ -178,8 +180,10 @@ std::vector<RobotFunction> forward_dynamics_derivatives_functions(
     return forward_dynamics_derivatives(tree, kernel, loads, formulation);
   });
   if (solves_in_columns(tree))
-    for (RobotFunction& f : list)
+    for (RobotFunction& f : list) {
       f.solved = forward_dynamics_derivatives_in_columns(tree, f.program.name, loads_of(f.program), formulation);
+      f.solved->is_long = are_long_solutions(operations_of_solutions(tree));
+    }
   add_wrenches_remark(list);
   add_method(list, name, description(tree, formulation.frames));
   return list;

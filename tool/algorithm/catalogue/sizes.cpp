@@ -21,9 +21,14 @@ long operations_of_solutions(const model::KinematicTree& tree) {
   return 4 * pairs_of_coordinates(tree) * (3 * tree.dof() + (tree.floating_base ? 3 : 0));
 }
 
-bool needs_columns(const model::KinematicTree& tree) {
+long operations_of_base_solutions(const model::KinematicTree& tree) {
+  const long joints = tree.dof();
+  return tree.floating_base ? (3 * joints + 3) * (12 * joints + 72) : 0;
+}
+
+bool are_long_solutions(long operations) {
   constexpr long kMany = 32'000;
-  return operations_of_solutions(tree) > kMany;
+  return operations > kMany;
 }
 
 bool solves_in_columns(const model::KinematicTree& tree) {
@@ -32,10 +37,8 @@ bool solves_in_columns(const model::KinematicTree& tree) {
 }
 
 bool solves_for_base_in_columns(const model::KinematicTree& tree) {
-  // A column takes a solution of six rows, and six products and sums a joint.
   constexpr long kMany = 16'000;
-  const long joints = tree.dof();
-  return tree.floating_base && (3 * joints + 3) * (12 * joints + 72) > kMany;
+  return operations_of_base_solutions(tree) > kMany;
 }
 
 }  // namespace robcogen::algorithm

@@ -12,13 +12,15 @@ long pairs_of_coordinates(const model::KinematicTree& tree);
 // pair, and each right-hand side.
 long operations_of_solutions(const model::KinematicTree& tree);
 
-// Whether one after the other, without a loop, these would outgrow the caches for instructions.
-bool needs_columns(const model::KinematicTree& tree);
+// The same of the solutions for the acceleration of a base that nothing holds, in derivatives of inverse dynamics: a
+// solution of six rows, and six products and sums a joint, for each right-hand side.
+long operations_of_base_solutions(const model::KinematicTree& tree);
 
-// Whether they are better in a loop, where a language has one: right-hand sides in lanes are then faster.
+// Whether so many, without a loop, would outgrow the caches for instructions.
+bool are_long_solutions(long operations);
+
+// Whether they are better in a loop over right-hand sides in lanes.
 bool solves_in_columns(const model::KinematicTree& tree);
-
-// The same of the solutions for the acceleration of a base that nothing holds, in derivatives of inverse dynamics.
 bool solves_for_base_in_columns(const model::KinematicTree& tree);
 
 }  // namespace robcogen::algorithm

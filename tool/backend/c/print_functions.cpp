@@ -1,10 +1,14 @@
 // The functions of a group: declarations with their documentation, and bodies.
+#include <set>
+
 #include "backend/c/printers.h"
 #include "backend/common/cache.h"
+#include "backend/common/columns.h"
 #include "backend/common/layout.h"
 #include "backend/common/meaning.h"
 #include "backend/common/parts.h"
 #include "backend/cpp/printers.h"
+#include "support/index.h"
 
 namespace robcogen::backend::c {
 namespace {
@@ -32,10 +36,16 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
   return comment(describe_function(names.library, *c.function, arrays, {}, words));
 }
 
-std::string print_function(const Names& names, const Callable& c, const Precision& precision) {
+// No other name has two underscores that follow each other.
+std::string private_name(const Names& names, const std::string& name, const Precision& precision) {
+  return names.prefix + "__" + name + precision.suffix;
+}
+
+// `start`: `void name`.
+std::string definition(const Names& names, const Callable& c, const std::string& start, const Precision& precision) {
   const Dialect d = dialect(precision, c.reads_cache);
   const Kernel kernel = lower(c.function->program, c.function->kernel, d);
-  std::string head = signature(names, c, "void " + c.name_in(precision), kernel.parameters, precision, " {");
+  std::string head = signature(names, c, start, kernel.parameters, precision, " {");
   for (const Parameter& p : kernel.parameters)
     if (!p.used) head += "  (void)" + p.name + ";\n";
   if (kernel.lines.size() <= kLongest) return head + body(kernel, d) + "}\n";
@@ -44,12 +54,62 @@ std::string print_function(const Names& names, const Callable& c, const Precisio
   for (const Handed& h : parts.handed)
     calls += "  " + precision.scalar + " " + subscripted(h.array.name, h.size) + ";\n";
   for (const Kernel& part : parts.kernels) {
-    // No other name has two underscores that follow each other.
-    const std::string name = names.prefix + "__" + part.name + precision.suffix;
+    const std::string name = private_name(names, part.name, precision);
     text += signature(names, c, "static void " + name, part.parameters, precision, " {") + body(part, d) + "}\n\n";
     calls += wrapped("  " + name + "(", names_of(part.parameters), ");");
   }
   return text + head + calls + "}\n";
+}
+
+// `f_column`, which solves for one column, and `f_columns`, which replaces columns of a matrix by their solutions.
+std::string print_column_solver(const Names& names, const Function& solution, const Precision& precision) {
+  const std::string rows = std::to_string(solution.program.outputs.front().rows), scalar = precision.scalar;
+  const std::string column = private_name(names, solution.kernel, precision);
+  return comment("One column of solutions.") +
+         definition(names, {&solution, {}, {}}, "static void " + column, precision) + "\n" +
+         comment("Puts solutions in the place of columns.") +
+         wrapped(
+             "static void " + private_name(names, solution.kernel + "s", precision) + "(",
+             {"const " + scalar + " *factor", "int count", scalar + " *columns"}, ") {") +
+         "  " + scalar + " b[" + rows + "];\n  for (; count > 0; --count) {\n    for (int row = 0; row < " + rows +
+         "; ++row) b[row] = columns[row];\n    " + column + "(factor, b, columns);\n    columns += " + rows +
+         ";\n  }\n}\n";
+}
+
+// Computes the right-hand sides, and puts solutions in their place.
+std::string print_column_loop(const Names& names, const Callable& c, const Precision& precision) {
+  const Function& stage = right_sides(names.library, *c.function);
+  const std::size_t first = c.function->program.inputs.size();
+  const std::vector<Parameter> list = parameters(c.function->program, dialect(precision, c.reads_cache));
+  const std::string right = private_name(names, stage.kernel, precision), factor = stage.program.outputs.back().name;
+  std::vector<std::string> arguments = names_of(list);
+  arguments.push_back(factor);
+  std::string text = comment(stage.summary.front()) +
+                     definition(names, {&stage, {}, {}, c.reads_cache}, "static void " + right, precision) + "\n" +
+                     signature(names, c, "void " + c.name_in(precision), list, precision, " {") + "  " +
+                     precision.scalar + " " + factor + "[" + std::to_string(stage.program.outputs.back().rows) +
+                     "];\n" + wrapped("  " + right + "(", arguments, ");");
+  for (const symbolic::SolvedColumns::Block& block : c.function->solved->blocks) {
+    const std::string& array = list[first + at(block.output)].name;
+    text += wrapped(
+        "  " + private_name(names, c.function->solved->solution.name + "s", precision) + "(",
+        {factor, std::to_string(block.columns), array}, ");");
+  }
+  return text + "}\n";
+}
+
+// Overloads have what solves their columns in common, which stands in front of the first of them: `printed` has the
+// names.
+std::string print_function(
+    const Names& names,
+    const Callable& c,
+    const Precision& precision,
+    std::set<std::string>& printed) {
+  if (!c.function->solved) return definition(names, c, "void " + c.name_in(precision), precision);
+  const Function solution = column_solution(*c.function->solved);
+  const bool is_first = printed.insert(solution.kernel).second;
+  return (is_first ? print_column_solver(names, solution, precision) + "\n" : "") +
+         print_column_loop(names, c, precision);
 }
 
 bool has_update(const Names& names, const std::string& group) {
@@ -94,8 +154,9 @@ std::string print_functions(const Names& names, const std::string& group, const 
   const std::string path = names.folder + "/" + group;
   std::string text = cpp::banner(names.library, path + precision.file_end, group + " in " + precision.scalar) +
                      "#include \"" + path + ".h\"\n\n#include <math.h>\n";
+  std::set<std::string> printed;
   for (const Callable& c : names.callables)
-    if (c.function->group == group) text += "\n" + print_function(names, c, precision);
+    if (c.function->group == group) text += "\n" + print_function(names, c, precision, printed);
   return has_update(names, group) ? text + "\n" + print_update(names, precision) : text;
 }
 

@@ -36,8 +36,11 @@ Matrix argument(const Library& library, const InputArray& input, const std::stri
   return {name, size, 1};
 }
 
-Matrix result(const Program& program, const OutputArray& output, const std::string& name) {
+// Where columns are solved for in a loop, the program does not know the zeros.
+Matrix result(const Function& function, const OutputArray& output, const std::string& name) {
+  const Program& program = function.program;
   Matrix m{name, static_cast<std::size_t>(output.rows), static_cast<std::size_t>(output.columns)};
+  if (function.solved) return m;
   std::size_t count = 0;
   std::vector<std::vector<std::size_t>> nonzeros(m.columns);
   for (std::size_t k = 0; k < m.size(); ++k) {
@@ -98,7 +101,7 @@ std::string print_function(const Names& names, const Callable& c) {
   for (std::size_t i = 0; i < program.inputs.size(); ++i)
     in.push_back(argument(names.library, program.inputs[i], list[i].name));
   for (std::size_t i = 0; i < program.outputs.size(); ++i)
-    out.push_back(result(program, program.outputs[i], list[in.size() + i].name));
+    out.push_back(result(*c.function, program.outputs[i], list[in.size() + i].name));
 
   std::string before, after;
   std::vector<std::string> arguments;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "symbolic/count.h"
+#include "backend/common/columns.h"
 
 namespace robcogen::backend {
 
@@ -51,8 +51,8 @@ std::vector<std::string> summary(const Callable& callable) {
   return lines;
 }
 
-std::string describe_operations(const symbolic::Program& program) {
-  const symbolic::OperationCount c = symbolic::count(program);
+std::string describe_operations(const Library& library, const Function& function) {
+  const symbolic::OperationCount c = count(library, function);
   return "Takes " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
          std::to_string(c.div) + " divisions, " + (c.sqrt ? std::to_string(c.sqrt) + " square roots, " : "") +
          std::to_string(c.sincos) + " pairs of sine and cosine.";

@@ -32,6 +32,6 @@ std::size_t required_inputs(const Library& library, const Callable& callable);
 std::vector<std::string> summary(const Callable& callable);
 
 // `Takes 32 multiplications, …`
-std::string describe_operations(const symbolic::Program& program);
+std::string describe_operations(const Library& library, const Function& function);
 
 }  // namespace robcogen::backend

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "backend/common/columns.h"
 #include "backend/common/meaning.h"
 #include "backend/common/overloads.h"
 #include "backend/common/product.h"
 #include "backend/javascript/text.h"
+#include "support/index.h"
 
 namespace robcogen::backend::javascript {
 namespace {
@@ -110,7 +112,7 @@ std::string returns_line(const std::vector<OutputArray>& outputs) {
 std::string documentation(const Library& library, const Callable& callable, const Kernel& kernel) {
   const Function& f = callable.longest();
   std::vector<std::string> lines = summary(callable);
-  lines.push_back(describe_operations(f.program));
+  lines.push_back(describe_operations(library, f));
   const std::size_t required = required_inputs(library, callable);
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i) {
     const Parameter& p = kernel.parameters[i];
@@ -150,10 +152,17 @@ std::string signature(
       is_member ? whole_name(callable) + " = function (" : "export function " + callable.name + "(", arguments, ") {");
 }
 
-std::string body(const std::string& name, const symbolic::Program& program, const Kernel& kernel) {
+std::string checks(
+    const std::string& name,
+    const symbolic::Program& program,
+    const std::vector<Parameter>& parameters) {
   std::string text;
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) text += check(name, program.inputs[i], kernel.parameters[i]);
-  return backend::body(kernel, dialect(), text);
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) text += check(name, program.inputs[i], parameters[i]);
+  return text;
+}
+
+std::string body(const std::string& name, const symbolic::Program& program, const Kernel& kernel) {
+  return backend::body(kernel, dialect(), checks(name, program, kernel.parameters));
 }
 
 // `head value tail`: a number, an array or the rows of a matrix.
@@ -170,22 +179,63 @@ std::string result(
   return text + margin.substr(2) + "]" + tail + "\n";
 }
 
+std::string results(const symbolic::Program& program, const Kernel& kernel) {
+  if (program.outputs.size() == 1) return result("  return ", program.outputs.front(), kernel.results.front(), ";");
+  std::string text = "  return {\n";
+  for (std::size_t p = 0; p < program.outputs.size(); ++p)
+    text += result("    " + program.outputs[p].name + ": ", program.outputs[p], kernel.results[p], ",");
+  return text + "  };\n";
+}
+
+// A function of the module's own, without checks; returns its name.
+std::string print_private(const Function& function, std::string& text) {
+  const Kernel kernel = lower(function.program, function.kernel, dialect());
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < function.program.inputs.size(); ++i) arguments.push_back(kernel.parameters[i].name);
+  const std::string name = "$" + function.kernel;
+  text += "\n" + wrapped("function " + name + "(", arguments, ") {") + backend::body(kernel, dialect()) +
+          results(function.program, kernel) + "}\n";
+  return name;
+}
+
+// Computes right-hand sides, and puts solutions in their place.
+std::string print_column_loop(const Library& library, const Callable& callable) {
+  const Function& function = callable.longest();
+  const Kernel kernel = without_lines(function, dialect());
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < function.program.inputs.size(); ++i) arguments.push_back(kernel.parameters[i].name);
+  std::string text;
+  const Function& stage = right_sides(library, function);
+  const std::string right = print_private(stage, text);
+  const std::string solution = print_private(column_solution(*function.solved), text);
+  text += documentation(library, callable, kernel) +
+          signature(callable, function.program, kernel, required_inputs(library, callable)) +
+          checks(whole_name(callable), function.program, kernel.parameters) +
+          wrapped(
+              "  const { " + stage.program.outputs.back().name + ": $factor, ...$results } = " + right + "(", arguments,
+              ");");
+  for (const symbolic::SolvedColumns::Block& block : function.solved->blocks)
+    text += "  $solve($results." + function.program.outputs[at(block.output)].name + ", " +
+            std::to_string(block.columns) + ", (b) => " + solution + "($factor, b));\n";
+  return text + "  return $results;\n}\n";
+}
+
+constexpr const char* kSolve = R"(
+// Replaces the first columns of a matrix by what the function makes of them.
+function $solve(rows, count, solution) {
+  for (let column = 0; column < count; ++column)
+    solution(rows.map((row) => row[column])).forEach((x, row) => { rows[row][column] = x; });
+}
+)";
+
 std::string print_function(const Library& library, const Callable& callable) {
+  if (callable.longest().solved) return print_column_loop(library, callable);
   const symbolic::Program& program = callable.longest().program;
   const Kernel kernel = lower(program, callable.name, dialect());
   const bool is_member = !callable.scope.empty();
-  std::string text = documentation(library, callable, kernel) +
-                     signature(callable, program, kernel, required_inputs(library, callable)) +
-                     body(whole_name(callable), program, kernel);
-  if (program.outputs.size() == 1) {
-    text += result("  return ", program.outputs.front(), kernel.results.front(), ";");
-  } else {
-    text += "  return {\n";
-    for (std::size_t p = 0; p < program.outputs.size(); ++p)
-      text += result("    " + program.outputs[p].name + ": ", program.outputs[p], kernel.results[p], ",");
-    text += "  };\n";
-  }
-  return text + (is_member ? "};\n" : "}\n");
+  return documentation(library, callable, kernel) +
+         signature(callable, program, kernel, required_inputs(library, callable)) +
+         body(whole_name(callable), program, kernel) + results(program, kernel) + (is_member ? "};\n" : "}\n");
 }
 
 std::string print_product(const Library& library, const Function& function, const Callable& callable) {
@@ -241,6 +291,8 @@ std::vector<OutputFile> print(const Library& library) {
     text += "\nconst $gravity = [0, 0, -9.81];\nconst $noWrenches = Array(" + std::to_string(library.links.size()) +
             ").fill([0, 0, 0, 0, 0, 0]);\n" + print_model(library);
   if (!library.parameters.empty()) text += print_parameters(library);
+  if (std::any_of(library.functions.begin(), library.functions.end(), [](const Function& f) { return f.solved; }))
+    text += kSolve;
   text += print_scopes(scopes);
   for (const Callable& callable : all) text += print_function(library, callable);
   for (const auto& [function, callable] : products) text += print_product(library, *function, callable);

@@ -1,8 +1,10 @@
 // The text of functions.
+#include "backend/common/columns.h"
 #include "backend/common/meaning.h"
 #include "backend/common/product.h"
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
+#include "support/index.h"
 
 namespace robcogen::backend::matlab {
 namespace {
@@ -45,21 +47,55 @@ std::string whole_name(const Library& library, const std::string& scope, const C
   return joined(packages(library, scope), ".") + "." + callable.name;
 }
 
+std::string results(const Program& program, const Kernel& kernel, const std::vector<std::string>& joints = {}) {
+  std::string text;
+  for (std::size_t p = 0; p < program.outputs.size(); ++p)
+    text += assemble(program.outputs[p], kernel.parameters[program.inputs.size() + p].name, kernel.results[p], joints);
+  return text;
+}
+
+// A function of the file's own.
+std::string print_local(const Function& function, const std::string& name) {
+  const Kernel kernel = lower(function.program, name, dialect());
+  return "\n" + signature(function.program, kernel, name) +
+         blocks({body(kernel, dialect()), results(function.program, kernel)}) + "end\n";
+}
+
+// Computes right-hand sides, and puts solutions in their place.
+std::string print_column_loop(const Library& library, const Callable& callable) {
+  const Function &function = callable.longest(), &stage = right_sides(library, function);
+  const Program& program = function.program;
+  const Kernel kernel = without_lines(function, dialect());
+  const std::string factor = parameters(stage.program, dialect()).back().name;
+  std::vector<std::string> arguments, values;
+  for (const Parameter& p : kernel.parameters) (p.output ? values : arguments).push_back(p.name);
+  values.push_back(factor);
+  std::string loops = wrapped("  [", values, "] = ...");
+  loops += wrapped("    right_sides(", arguments, ");");
+  for (const symbolic::SolvedColumns::Block& block : function.solved->blocks) {
+    const std::string column = values[at(block.output)] + "(:, column)";
+    loops += "  for column = 1:" + std::to_string(block.columns) + "\n    " + column + " = solution(" + factor + ", " +
+             column + ");\n  end\n";
+  }
+  const std::string checks = print_checks(
+      whole_name(library, callable.scope, callable), program.inputs, kernel, required_inputs(library, callable));
+  return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
+         blocks({origin(library), checks, loops}) + "end\n" + print_local(stage, "right_sides") +
+         print_local(column_solution(*function.solved), "solution");
+}
+
 }  // namespace
 
 std::string print_function(const Library& library, const Callable& callable) {
   const Function& function = callable.longest();
+  if (function.solved) return print_column_loop(library, callable);
   const Program& program = function.program;
   const Kernel kernel = lower(program, callable.name, dialect());
   const std::vector<std::string> joints = column_joints(library, function);
-  std::string results;
-  for (std::size_t p = 0; p < program.outputs.size(); ++p)
-    results +=
-        assemble(program.outputs[p], kernel.parameters[program.inputs.size() + p].name, kernel.results[p], joints);
   const std::string checks = print_checks(
       whole_name(library, callable.scope, callable), program.inputs, kernel, required_inputs(library, callable));
   return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
-         blocks({origin(library), checks, body(kernel, dialect()), results}) + "end\n";
+         blocks({origin(library), checks, body(kernel, dialect()), results(program, kernel, joints)}) + "end\n";
 }
 
 std::string print_product(const Library& library, const Callable& callable) {

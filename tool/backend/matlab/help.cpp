@@ -107,7 +107,7 @@ std::string help(const Library& library, const Callable& callable, const Kernel&
   return heading(callable.name, summary(callable)) +
          describe_arguments(function.program.inputs, kernel, required_inputs(library, callable)) +
          (remark.empty() ? "" : comment(remark)) + results(library, function) +
-         comment(describe_operations(function.program));
+         comment(describe_operations(library, function));
 }
 
 std::string origin(const Library& library) {

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
 
+#include "backend/common/columns.h"
 #include "backend/common/layout.h"
 #include "backend/common/meaning.h"
 #include "backend/common/product.h"
 #include "support/concat.h"
+#include "support/index.h"
 #include "support/number.h"
 
 namespace robcogen::backend::maxima {
@@ -144,16 +147,56 @@ std::vector<std::string> documentation(const Library& library, const Function& f
   return describe_function(library, f, arguments, {"returns " + joined(results)});
 }
 
-std::string print_function(const Library& library, const Function& f, const std::string& prefix) {
-  const Kernel kernel = lower(f.program, f.kernel, dialect());
+std::string results(const symbolic::Program& program, const Kernel& kernel) {
   std::string value;
-  for (std::size_t p = 0; p < f.program.outputs.size(); ++p) {
+  for (std::size_t p = 0; p < program.outputs.size(); ++p) {
     if (p > 0) value += ",\n";
-    value += result(f.program.outputs[p], kernel.results[p]);
+    value += result(program.outputs[p], kernel.results[p]);
     value.pop_back();
   }
-  if (f.program.outputs.size() != 1) value = "  [\n" + value + "]";
-  return "\n" + comment(documentation(library, f, kernel)) + definition(prefix + f.kernel, f.program, kernel, value);
+  return program.outputs.size() == 1 ? value : "  [\n" + value + "]";
+}
+
+std::string definition(const std::string& name, const Function& f) {
+  const Kernel kernel = lower(f.program, f.kernel, dialect());
+  return definition(name, f.program, kernel, results(f.program, kernel));
+}
+
+// `f_column`, which solves for one column, and `f_columns`, which replaces the first columns of a matrix by their
+// solutions.
+std::string print_column_solver(const Function& solution, const std::string& prefix) {
+  const std::string name = prefix + solution.kernel;
+  return "\n" + comment({"One column of solutions; a matrix with solutions in the place of its first columns."}) +
+         definition(name, solution) + name + "s(factor, count, given) := block(\n  [columns],\n" +
+         "  columns: args(transpose(given)),\n  transpose(apply('matrix, append(\n" +
+         wrapped("makelist(" + name + "(factor, columns[k]), k, 1, count),", "    ") +
+         "    rest(columns, count)))))$\n";
+}
+
+// Computes right-hand sides, and puts solutions in their place.
+std::string print_column_loop(const Library& library, const Function& f, const std::string& prefix) {
+  const Function& stage = right_sides(library, f);
+  const Kernel kernel = without_lines(f, dialect());
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < f.program.inputs.size(); ++i) arguments.push_back(kernel.parameters[i].name);
+  const std::string list = "(" + joined(arguments) + ")";
+  std::string text = "\n" + comment(stage.summary) + definition(prefix + stage.kernel, stage) + "\n" +
+                     comment(documentation(library, f, kernel)) + wrapped(prefix + f.kernel + list + " := block(", "") +
+                     "  [results, factor],\n" + wrapped("results: " + prefix + stage.kernel + list + ",", "  ") +
+                     "  factor: last(results),\n";
+  for (const symbolic::SolvedColumns::Block& block : f.solved->blocks) {
+    const std::string place = "results[" + std::to_string(block.output + 1) + "]";
+    text += "  " + place + ": " + prefix + f.solved->solution.name + "s(factor, " + std::to_string(block.columns) +
+            ", " + place + "),\n";
+  }
+  return text + "  rest(results, -1))$\n";
+}
+
+std::string print_function(const Library& library, const Function& f, const std::string& prefix) {
+  if (f.solved) return print_column_loop(library, f, prefix);
+  const Kernel kernel = lower(f.program, f.kernel, dialect());
+  return "\n" + comment(documentation(library, f, kernel)) +
+         definition(prefix + f.kernel, f.program, kernel, results(f.program, kernel));
 }
 
 std::string print_product(const Library& library, const Function& f, const std::string& name) {
@@ -186,7 +229,10 @@ std::vector<OutputFile> print(const Library& library) {
        "Arguments are lists, of numbers or symbols: [q1, q2]. Fractions and multiples of %pi are exact."});
   if (!library.parameters.empty()) text += print_parameters(library, prefix);
   NameScope scope(is_reserved);
+  std::set<std::string> solvers;  // that overloads have in common
   for (const Function& f : library.functions) {
+    if (f.solved && solvers.insert(f.solved->solution.name).second)
+      text += print_column_solver(column_solution(*f.solved), prefix);
     text += print_function(library, f, prefix);
     scope.take(f.kernel);
   }

@@ -1,0 +1,39 @@
+#include "backend/common/columns.h"
+
+#include <algorithm>
+
+namespace robcogen::backend {
+
+const Function& right_sides(const Library& library, const Function& function) {
+  const std::string& name = function.solved->right_sides.name;
+  return *std::find_if(library.stages.begin(), library.stages.end(), [&](const Function& f) { return f.name == name; });
+}
+
+Function column_solution(const symbolic::SolvedColumns& solved) {
+  Function function;
+  function.name = function.kernel = solved.solution.name;
+  function.program = solved.solution;
+  return function;
+}
+
+Kernel without_lines(const Function& function, const Dialect& dialect) {
+  Kernel kernel;
+  kernel.name = function.kernel;
+  kernel.parameters = parameters(function.program, dialect);
+  return kernel;
+}
+
+symbolic::OperationCount count(const Library& library, const Function& function) {
+  if (!function.solved) return symbolic::count(function.program);
+  symbolic::OperationCount all = symbolic::count(right_sides(library, function).program);
+  const symbolic::OperationCount one = symbolic::count(function.solved->solution);
+  for (const symbolic::SolvedColumns::Block& block : function.solved->blocks) {
+    all.mul += block.columns * one.mul;
+    all.add += block.columns * one.add;
+    all.div += block.columns * one.div;
+    all.sqrt += block.columns * one.sqrt;
+  }
+  return all;
+}
+
+}  // namespace robcogen::backend
