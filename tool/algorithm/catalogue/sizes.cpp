@@ -37,7 +37,7 @@ bool solves_in_columns(const model::KinematicTree& tree) {
 }
 
 bool solves_for_base_in_columns(const model::KinematicTree& tree) {
-  constexpr long kMany = 16'000;
+  constexpr long kMany = 8'000;
   return operations_of_base_solutions(tree) > kMany;
 }
 
