@@ -79,7 +79,6 @@ std::string print_column_solver(const Names& names, const Function& solution, co
 // Computes the right-hand sides, and puts solutions in their place.
 std::string print_column_loop(const Names& names, const Callable& c, const Precision& precision) {
   const Function& stage = right_sides(names.library, *c.function);
-  const std::size_t first = c.function->program.inputs.size();
   const std::vector<Parameter> list = parameters(c.function->program, dialect(precision, c.reads_cache));
   const std::string right = private_name(names, stage.kernel, precision), factor = stage.program.outputs.back().name;
   std::vector<std::string> arguments = names_of(list);
@@ -90,7 +89,7 @@ std::string print_column_loop(const Names& names, const Callable& c, const Preci
                      precision.scalar + " " + factor + "[" + std::to_string(stage.program.outputs.back().rows) +
                      "];\n" + wrapped("  " + right + "(", arguments, ");");
   for (const symbolic::SolvedColumns::Block& block : c.function->solved->blocks) {
-    const std::string& array = list[first + at(block.output)].name;
+    const std::string& array = list[c.function->program.inputs.size() + at(block.output)].name;
     text += wrapped(
         "  " + private_name(names, c.function->solved->solution.name + "s", precision) + "(",
         {factor, std::to_string(block.columns), array}, ");");
@@ -107,8 +106,8 @@ std::string print_function(
     std::set<std::string>& printed) {
   if (!c.function->solved) return definition(names, c, "void " + c.name_in(precision), precision);
   const Function solution = column_solution(*c.function->solved);
-  const bool is_first = printed.insert(solution.kernel).second;
-  return (is_first ? print_column_solver(names, solution, precision) + "\n" : "") +
+  const bool is_new = printed.insert(solution.kernel).second;
+  return (is_new ? print_column_solver(names, solution, precision) + "\n" : "") +
          print_column_loop(names, c, precision);
 }
 
