@@ -106,8 +106,7 @@ std::string print_function(
     std::set<std::string>& printed) {
   if (!c.function->solved) return definition(names, c, "void " + c.name_in(precision), precision);
   const Function solution = column_solution(*c.function->solved);
-  const bool is_new = printed.insert(solution.kernel).second;
-  return (is_new ? print_column_solver(names, solution, precision) + "\n" : "") +
+  return (printed.insert(solution.kernel).second ? print_column_solver(names, solution, precision) + "\n" : "") +
          print_column_loop(names, c, precision);
 }
 
