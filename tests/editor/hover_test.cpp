@@ -70,6 +70,28 @@ TEST(Hover, SaysWhatElementsAre) {
   EXPECT_EQ(hover(client, uri, "inertia_par|ams"), "");
 }
 
+// The crank is at 90 degrees, where the rod, as long as the distance, lies level.
+TEST(Hover, IsOfWhereLoopsAreAssembled) {
+  Client client;
+  const std::string uri = "file:///bars.kindsl";
+  client.open(uri, R"(Robot Bars {
+    RobotBase base { children { crank via turn  rocker via swing } }
+    link crank { id = 1  children { rod via elbow } }
+    link rod { id = 2  children {}  frames { end { translation = (0.5, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } } }
+    link rocker { id = 3  children {}  frames { pin { translation = (0.2, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } } }
+    r_joint turn { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } assembled = PI/2.0 }
+    r_joint elbow { ref_frame { translation = (0.2, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } assembled = -PI/2.0 }
+    r_joint swing { ref_frame { translation = (0.5, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } assembled = PI/2.0 }
+    loops { bar { frames = end ~ pin  type = hinge } }
+    independent { turn }
+}
+)");
+  EXPECT_EQ(
+      hover(client, uri, "en|d {"),
+      "**frame** `end` of link `rod`\n\n- origin (0.5, 0.2, 0) m in the base, where loops are assembled\n- rotation "
+      "(0, 0, 0)° about x, y', z''");
+}
+
 TEST(Hover, OfAPartIsThatOfAnInstance) {
   Client client;
   const std::string uri = "file:///robot.kindsl";

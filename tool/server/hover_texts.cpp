@@ -74,8 +74,8 @@ std::string RobotText::link(int l) const {
   const Carried& carried = resting_.carried(l);
   if (carried.mass != 0.0 && !link.child_joints.empty())
     text += fmt::format(
-        "\n- with all it carries: {} kg, centre of mass {} m in the base at q = 0", text_of_number(carried.mass),
-        text_of_vector(carried.com));
+        "\n- with all it carries: {} kg, centre of mass {} m {}", text_of_number(carried.mass),
+        text_of_vector(carried.com), in_base());
   return text + unknown_parameters();
 }
 
@@ -92,7 +92,7 @@ std::string RobotText::joint(int j) const {
       tree_.links[static_cast<std::size_t>(joint.child)].name);
   text += joint.type == model::JointType::spherical
               ? "- turns in any way about the origin of its frame"
-              : fmt::format("- axis {} in the base at q = 0", text_of_vector(resting_.axis(j)));
+              : fmt::format("- axis {} {}", text_of_vector(resting_.axis(j)), in_base());
   if (joint.type == model::JointType::helical)
     text += fmt::format("\n- pitch {} m/rad", text_of_number(resting_.value(joint.pitch)));
   const model::JointLimits& limits = joint.limits;
@@ -131,9 +131,16 @@ std::string RobotText::frame(const model::Frame& frame) const {
   const Pose pose = resting_.frame(frame);
   const std::string& link = tree_.links[static_cast<std::size_t>(tree_.link_of(frame))].name;
   return fmt::format(
-             "**frame** `{}` of link `{}`\n\n- origin {} m in the base at q = 0\n- rotation {}° about x, y', z''",
-             frame.name, link, text_of_vector(pose.translation), text_of_degrees(angles_of(pose))) +
+             "**frame** `{}` of link `{}`\n\n- origin {} m {}\n- rotation {}° about x, y', z''", frame.name, link,
+             text_of_vector(pose.translation), in_base(), text_of_degrees(angles_of(pose))) +
          unknown_parameters();
+}
+
+std::string RobotText::in_base() const {
+  const bool is_elsewhere = std::any_of(tree_.joints.begin(), tree_.joints.end(), [](const model::Joint& joint) {
+    return joint.assembled.value_or(0.0) != 0.0;
+  });
+  return is_elsewhere ? "in the base, where loops are assembled" : "in the base at q = 0";
 }
 
 std::string text_of_frame(const model::RigidMotions& motions, const std::string& frame) {

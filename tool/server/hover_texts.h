@@ -7,7 +7,7 @@
 
 namespace robcogen::server {
 
-// In numbers of the robot at q = 0.
+// In numbers of the robot at q = 0, or where its loops are assembled.
 class RobotText {
  public:
   explicit RobotText(const model::KinematicTree& tree) : tree_(tree), resting_(tree) {}
@@ -21,6 +21,8 @@ class RobotText {
   const model::KinematicTree& tree_;
   RestingRobot resting_;
 
+  // `in the base at q = 0`, of places and directions.
+  std::string in_base() const;
   std::string unknown_parameters() const;
 };
 
