@@ -116,7 +116,6 @@ TEST(ParallelogramsBehindOtherLoops, AreClosedAsOthers) {
   const model::KinematicTree tree = tree_of_text(text);
   EXPECT_EQ(tree.closures.size(), 2U);
   const InterpretedRobot robot(tree, {});
-  EXPECT_FALSE(robot.programs().contains("coriolis_matrix"));
   EXPECT_EQ(check_all(robot, 1, 5).failure_report(), "");
 }
 

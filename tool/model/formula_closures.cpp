@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "model/parallelogram.h"
@@ -57,6 +60,7 @@ class FormulaSearch {
   std::vector<Closure> closures_;  // of the first loops
   std::vector<Closure> sorted_;
   int trials_ = 0;
+  bool has_gone_back_ = false;  // to a loop, for its next best joints
 
   const KinematicTree& tree() const { return context_.tree; }
 
@@ -168,7 +172,7 @@ class FormulaSearch {
   // For this loop of the group and those behind it; returns whether all of them can be solved one after another.
   bool choose_from(std::size_t loop) {
     constexpr int kMaxTrials = 100'000;
-    if (loop == alternatives_.size()) return put_in_order();
+    if (loop == alternatives_.size()) return (!has_gone_back_ || drives_lead()) && put_in_order();
     for (const auto& [score, joints] : alternatives_[loop].dependents) {
       if (++trials_ > kMaxTrials) return false;
       const auto is_followed = [&](int joint) { return followed_.contains(joint); };
@@ -181,8 +185,22 @@ class FormulaSearch {
       if (choose_from(loop + 1)) return true;
       for (const int joint : joints) followed_.erase(joint);
       closures_.pop_back();
+      has_gone_back_ = true;
     }
     return false;
+  }
+
+  // Whether no more driven joints follow than must: rather than that they follow by formulas, they lead, and iteration
+  // closes the loops.
+  bool drives_lead() const {
+    std::set<int> free;
+    for (const Alternatives& loop : alternatives_)
+      for (const auto& [score, joints] : loop.dependents) free.insert(joints.begin(), joints.end());
+    const auto is_driven = [&](int joint) { return context_.is_driven(joint); };
+    const auto undriven = std::count_if(free.begin(), free.end(), std::not_fn(is_driven));
+    const auto driven_followers = std::count_if(
+        followed_.begin(), followed_.end(), [&](const auto& followed) { return is_driven(followed.first); });
+    return driven_followers <= std::max<std::ptrdiff_t>(0, std::ssize(followed_) - undriven);
   }
 
   // Every closure behind those whose joints it takes as given; returns whether there is such an order.

@@ -141,7 +141,9 @@ TEST(Text, LinesAreShortAndEndInNoBlank) {
   }
 }
 
+// Behind it stands at most what solves for columns in a loop.
 TEST(Text, AFileIsOneFunctionOfItsName) {
+  const std::regex local(R"(function (?:\w+|\[[\w, ]+\]) = (?:right_sides|solution)\([\w, ]*\))");
   for (const File& file : files()) {
     if (is_script(file)) continue;
     const std::vector<std::string>& statements = file.code;
@@ -153,7 +155,8 @@ TEST(Text, AFileIsOneFunctionOfItsName) {
     EXPECT_EQ(match[1], file.path.stem().string()) << file.path;
     EXPECT_EQ(file.lines.back(), "end") << file.path;
     for (std::size_t i = 1; i < statements.size(); ++i)
-      EXPECT_FALSE(statements[i].starts_with("function")) << file.path << ": " << statements[i];
+      EXPECT_TRUE(!statements[i].starts_with("function") || std::regex_match(statements[i], local))
+          << file.path << ": " << statements[i];
   }
 }
 
@@ -195,10 +198,11 @@ std::vector<std::string> words(const std::string& text) {
 TEST(Text, NoKeywordIsAName) {
   for (const File& file : files()) {
     for (const std::string& line : file.code) {
-      const bool is_signature = line.starts_with("function ");
+      const bool is_signature = line.starts_with("function "), is_loop = line.starts_with("  for ");
       const std::size_t equals = line.find(" = ");
       if (equals == std::string::npos) continue;
-      for (const std::string& name : words(is_signature ? line.substr(9) : line.substr(0, equals)))
+      const std::string assigned = line.substr(is_loop ? 6 : 0, equals - (is_loop ? 6 : 0));
+      for (const std::string& name : words(is_signature ? line.substr(9) : assigned))
         EXPECT_FALSE(kKeywords.contains(name)) << file.path << ": " << line;
     }
   }
