@@ -3,9 +3,8 @@
 #include <four_bar_leg/reflection.h>
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "allocation_hook.h"
+#include "message_of.h"
 #include "robcogen/any_robot.h"
 
 namespace robcogen::test {
@@ -41,16 +40,6 @@ TEST(AnyActuators, HaveLengthsRatesAndLeverArms) {
   EXPECT_EQ(velocities, four_bar_leg::actuator_velocities(q, v));
   EXPECT_EQ(J, four_bar_leg::actuator_jacobian(q));
   EXPECT_LT((velocities - J * v).norm(), 1e-14);
-}
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(AnyActuators, SayWhatIsWrong) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "allocation_hook.h"
+#include "message_of.h"
 #include "robots.h"
 
 namespace robcogen::test {
@@ -148,16 +149,6 @@ TYPED_TEST(Any, DoesNotAllocate) {
     copy.jacobian(0, x.q, J);
   }
   EXPECT_TRUE(X.allFinite() && J.allFinite());
-}
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(AnyRobot, SaysWhichArgumentHasTheWrongSize) {

@@ -43,7 +43,7 @@ bool takes_all(const Program& program, const Derivative& derivative) {
   });
 }
 
-// There is no derivative by the activity of contacts, which is 0 or 1.
+// Functions are not differentiated with respect to which contacts are active: that input is 0 or 1.
 void require_smooth_inputs(const Derivative& derivative, const Program& program) {
   std::vector<std::string> others;
   for (const symbolic::InputArray& array : program.inputs)

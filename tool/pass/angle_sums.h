@@ -36,8 +36,8 @@ class AngleSums {
   bool follows_from_parameters(const symbolic::Expression& e) const;
 
   // Sine and cosine from those of the joints by the addition theorems, in a graph whose inputs are the parameters, the
-  // sines of all joints, and their cosines. Nullopt where the theorems do not reach the angle: it is no sum of joint
-  // positions and of what follows from parameters alone.
+  // sines of all joints, and their cosines. Nullopt for an angle that is not a sum of joint positions and of what
+  // follows from parameters alone.
   std::optional<SinCos> by_addition(symbolic::Graph& graph, const symbolic::Expression& e) const;
 
   // `HFE_KFE` of a sum of joints, `HFE_turned` with a constant or a parameter.
