@@ -1,0 +1,50 @@
+// A loop in a plane: pivots, and where they are.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "algorithm/spatial/triangle.h"
+#include "model/loop.h"
+
+namespace robcogen::algorithm {
+
+class Trace;
+
+// A joint, or the end of the loop behind the last one, as the plane has it at q = 0.
+struct Pivot {
+  int joint = -1;
+  int sense = 0;  // 1, -1; 0 of a joint that slides
+  bool is_dependent = false;
+  Vector2 step;            // from the pivot before
+  Vector2 direction = {};  // of a joint that slides
+};
+
+// By end, from the last link that carries both ends outwards. The last pivot is the point that closes the loop.
+using PlanarLoop = std::array<std::vector<Pivot>, 2>;
+
+PlanarLoop planar_loop(Trace& trace, const model::Closure& closure);
+
+// Pivots of one end whose joints are at q (by joint); positions of joints that follow need not be known.
+struct PlanarChain {
+  symbolic::Graph& graph;
+  const std::vector<Pivot>& pivots;
+  const std::vector<symbolic::Expression>& q;
+
+  // By those joints from `first` up to `last`, without this one, that do not follow.
+  Vector2 turn(std::size_t first, std::size_t last) const;
+  // From a pivot to another one behind it, as seen from behind the first; both may follow, no joint between does.
+  // `first` is -1 for the origin of the plane.
+  Vector2 reach(int first, std::size_t last) const;
+};
+
+// What is known of one end where all positions are.
+struct Posture {
+  std::vector<Vector2> origins;     // of the pivots
+  std::vector<Vector2> directions;  // of joints that slide
+  std::vector<Vector2> steps;       // from each pivot to the next one
+};
+
+Posture posture(const PlanarChain& chain);
+
+}  // namespace robcogen::algorithm

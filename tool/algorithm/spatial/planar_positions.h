@@ -1,0 +1,16 @@
+// Positions of the two joints that follow through a loop in a plane.
+#pragma once
+
+#include "algorithm/spatial/planar_loop.h"
+
+namespace robcogen::algorithm {
+
+// `q`, by joint, with the positions of the joints that follow; `branch` as of model::Closure. Where the loop cannot
+// close they are not numbers.
+std::vector<symbolic::Expression> closed_positions(
+    symbolic::Graph& graph,
+    const PlanarLoop& loop,
+    double branch,
+    std::vector<symbolic::Expression> q);
+
+}  // namespace robcogen::algorithm
