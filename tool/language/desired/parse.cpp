@@ -6,235 +6,113 @@
 
 #include "language/common/content.h"
 #include "language/desired/document.h"
-#include "language/desired/frame_parser.h"
 #include "language/desired/keywords.h"
-#include "language/desired/parse_pair.h"
+#include "language/desired/parse_section.h"
 
 namespace robcogen::language::desired {
 namespace {
 
-// After an error in a section or a pair, the parser skips to the next one, or to the end of the block.
-class Parser : private FrameParser {
- public:
-  Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : FrameParser(Cursor(tokenize_document(source, diagnostics), keywords(), diagnostics)),
-        source_(std::move(source)) {
-    document_.source = source_;
-  }
+// Takes the '{' of those around all sections, as around the elements of a robot document, which is an error. Returns
+// whether there is one.
+bool take_outer_brace(Cursor& cursor) {
+  const auto next = [&](std::string_view word) { return cursor.at(word, 1); };
+  if (!cursor.at("{") || std::none_of(kSections.begin(), kSections.end(), next)) return false;
+  cursor.error("unexpected-token", "unexpected '{' after the name of the robot").hint =
+      "the sections follow the name, without braces around them";
+  cursor.take();
+  return true;
+}
 
-  Document run() {
-    try {
-      header();
-      sections();
-      check_complete();
-    } catch (const SyntaxError&) {
-    } catch (const OtherLanguage&) {
-      // reported; the rest of the file is not read
-    }
-    document_.comments = cursor_.comments_before(source_->text().size() + 1);
-    return std::move(document_);
+// Returns whether there are braces around all sections.
+bool read_header(Cursor& cursor, Name& robot) {
+  try {
+    if (!cursor.at_any({"Robot", "Model"}))
+      cursor.unexpected("'Robot' or 'Model'", "at the beginning of a desired-transforms document");
+    cursor.take();
+    robot = read_name(cursor, "the name of the robot");
+    return take_outer_brace(cursor);
+  } catch (const SyntaxError&) {
+    cursor.skip_until([&] { return at_section(cursor); });
+    if (cursor.at_end()) throw;
+    return false;
   }
+}
 
- private:
-  std::shared_ptr<const Source> source_;
-  Document document_;
-  std::vector<Token> found_;  // the words that begin sections
-  bool may_have_skipped_section_ = false;
-  bool is_in_braces_ = false;  // all of the sections, which is an error
-
-  void header() {
-    try {
-      if (!cursor_.at_any({"Robot", "Model"}))
-        cursor_.unexpected("'Robot' or 'Model'", "at the beginning of a desired-transforms document");
-      cursor_.take();
-      document_.robot = name("the name of the robot");
-      brace_around_sections();
-    } catch (const SyntaxError&) {
-      cursor_.skip_until([&] { return at_section(); });
-      if (cursor_.at_end()) throw;
-    }
+// In the dialect of 2018, `FK name { … }` and `IKpos name { … }` are queries.
+[[noreturn]] void report_unknown_section(Cursor& cursor) {
+  const std::string_view word = cursor.peek().text;
+  if (word == "FK" || word.starts_with("IK")) {
+    cursor
+        .error("query-dialect", fmt::format("'{}' belongs to the query dialect of 2018, which is not supported", word))
+        .hint = "list pairs of frames in 'Transforms { … }' and 'Jacobians { … }'";
+    throw OtherLanguage{};
   }
+  cursor.unexpected("'Frames', 'Transforms', 'Jacobians' or 'Contacts'", "");
+}
 
-  // As around the elements of a robot document.
-  void brace_around_sections() {
-    const auto next = [&](std::string_view word) { return cursor_.at(word, 1); };
-    if (!cursor_.at("{") || std::none_of(kSections.begin(), kSections.end(), next)) return;
-    cursor_.error("unexpected-token", "unexpected '{' after the name of the robot").hint =
-        "the sections follow the name, without braces around them";
-    cursor_.take();
-    is_in_braces_ = true;
+// Takes the word that begins a section and adds it to those found. A document has at most one section of a word.
+Token read_section_word(Cursor& cursor, std::vector<Token>& found) {
+  Token word = cursor.take();
+  if (cursor.at(word.text)) {
+    found.push_back(word);
+    word = cursor.take();
   }
+  const auto earlier =
+      std::find_if(found.begin(), found.end(), [&](const Token& token) { return token.text == word.text; });
+  if (earlier != found.end())
+    cursor.error_at(word.span, "duplicate-item", fmt::format("'{}' is given twice", word.text))
+        .notes.push_back({cursor.place(earlier->span), "first given here"});
+  found.push_back(word);
+  return word;
+}
 
-  void sections() {
-    while (!cursor_.at_end()) {
-      cursor_.begin_statement();
-      try {
-        if (is_in_braces_ && cursor_.accept("}")) continue;
-        if (!at_section_word()) unknown_section();
-        const Token word = section_word();
-        if (word.text == "Frames") {
-          frames();
-        } else if (word.text == "Contacts") {
-          contacts();
-        } else {
-          pairs(word, word.text == "Transforms" ? document_.transforms : document_.jacobians);
-        }
-      } catch (const SyntaxError&) {
-        may_have_skipped_section_ = true;
-        cursor_.skip_until([&] { return at_section(); });
-      }
-    }
-  }
-
-  Token section_word() {
-    Token word = cursor_.take();
-    if (cursor_.at(word.text)) {
-      found_.push_back(word);
-      word = cursor_.take();
-    }
-    const auto earlier =
-        std::find_if(found_.begin(), found_.end(), [&](const Token& token) { return token.text == word.text; });
-    if (earlier != found_.end())
-      cursor_.error_at(word.span, "duplicate-item", fmt::format("'{}' is given twice", word.text))
-          .notes.push_back({cursor_.place(earlier->span), "first given here"});
-    found_.push_back(word);
-    return word;
-  }
-
-  // In the dialect of 2018, `FK name { … }` and `IKpos name { … }` are queries.
-  [[noreturn]] void unknown_section() {
-    const std::string_view word = cursor_.peek().text;
-    if (word == "FK" || word.starts_with("IK")) {
-      cursor_
-          .error(
-              "query-dialect", fmt::format("'{}' belongs to the query dialect of 2018, which is not supported", word))
-          .hint = "list pairs of frames in 'Transforms { … }' and 'Jacobians { … }'";
-      throw OtherLanguage{};
-    }
-    cursor_.unexpected("'Frames', 'Transforms', 'Jacobians' or 'Contacts'", "");
-  }
-
-  void check_complete() {
-    for (const char* word : {"Frames", "Transforms"}) {
-      const bool found = std::any_of(found_.begin(), found_.end(), [&](const Token& t) { return t.text == word; });
-      if (!found && !may_have_skipped_section_)
-        cursor_.error_at(document_.robot.span, "missing-item", fmt::format("the document has no '{} {{ … }}'", word));
-    }
-  }
-
-  [[noreturn]] void missing_brace(std::string_view section, const Token& open) {
-    cursor_
-        .error(
-            "missing-brace",
-            fmt::format("expected '}}' at the end of '{}', found {}", section, describe(cursor_.peek())))
-        .notes.push_back({cursor_.place(open.span), "opened here"});
-    throw SyntaxError{};
-  }
-
-  // After an error, the body is read all the same.
-  void instances(Loop& loop) {
-    try {
-      do loop.instances.push_back(instance());
-      while (cursor_.accept(","));
-      if (!cursor_.accept("}")) cursor_.unexpected("',' or '}'", "in the list of instances");
-    } catch (const SyntaxError&) {
-      cursor_.skip_until([&] { return cursor_.at_any({"}", "->", "<-"}) || at_section(); });
-      if (!cursor_.accept("}") || !cursor_.at("{")) throw;
-    }
-  }
-
-  // `for leg in { LF, RF } {`; reads the body, whose elements follow, by element(open).
-  template <class Body>
-  void loop(std::string_view element, const Body& body) {
-    const Token word = cursor_.take();
-    if (loop_ != Name::kNoLoop) {
-      cursor_.error_at(word.span, "nested-loop", "a loop cannot stand in another one").hint =
-          "write a loop for each instance of the outer one";
-      throw SyntaxError{};
-    }
-    Loop loop;
-    loop.variable = name("the name of a variable");
-    cursor_.take();
-    cursor_.expect("{", "after 'in'");
-    instances(loop);
-    const Token open = cursor_.expect("{", "after the list of instances");
-    if (cursor_.at("}")) cursor_.unexpected(element, "in the loop");
-    loop_ = static_cast<int>(document_.loops.size());
-    document_.loops.push_back(std::move(loop));
-    try {
-      body(open);
-    } catch (const SyntaxError&) {
-      loop_ = Name::kNoLoop;
-      throw;
-    }
-    loop_ = Name::kNoLoop;
-  }
-
-  // The names of a section; calls element() at each.
-  template <class Element>
-  void list(std::string_view section, const Element& element) {
-    elements(section, cursor_.expect("{", fmt::format("after '{}'", section)), element);
-  }
-
-  template <class Element>
-  void elements(std::string_view section, const Token& open, const Element& element) {
-    while (!cursor_.at("}")) {
-      cursor_.begin_statement();
-      if (at_section()) missing_brace(section, open);
-      if (cursor_.accept(",") && cursor_.at("}")) cursor_.unexpected("the name of a frame", "after ','");
-      if (at_loop() && cursor_.at("{", 3)) {
-        loop("the name of a frame", [&](const Token& inner) { elements(section, inner, element); });
-        continue;
-      }
-      element();
-      if (cursor_.at("-") || cursor_.at(".")) cursor_.unexpected("',' or '}'", "after the name of a frame");
-    }
-    cursor_.take();
-  }
-
-  void frames() {
-    list("Frames", [&] { document_.frames.push_back(frame()); });
-  }
-
-  // `fr_foot`, `point fr_foot`, `surface fr_sole`.
-  void contacts() {
-    list("Contacts", [&] {
-      const bool has_kind = cursor_.at_any({"point", "surface"}) &&
-                            (cursor_.at_name(1) || cursor_.at("left", 1) || cursor_.at("right", 1));
-      const bool is_surface = has_kind && cursor_.take().text == "surface";
-      document_.contacts.push_back({frame(), is_surface});
-    });
-  }
-
-  void pairs(const Token& section, std::vector<Pair>& list) {
-    pairs(section, cursor_.expect("{", fmt::format("after '{}'", section.text)), list);
-  }
-
-  void pairs(const Token& section, const Token& open, std::vector<Pair>& list) {
-    const std::size_t inside = cursor_.open_blocks();
-    while (!cursor_.at("}")) {
-      cursor_.begin_statement();
-      PairParser pair(*this);
-      try {
-        if (cursor_.at_end()) cursor_.unexpected("'}'", "");
-        if (at_section()) missing_brace(section.text, open);
-        if (at_loop())
-          loop("a pair of frames", [&](const Token& inner) { pairs(section, inner, list); });
-        else
-          list.push_back(pair.read());
-      } catch (const SyntaxError&) {
-        pair.skip_to_next(inside);
-        if (cursor_.at_end() || at_section()) throw;
-      }
-    }
-    cursor_.take();
-  }
+// The words that begin sections. Where errors were skipped there may be more.
+struct FoundSections {
+  std::vector<Token> words;
+  bool may_have_skipped = false;
 };
+
+// After an error in a section or a pair, skips to the next one, or to the end of the block.
+FoundSections read_sections(Cursor& cursor, bool are_in_braces, Document& document) {
+  FoundSections found;
+  while (!cursor.at_end()) {
+    cursor.begin_statement();
+    try {
+      if (are_in_braces && cursor.accept("}")) continue;
+      if (!at_section_word(cursor)) report_unknown_section(cursor);
+      const Token word = read_section_word(cursor, found.words);
+      read_section(cursor, word, document);
+    } catch (const SyntaxError&) {
+      found.may_have_skipped = true;
+      cursor.skip_until([&] { return at_section(cursor); });
+    }
+  }
+  return found;
+}
+
+void check_complete(Cursor& cursor, const FoundSections& found, const Name& robot) {
+  if (found.may_have_skipped) return;
+  for (const char* word : {"Frames", "Transforms"})
+    if (std::none_of(found.words.begin(), found.words.end(), [&](const Token& t) { return t.text == word; }))
+      cursor.error_at(robot.span, "missing-item", fmt::format("the document has no '{} {{ … }}'", word));
+}
 
 }  // namespace
 
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
-  return Parser(std::move(source), diagnostics).run();
+  Document document;
+  document.source = source;
+  Cursor cursor(tokenize_document(source, diagnostics), keywords(), diagnostics);
+  try {
+    const bool are_in_braces = read_header(cursor, document.robot);
+    const FoundSections found = read_sections(cursor, are_in_braces, document);
+    check_complete(cursor, found, document.robot);
+  } catch (const SyntaxError&) {
+  } catch (const OtherLanguage&) {
+    // reported; the rest of the file is not read
+  }
+  document.comments = cursor.comments_before(source->text().size() + 1);
+  return document;
 }
 
 }  // namespace robcogen::language::desired

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "language/common/content.h"
+#include "language/desired/parse_loop.h"
 
 namespace robcogen::language::desired {
 
 bool PairParser::at_pair() const {
-  const std::size_t behind = parser_.at_instance() && cursor_.at_name(2) ? 3 : 1;
-  return at_left() || at_right() || parser_.at_loop() ||
+  const std::size_t behind = at_instance(cursor_) && cursor_.at_name(2) ? 3 : 1;
+  return at_left() || at_right() || at_loop(cursor_) ||
          ((cursor_.at_name() || behind == 3) && (cursor_.at("->", behind) || cursor_.at("<-", behind)));
 }
 
@@ -19,7 +19,7 @@ bool PairParser::at_next_pair() const {
 
 void PairParser::skip_to_next(std::size_t open_blocks) {
   cursor_.skip_until([&] {
-    return (cursor_.at("}") && cursor_.open_blocks() <= open_blocks) || at_next_pair() || parser_.at_section();
+    return (cursor_.at("}") && cursor_.open_blocks() <= open_blocks) || at_next_pair() || at_section(cursor_);
   });
 }
 
@@ -81,7 +81,7 @@ Name PairParser::side() {
     cursor_.accept(":");
     if (!cursor_.at_name() || cursor_.after_line_end()) throw;  // else only the '=' is missing
   }
-  return parser_.frame();
+  return read_frame(cursor_, loop_);
 }
 
 // `A <- B` means A_X_B, `A -> B` means B_X_A.
@@ -94,10 +94,10 @@ void PairParser::arrow(Pair& pair) {
   }
   if (cursor_.at_name() && cursor_.at("=", 1) && !suggest_keyword(cursor_.peek().text, {"base", "target"}).empty())
     cursor_.unexpected("'base' or 'target'", "");
-  const Name first = parser_.frame("a pair of frames");
+  const Name first = read_frame(cursor_, loop_, "a pair of frames");
   if (!cursor_.at_any({"->", "<-"})) cursor_.unexpected("'->' or '<-'", fmt::format("after '{}'", first.text));
   const bool to_first = cursor_.take().text == "<-";
-  const Name second = parser_.frame();
+  const Name second = read_frame(cursor_, loop_);
   pair.left = to_first ? first : second;
   pair.right = to_first ? second : first;
 }

@@ -3,32 +3,29 @@
 
 #include <cstddef>
 
-#include "language/desired/frame_parser.h"
+#include "language/desired/parse_frame.h"
 
 namespace robcogen::language::desired {
 
-// From where the pair begins on.
+// From where the pair begins on; `loop` is the one that it stands in.
 class PairParser {
  public:
-  explicit PairParser(FrameParser& parser)
-      : parser_(parser),
-        cursor_(parser.cursor()),
-        begin_(cursor_.peek().span.begin),
-        begins_line_(cursor_.begins_line()) {}
+  PairParser(Cursor& cursor, int loop)
+      : cursor_(cursor), loop_(loop), begin_(cursor.peek().span.begin), begins_line_(cursor.begins_line()) {}
 
   Pair read();
   // After an error: to the next pair, or to the end of the block that was open with so many others.
   void skip_to_next(std::size_t open_blocks);
 
  private:
-  FrameParser& parser_;
   Cursor& cursor_;
+  const int loop_;
   const std::size_t begin_;
   const bool begins_line_;
   bool equals_is_reported_ = false;
 
-  bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}) && !parser_.at_instance(); }
-  bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}) && !parser_.at_instance(); }
+  bool at_left() const { return cursor_.at_any({"base", "left", "left_frame"}) && !at_instance(cursor_); }
+  bool at_right() const { return cursor_.at_any({"target", "right", "right_frame"}) && !at_instance(cursor_); }
   bool at_pair() const;
   bool at_next_pair() const;
   void sides(Pair& pair);

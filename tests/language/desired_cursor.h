@@ -1,0 +1,19 @@
+// A place in a desired-transforms document, to be read by one of its phases.
+#pragma once
+
+#include "language/desired/keywords.h"
+#include "reading.h"
+
+namespace robcogen::test {
+
+struct DesiredText {
+  explicit DesiredText(const std::string& text)
+      : cursor(language::tokenize(source(text), diagnostics), language::desired::keywords(), diagnostics) {}
+
+  Codes codes() const { return test::codes(diagnostics); }
+
+  Diagnostics diagnostics;
+  language::Cursor cursor;
+};
+
+}  // namespace robcogen::test

@@ -1,0 +1,101 @@
+#include "language/desired/parse_section.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "language/desired/parse_loop.h"
+#include "language/desired/parse_pair.h"
+
+namespace robcogen::language::desired {
+namespace {
+
+// A section whose end is to be found.
+struct Section {
+  Cursor& cursor;
+  std::string_view word;
+  Document& document;
+
+  // Of the section, or of a loop in it.
+  [[noreturn]] void report_missing_brace(const Token& open) const {
+    cursor
+        .error(
+            "missing-brace", fmt::format("expected '}}' at the end of '{}', found {}", word, describe(cursor.peek())))
+        .notes.push_back({cursor.place(open.span), "opened here"});
+    throw SyntaxError{};
+  }
+
+  // Reads a loop up to its body. Returns the brace of the body.
+  Token add_loop(int outer, std::string_view element) const {
+    LoopHead head = read_loop_head(cursor, outer, element);
+    document.loops.push_back(std::move(head.loop));
+    return head.open;
+  }
+  int last_loop() const { return static_cast<int>(document.loops.size()) - 1; }
+};
+
+// Up to the end of the section, or of the loop. Calls element(loop) at each element.
+template <class Element>
+void read_list(const Section& section, const Token& open, int loop, const Element& element) {
+  Cursor& cursor = section.cursor;
+  while (!cursor.at("}")) {
+    cursor.begin_statement();
+    if (at_section(cursor)) section.report_missing_brace(open);
+    if (cursor.accept(",") && cursor.at("}")) cursor.unexpected("the name of a frame", "after ','");
+    if (at_loop(cursor) && cursor.at("{", 3)) {
+      const Token inner = section.add_loop(loop, "the name of a frame");
+      read_list(section, inner, section.last_loop(), element);
+      continue;
+    }
+    element(loop);
+    if (cursor.at("-") || cursor.at(".")) cursor.unexpected("',' or '}'", "after the name of a frame");
+  }
+  cursor.take();
+}
+
+// `fr_foot`, `point fr_foot`, `surface fr_sole`.
+Contact read_contact(Cursor& cursor, int loop) {
+  const bool has_kind =
+      cursor.at_any({"point", "surface"}) && (cursor.at_name(1) || cursor.at("left", 1) || cursor.at("right", 1));
+  const bool is_surface = has_kind && cursor.take().text == "surface";
+  return {read_frame(cursor, loop), is_surface};
+}
+
+// As read_list.
+void read_pairs(const Section& section, const Token& open, int loop, std::vector<Pair>& pairs) {
+  Cursor& cursor = section.cursor;
+  const std::size_t inside = cursor.open_blocks();
+  while (!cursor.at("}")) {
+    cursor.begin_statement();
+    PairParser pair(cursor, loop);
+    try {
+      if (cursor.at_end()) cursor.unexpected("'}'", "");
+      if (at_section(cursor)) section.report_missing_brace(open);
+      if (at_loop(cursor)) {
+        const Token inner = section.add_loop(loop, "a pair of frames");
+        read_pairs(section, inner, section.last_loop(), pairs);
+      } else {
+        pairs.push_back(pair.read());
+      }
+    } catch (const SyntaxError&) {
+      pair.skip_to_next(inside);
+      if (cursor.at_end() || at_section(cursor)) throw;
+    }
+  }
+  cursor.take();
+}
+
+}  // namespace
+
+void read_section(Cursor& cursor, const Token& word, Document& document) {
+  const Section section = {cursor, word.text, document};
+  const Token open = cursor.expect("{", fmt::format("after '{}'", word.text));
+  if (word.text == "Frames")
+    read_list(section, open, Name::kNoLoop, [&](int loop) { document.frames.push_back(read_frame(cursor, loop)); });
+  else if (word.text == "Contacts")
+    read_list(section, open, Name::kNoLoop, [&](int loop) { document.contacts.push_back(read_contact(cursor, loop)); });
+  else
+    read_pairs(section, open, Name::kNoLoop, word.text == "Transforms" ? document.transforms : document.jacobians);
+}
+
+}  // namespace robcogen::language::desired
