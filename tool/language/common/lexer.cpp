@@ -3,227 +3,194 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "language/common/characters.h"
 #include "language/common/malformed_number.h"
 #include "language/common/stray_character.h"
+#include "language/common/text_pieces.h"
 
 namespace robcogen::language {
 namespace {
 
 constexpr std::size_t kMaxNameLength = 255;
 
-class Lexer {
- public:
-  Lexer(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : text_(source->text()), diagnostics_(diagnostics) {
-    list_.source = std::move(source);
+// The functions below add the piece of the text that begins at `begin`, or report it, and return where it ends.
+struct Lexing {
+  std::string_view text;
+  TokenList& list;
+  Diagnostics& diagnostics;
+
+  std::string_view piece(Span span) const { return text.substr(span.begin, span.end - span.begin); }
+  Diagnostic& error(const char* code, Span span, std::string message) const {
+    list.faults.push_back(span);
+    return diagnostics.error(code, {list.source, span}, std::move(message));
   }
-
-  TokenList run() {
-    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-    if (is_utf16(text_)) {
-      error("not-utf-8", 0, "the file is in UTF-16").hint = "save it as UTF-8";
-      list_.cut = true;
-    }
-    while (at_ < text_.size() && !list_.cut) next();
-    // Blank lines at the end do not count.
-    const std::size_t end = text_.find_last_not_of(" \t\r\n") + 1;
-    list_.tokens.push_back({Token::Kind::end, false, "", {end, end}});
-    return std::move(list_);
-  }
-
- private:
-  std::string_view text_;
-  Diagnostics& diagnostics_;
-  TokenList list_;
-  std::size_t at_ = 0;
-  std::size_t closing_quote_ = std::string_view::npos;  // of quotes that were reported
-  std::string strays_;                                  // characters that were reported in the present line
-
-  char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-  std::string_view text_from(std::size_t begin) const { return text_.substr(begin, at_ - begin); }
-
-  void next() {
-    const char c = peek();
-    if (is_blank(c) || at_ == closing_quote_) {
-      if (c == '\n' || c == '\r') strays_.clear();
-      ++at_;
-    } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
-      comment();
-    } else if (is_letter(c) || (c == '^' && is_letter(peek(1)))) {
-      identifier();
-    } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
-      number();
-    } else if (is_symbol(c) || at_member()) {
-      symbol();
-    } else if (at_file_name()) {
-      file_name();
-    } else if (c == '$' && peek(1) == '{') {
-      placeholder();
-    } else {
-      stray();
-    }
-  }
-
-  // The error covers the text from `begin` to the present place.
-  Diagnostic& error(const char* code, std::size_t begin, std::string message) {
-    list_.faults.push_back({begin, at_});
-    return diagnostics_.error(code, {list_.source, {begin, at_}}, std::move(message));
-  }
-
-  Token& push(Token::Kind kind, std::size_t begin, std::string_view text) {
-    return list_.tokens.emplace_back(Token{kind, false, text, {begin, at_}});
-  }
-
-  void comment() {
-    const std::size_t begin = at_;
-    if (peek(1) == '/') {
-      at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
-    } else {
-      const std::size_t end = text_.find("*/", at_ + 2);
-      if (end == std::string_view::npos) {
-        at_ += 2;
-        error("unterminated-comment", begin, "this comment does not end: '*/' is missing");
-        list_.cut = true;
-        return;
-      }
-      at_ = end + 2;
-    }
-    std::string text(text_from(begin));
-    while (is_blank(text.back())) text.pop_back();
-    list_.comments.push_back({std::move(text), {begin, at_}});
-  }
-
-  void identifier() {
-    const std::size_t begin = at_;
-    const bool escaped = peek() == '^';
-    if (escaped) ++at_;
-    const std::size_t first = at_;
-    while (is_word(peek())) ++at_;
-    const std::string_view name = text_from(first);
-    if (!escaped && peek() == '.' && is_digit(peek(1))) {
-      const bool has_letter = name == "O" || name == "o";
-      bad_number(begin, "neither a name nor a number", has_letter ? "write the digit 0, not the letter O" : "");
-      return;
-    }
-    push(Token::Kind::identifier, begin, name.substr(0, kMaxNameLength)).escaped = escaped;
-    if (name.size() > kMaxNameLength)
-      error(
-          "name-too-long", begin,
-          fmt::format("this name has {} characters; at most {} are allowed", name.size(), kMaxNameLength));
-  }
-
-  // Digits, point, exponent. A name that follows without a blank multiplies (`2.0a`), unless the text reads like a
-  // number of another language.
-  void number() {
-    const std::size_t begin = at_;
-    digits();
-    if (peek() == '.') {
-      ++at_;
-      digits();
-    }
-    const std::size_t mantissa_end = at_;
-    const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
-    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) {
-      at_ += 1 + sign;
-      digits();
-    }
-    const std::string hint = hint_to_malformed_number(text_from(begin), text_.substr(at_), at_ > mantissa_end);
-    if (peek() == '.' || !hint.empty()) {
-      bad_number(begin, "not a decimal number", hint);
-      return;
-    }
-    push(Token::Kind::number, begin, text_from(begin));
-    if (!Number::parse(std::string(text_from(begin))))
-      error("number-too-large", begin, fmt::format("number {} is too large for a double", quote(text_from(begin))));
-  }
-
-  // Reported, but a number for those who read on.
-  void bad_number(std::size_t begin, std::string_view what, const std::string& hint) {
-    at_ = end_of_malformed_number(text_, at_);
-    error("bad-number", begin, fmt::format("{} is {}", quote(text_from(begin)), what)).hint = hint;
-    push(Token::Kind::number, begin, text_from(begin));
-  }
-
-  void digits() {
-    while (is_digit(peek())) ++at_;
-  }
-
-  // The point of `group.name`.
-  bool at_member() const { return peek() == '.' && at_ > 0 && is_word(text_[at_ - 1]) && is_letter(peek(1)); }
-
-  void symbol() {
-    const std::size_t begin = at_;
-    const bool is_arrow = (peek() == '-' && peek(1) == '>') || (peek() == '<' && peek(1) == '-');
-    at_ += is_arrow ? 2 : 1;
-    push(Token::Kind::symbol, begin, text_from(begin));
-  }
-
-  // `"…"` in one line, after the word `import`.
-  bool at_file_name() const {
-    if (peek() != '"' || list_.tokens.empty()) return false;
-    const Token& word = list_.tokens.back();
-    if (word.kind != Token::Kind::identifier || word.escaped || word.text != "import") return false;
-    const std::size_t end = text_.find_first_of("\"\r\n", at_ + 1);
-    return end != std::string_view::npos && text_[end] == '"';
-  }
-
-  void file_name() {
-    const std::size_t begin = at_;
-    at_ = text_.find('"', at_ + 1) + 1;
-    push(Token::Kind::string, begin, text_.substr(begin + 1, at_ - begin - 2));
-  }
-
-  void placeholder() {
-    const std::size_t begin = at_;
-    at_ = std::min(text_.find_first_of("}\r\n", at_), text_.size());
-    if (peek() == '}') ++at_;
-    error("template", begin, "'${…}' is a placeholder: this is a template, not yet a document").hint =
-        "fill in the template first";
-    list_.cut = true;
-  }
-
-  // A run of meaningless bytes is one error, and so are a pair of quotes and a character that repeats in its line.
-  void stray() {
-    const std::size_t begin = at_;
-    const char c = peek();
-    const bool is_repeated = strays_.find(c) != std::string::npos;
-    strays_ += c;
-    ++at_;
-    if (c == '"' || c == '\'') {
-      quotes(begin, is_repeated);
-      return;
-    }
-    while (at_ < text_.size() && !is_blank(peek()) && !is_word(peek()) && !is_symbol(peek()) && peek() != '^' &&
-           peek() != '$')
-      ++at_;
-    if (is_repeated) return;
-    StrayCharacter found = stray_character(text_, {begin, at_});
-    if (found.begins_comment) at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
-    error("stray-character", begin, std::move(found.message)).hint = std::move(found.hint);
-  }
-
-  // The text between quotes is read as if they were absent.
-  void quotes(std::size_t begin, bool is_repeated) {
-    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
-    const std::size_t closing = text_.find(text_[begin], at_);
-    if (closing < end) {
-      closing_quote_ = closing;
-      at_ = closing + 1;
-    }
-    if (!is_repeated)
-      error("stray-character", begin, fmt::format("unexpected character {}", text_[begin])).hint =
-          "write names and numbers without quotes";
-    if (!is_repeated) list_.faults.back().end = begin + 1;
-    at_ = begin + 1;
+  Token& push(Token::Kind kind, Span span, std::string_view token) const {
+    return list.tokens.emplace_back(Token{kind, false, token, span});
   }
 };
+
+std::size_t add_comment(const Lexing& lexing, std::size_t begin) {
+  const std::size_t end = end_of_comment(lexing.text, begin);
+  if (end == std::string_view::npos) {
+    lexing.error("unterminated-comment", {begin, begin + 2}, "this comment does not end: '*/' is missing");
+    lexing.list.cut = true;
+    return begin + 2;
+  }
+  std::string comment(lexing.piece({begin, end}));
+  while (is_blank(comment.back())) comment.pop_back();
+  lexing.list.comments.push_back({std::move(comment), {begin, end}});
+  return end;
+}
+
+// Reported, but a number for those who read on.
+std::size_t add_bad_number(const Lexing& lexing, Span span, std::string_view what, const std::string& hint) {
+  lexing.error("bad-number", span, fmt::format("{} is {}", quote(lexing.piece(span)), what)).hint = hint;
+  lexing.push(Token::Kind::number, span, lexing.piece(span));
+  return span.end;
+}
+
+std::size_t add_number(const Lexing& lexing, std::size_t begin) {
+  const NumberText number = number_text(lexing.text, begin);
+  const Span span = {begin, number.end};
+  if (number.is_malformed) return add_bad_number(lexing, span, "not a decimal number", number.hint);
+  const std::string_view text = lexing.piece(span);
+  lexing.push(Token::Kind::number, span, text);
+  if (!Number::parse(std::string(text)))
+    lexing.error("number-too-large", span, fmt::format("number {} is too large for a double", quote(text)));
+  return span.end;
+}
+
+std::size_t add_identifier(const Lexing& lexing, std::size_t begin) {
+  const std::string_view text = lexing.text;
+  const bool escaped = text[begin] == '^';
+  const std::size_t first = begin + (escaped ? 1 : 0), end = end_of_word(text, first);
+  const std::string_view name = lexing.piece({first, end});
+  if (!escaped && character(text, end) == '.' && is_digit(character(text, end + 1))) {
+    const bool has_letter = name == "O" || name == "o";
+    return add_bad_number(
+        lexing, {begin, end_of_malformed_number(text, end)}, "neither a name nor a number",
+        has_letter ? "write the digit 0, not the letter O" : "");
+  }
+  lexing.push(Token::Kind::identifier, {begin, end}, name.substr(0, kMaxNameLength)).escaped = escaped;
+  if (name.size() > kMaxNameLength)
+    lexing.error(
+        "name-too-long", {begin, end},
+        fmt::format("this name has {} characters; at most {} are allowed", name.size(), kMaxNameLength));
+  return end;
+}
+
+// The point of `group.name`.
+bool at_member(std::string_view text, std::size_t at) {
+  return text[at] == '.' && at > 0 && is_word(text[at - 1]) && is_letter(character(text, at + 1));
+}
+
+std::size_t add_symbol(const Lexing& lexing, std::size_t begin) {
+  const std::string_view two = lexing.text.substr(begin, 2);
+  const std::size_t end = begin + (two == "->" || two == "<-" ? 2 : 1);
+  lexing.push(Token::Kind::symbol, {begin, end}, lexing.piece({begin, end}));
+  return end;
+}
+
+// `"…"` after the word `import`.
+bool at_file_name(const Lexing& lexing, std::size_t at) {
+  if (lexing.list.tokens.empty()) return false;
+  const Token& word = lexing.list.tokens.back();
+  return word.kind == Token::Kind::identifier && !word.escaped && word.text == "import" &&
+         end_of_quoted(lexing.text, at) != std::string_view::npos;
+}
+
+std::size_t add_file_name(const Lexing& lexing, std::size_t begin) {
+  const std::size_t end = end_of_quoted(lexing.text, begin);
+  lexing.push(Token::Kind::string, {begin, end}, lexing.piece({begin + 1, end - 1}));
+  return end;
+}
+
+std::size_t report_placeholder(const Lexing& lexing, std::size_t begin) {
+  std::size_t end = std::min(lexing.text.find_first_of("}\r\n", begin), lexing.text.size());
+  if (character(lexing.text, end) == '}') ++end;
+  lexing.error("template", {begin, end}, "'${…}' is a placeholder: this is a template, not yet a document").hint =
+      "fill in the template first";
+  lexing.list.cut = true;
+  return end;
+}
+
+// What was reported of the present line: a character that repeats is reported once.
+struct ReportedStrays {
+  std::string characters;
+  std::size_t closing_quote = std::string_view::npos;  // of quotes
+
+  // Returns whether it is new.
+  bool add(char c) {
+    const bool is_new = characters.find(c) == std::string::npos;
+    characters += c;
+    return is_new;
+  }
+};
+
+// The text between quotes is read as if they were absent.
+std::size_t report_quotes(const Lexing& lexing, std::size_t begin, ReportedStrays& strays) {
+  const char quote = lexing.text[begin];
+  const bool is_new = strays.add(quote);
+  const std::size_t closing = lexing.text.find(quote, begin + 1), end = begin + 1;
+  const bool is_closed = closing < end_of_line(lexing.text, end);
+  if (is_closed) strays.closing_quote = closing;
+  if (!is_new) return end;
+  lexing.error("stray-character", {begin, is_closed ? closing + 1 : end}, fmt::format("unexpected character {}", quote))
+      .hint = "write names and numbers without quotes";
+  lexing.list.faults.back().end = end;
+  return end;
+}
+
+// A run of meaningless bytes is one error, and so is a pair of quotes.
+std::size_t report_stray(const Lexing& lexing, std::size_t begin, ReportedStrays& strays) {
+  const std::string_view text = lexing.text;
+  if (text[begin] == '"' || text[begin] == '\'') return report_quotes(lexing, begin, strays);
+  std::size_t end = end_of_stray_run(text, begin);
+  if (!strays.add(text[begin])) return end;
+  StrayCharacter found = stray_character(text, {begin, end});
+  if (found.begins_comment) end = end_of_line(text, end);
+  lexing.error("stray-character", {begin, end}, std::move(found.message)).hint = std::move(found.hint);
+  return end;
+}
+
+std::size_t add_piece(const Lexing& lexing, std::size_t at, ReportedStrays& strays) {
+  const char c = lexing.text[at], next = character(lexing.text, at + 1);
+  if (begins_comment(lexing.text, at)) return add_comment(lexing, at);
+  if (is_letter(c) || (c == '^' && is_letter(next))) return add_identifier(lexing, at);
+  if (is_digit(c) || (c == '.' && is_digit(next))) return add_number(lexing, at);
+  if (is_symbol(c) || at_member(lexing.text, at)) return add_symbol(lexing, at);
+  if (at_file_name(lexing, at)) return add_file_name(lexing, at);
+  if (c == '$' && next == '{') return report_placeholder(lexing, at);
+  return report_stray(lexing, at, strays);
+}
+
+void add_pieces(const Lexing& lexing, std::size_t at) {
+  ReportedStrays strays;
+  while (at < lexing.text.size() && !lexing.list.cut) {
+    const char c = lexing.text[at];
+    if (c == '\n' || c == '\r') strays = {};
+    at = is_blank(c) || at == strays.closing_quote ? at + 1 : add_piece(lexing, at, strays);
+  }
+}
 
 }  // namespace
 
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
-  return Lexer(std::move(source), diagnostics).run();
+  TokenList list;
+  list.source = std::move(source);
+  const Lexing lexing = {list.source->text(), list, diagnostics};
+  const std::size_t begin = lexing.text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  if (is_utf16(lexing.text)) {
+    lexing.error("not-utf-8", {0, begin}, "the file is in UTF-16").hint = "save it as UTF-8";
+    list.cut = true;
+  }
+  add_pieces(lexing, begin);
+  // Blank lines at the end do not count.
+  const std::size_t end = lexing.text.find_last_not_of(" \t\r\n") + 1;
+  lexing.push(Token::Kind::end, {end, end}, "");
+  return list;
 }
 
 Number number_of(const Token& token) {
