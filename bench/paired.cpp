@@ -1,12 +1,12 @@
 // Times the same function of several libraries side by side: paired.sh.
-//     paired <joints> <function> <library>…
+//     paired <size> <function> <library>…
 // prints a line for each library: its number, then cycles of a call and how much of the first library's that is, for
 // calls in a row and for calls of which each waits for the result of the one before. All calls of a round follow one
-// another within milliseconds, in random order; what is printed are medians over the rounds.
+// another within milliseconds, in random order; what is printed are medians over the rounds. Size: joints, and 6 more
+// where the base floats, whose coordinates follow those of the joints.
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -19,24 +19,25 @@
 
 namespace {
 
-constexpr std::size_t kStates = 256, kMaxJoints = 16;
+constexpr std::size_t kStates = 256;
 constexpr int kRounds = 21;
 constexpr double kTolerance = 1e-9;  // of the largest element, as in the comparison with other libraries
 
 using Kernel = void (*)(const double*, const double*, const double*, double*);
-using Vector = std::array<double, kMaxJoints>;
-using Result = std::array<double, kMaxJoints * kMaxJoints>;
+using Vector = std::vector<double>;
 
 struct State {
   Vector q, first, second;
 };
 
-std::vector<State> random_states(std::mt19937& engine) {
+std::vector<State> random_states(std::size_t size, std::mt19937& engine) {
   std::uniform_real_distribution<double> uniform(-2, 2);
   std::vector<State> states(kStates);
   for (State& s : states)
-    for (Vector* v : {&s.q, &s.first, &s.second})
+    for (Vector* v : {&s.q, &s.first, &s.second}) {
+      v->resize(size);
       for (double& e : *v) e = uniform(engine);
+    }
   return states;
 }
 
@@ -58,22 +59,22 @@ Kernel load(const char* library, const char* function) {
   return reinterpret_cast<Kernel>(symbol);
 }
 
-double time_in_a_row(Kernel kernel, const std::vector<State>& states, Result& result) {
+double time_in_a_row(Kernel kernel, const std::vector<State>& states, Vector& result) {
   const double start = nanoseconds();
   for (const State& s : states) kernel(s.q.data(), s.first.data(), s.second.data(), result.data());
   return (nanoseconds() - start) / kStates;
 }
 
 // A share of the result that rounds to nothing is added to the next positions.
-double time_waiting(Kernel kernel, std::size_t joints, const std::vector<State>& states, Result& result) {
+double time_waiting(Kernel kernel, const std::vector<State>& states, Vector& result) {
   Vector q = states[0].q;
   const double start = nanoseconds();
   for (std::size_t i = 0; i < kStates; ++i) {
     kernel(q.data(), states[i].first.data(), states[i].second.data(), result.data());
     double sum = 0.0;
-    for (std::size_t k = 0; k < joints; ++k) sum += result[k];
+    for (std::size_t k = 0; k < q.size(); ++k) sum += result[k];
     q = states[(i + 1) % kStates].q;
-    for (std::size_t k = 0; k < joints; ++k) q[k] += 1e-300 * sum;
+    for (double& e : q) e += 1e-300 * sum;
   }
   return (nanoseconds() - start) / kStates;
 }
@@ -92,23 +93,21 @@ double time_of_cycle() {
 
 void require_equal(const std::vector<Kernel>& kernels, const std::vector<State>& states) {
   for (const State& s : states) {
-    std::vector<Result> results(kernels.size());
+    std::vector<Vector> results(kernels.size(), Vector(s.q.size() * s.q.size()));
     double largest = 0.0;
-    for (std::size_t i = 0; i < kernels.size(); ++i) {
-      results[i].fill(0.0);
+    for (std::size_t i = 0; i < kernels.size(); ++i)
       kernels[i](s.q.data(), s.first.data(), s.second.data(), results[i].data());
-    }
     for (const double e : results[0]) largest = std::max(largest, std::abs(e));
-    for (const Result& result : results)
+    for (const Vector& result : results)
       for (std::size_t k = 0; k < result.size(); ++k)
         if (!(std::abs(result[k] - results[0][k]) <= kTolerance * largest))
           throw std::runtime_error("the libraries disagree");
   }
 }
 
-void run(std::size_t joints, const std::vector<Kernel>& kernels) {
+void run(std::size_t size, const std::vector<Kernel>& kernels) {
   std::mt19937 engine(1);
-  const std::vector<State> states = random_states(engine);
+  const std::vector<State> states = random_states(size, engine);
   require_equal(kernels, states);
   struct Times {
     std::vector<double> row, row_ratio, waiting, waiting_ratio;
@@ -117,13 +116,13 @@ void run(std::size_t joints, const std::vector<Kernel>& kernels) {
   std::vector<double> cycles;
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < kernels.size(); ++i) order.push_back(i);
-  Result result{};
+  Vector result(size * size);
   for (int round = 0; round < kRounds; ++round) {
     std::shuffle(order.begin(), order.end(), engine);
     for (const std::size_t i : order) {  // the lesser of two: the first one fills the caches
       const auto lesser = [](auto time) { return std::min(time(), time()); };
       times[i].row.push_back(lesser([&] { return time_in_a_row(kernels[i], states, result); }));
-      times[i].waiting.push_back(lesser([&] { return time_waiting(kernels[i], joints, states, result); }));
+      times[i].waiting.push_back(lesser([&] { return time_waiting(kernels[i], states, result); }));
     }
     cycles.push_back(time_of_cycle());
     for (Times& t : times) {
@@ -144,12 +143,10 @@ void run(std::size_t joints, const std::vector<Kernel>& kernels) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 4) throw std::runtime_error("paired <joints> <function> <library>…");
-    const std::size_t joints = std::stoul(argv[1]);
-    if (joints > kMaxJoints) throw std::runtime_error("at most 16 joints");
+    if (argc < 4) throw std::runtime_error("paired <size> <function> <library>…");
     std::vector<Kernel> kernels;
     for (int i = 3; i < argc; ++i) kernels.push_back(load(argv[i], argv[2]));
-    run(joints, kernels);
+    run(std::stoul(argv[1]), kernels);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "paired: %s\n", error.what());
     return 1;

@@ -6,15 +6,16 @@
 #
 # For each function and variant: cycles of a call and how much of those of the first variant that is, for calls in a row
 # and for calls of which each waits for the result of the one before; medians over 5 processes, whose code stands at
-# other addresses, of medians over 21 interleaved rounds of 256 states. MODEL: a robot with a fixed base and at most 16
-# joints, none of them with a parameter; of a .urdf, angles are snapped. Environment: CXX (g++).
+# other addresses, of medians over 21 interleaved rounds of 256 states. MODEL: a robot without parameters; of a .urdf,
+# angles are snapped. Inverse dynamics of a floating base: its acceleration is given. Environment: CXX (g++), OPTIONS
+# (further ones of the generators, such as --floating-base).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=flags.sh
 source "$here/flags.sh"
 
 if (($# < 2)); then
-  sed -n '2,11s/^# \{0,1\}//p' "$0"
+  sed -n '2,12s/^# \{0,1\}//p' "$0"
   exit 2
 fi
 model=$1
@@ -31,9 +32,16 @@ if ! { grep -qw avx2 /proc/cpuinfo && grep -qw fma /proc/cpuinfo; } 2>/dev/null;
   echo "bench/paired.sh: this processor has no AVX2, or the system does not say" >&2
   exit 77
 fi
-options=()
+read -ra options <<<"${OPTIONS:-}"
 if [[ $model == *.urdf ]]; then
-  options=(--snap-angles)
+  options+=(--snap-angles)
+fi
+# "HyL: 3 joints, fixed base; …"
+title=$("${1%%,*}" ops "$model" "${options[@]}" --algorithms joint_space_inertia 2>/dev/null | sed -n 1p || true)
+size=$(sed -n 's/.*: \([0-9]*\) joints.*/\1/p' <<<"$title")
+unit=paired_kernels.cpp
+if [[ $title == *floating\ base* ]]; then
+  size=$((size + 6)) unit=paired_kernels_floating.cpp
 fi
 
 scratch=$(mktemp -d)
@@ -52,12 +60,10 @@ for variant; do
   fi
   # shellcheck disable=SC2086  # words
   "$cxx" -std=c++17 $flags ${own//,/ } -fPIC -shared -I"$folder" -I"$here/../runtime/include" \
-    "$here/paired_kernels.cpp" -o "$folder/kernels.so"
+    "$here/$unit" -o "$folder/kernels.so"
   libraries+=("$folder/kernels.so")
 done
 "$cxx" -std=c++17 -O2 "$here/paired.cpp" -o "$scratch/paired" -ldl
-joints=$("${1%%,*}" ops "$model" "${options[@]}" --algorithms joint_space_inertia 2>/dev/null |
-  sed -n '1s/.*: \([0-9]*\) joints.*/\1/p')
 
 middle() { # column, of the lines of one variant
   sort -n -k "$1" | awk -v column="$1" '{ value[NR] = $column } END { print value[int((NR + 1) / 2)] }'
@@ -67,7 +73,7 @@ printf '%-20s %-8s %10s %6s %12s %6s\n' function variant "in a row" ratio "one b
 for function in inverse_dynamics forward_dynamics joint_space_inertia; do
   : >"$scratch/times"
   for _ in 1 2 3 4 5; do
-    "$scratch/paired" "$joints" "$function" "${libraries[@]}" >>"$scratch/times"
+    "$scratch/paired" "$size" "$function" "${libraries[@]}" >>"$scratch/times"
   done
   for i in $(seq ${#libraries[@]}); do
     grep "^$i " "$scratch/times" >"$scratch/lines"
