@@ -3,6 +3,7 @@
 //     generate_cppadcodegen ROBOT.urdf ROBOT.inc JOINT…
 // The joints are in the order of joint vectors. `--floating` in front of them: the base floats, by a joint
 // of the URDF or by one that is added.
+#include <cmath>
 #include <cppad/cg.hpp>
 #include <fstream>
 #include <iostream>
@@ -72,6 +73,10 @@ Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool
     pinocchio::urdf::buildModelFromXML(text.str(), pinocchio::JointModelFreeFlyer(), model);
   else
     pinocchio::urdf::buildModelFromXML(text.str(), model);
+  // What rounding leaves of the zeros of right angles would be arithmetic.
+  for (pinocchio::SE3& placement : model.jointPlacements)
+    placement.rotation() = placement.rotation().unaryExpr(
+        [](double e) { return std::abs(e - std::round(e)) < 1e-12 ? std::round(e) : e; });
   Robot robot{model.cast<Scalar>(), {}, {}, {}, floating, static_cast<int>(joints.size())};
   // A floating joint is the first one; its velocity is a twist, linear first.
   if (floating) robot.order = {3, 4, 5, 0, 1, 2};
