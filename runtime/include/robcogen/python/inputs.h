@@ -1,0 +1,105 @@
+// The arguments of a call as arrays, and the overload that takes them.
+#pragma once
+
+#include <algorithm>
+#include <new>
+
+#include "robcogen/python/arguments.h"
+
+namespace robcogen::python {
+
+inline constexpr double kStandardGravity[3] = {0, 0, -9.81};
+
+// Views by their places; only those that are used are made.
+class Views {
+ public:
+  Views() = default;
+  Views(const Views&) = delete;
+  Views& operator=(const Views&) = delete;
+  ~Views() {
+    for (std::size_t k = 0; k < count_; ++k) (*this)[k].~View();
+  }
+  // Those up to this place exist from now on.
+  View& add(std::size_t k) {
+    for (; count_ <= k; ++count_) new (memory_ + count_ * sizeof(View)) View;
+    return (*this)[k];
+  }
+  View& operator[](std::size_t k) { return *std::launder(reinterpret_cast<View*>(memory_ + k * sizeof(View))); }
+  const View& operator[](std::size_t k) const {
+    return *std::launder(reinterpret_cast<const View*>(memory_ + k * sizeof(View)));
+  }
+
+ private:
+  std::size_t count_ = 0;
+  alignas(View) unsigned char memory_[kMaxArrays * sizeof(View)];
+};
+
+struct Inputs {
+  const Variant* variant = nullptr;
+  const void* caches = nullptr;  // of parameters
+  Views views;
+  bool is_float = false;  // numbers are float: all arrays are
+  bool is_batch = false;
+  std::ptrdiff_t states = 1;
+
+  std::size_t count() const { return static_cast<std::size_t>(variant->inputs); }
+};
+
+// The first overload that takes all arguments that are given; nullptr where there is none.
+inline const Variant* variant_for(const Function& function, PyObject* const* given) {
+  int last = function.required;
+  for (std::size_t k = 0; k < function.arguments.size(); ++k)
+    if (given[k]) last = std::max(last, static_cast<int>(k) + 1);
+  for (const Variant& v : function.variants)
+    if (v.inputs >= last) return &v;
+  return nullptr;
+}
+
+// Gravity and external wrenches may be missing before others.
+inline bool set_default(const Entry& entry, const Argument& a, View& view) {
+  const bool is_gravity = std::strcmp(a.name, "gravity") == 0;
+  if (!is_gravity && std::strcmp(a.name, "external") != 0)
+    return refuse(entry, std::string(a.name) + " is missing", PyExc_TypeError);
+  const std::vector<double> zeros(static_cast<std::size_t>(size(a)), 0.0);
+  view.set_constant(is_gravity ? kStandardGravity : zeros.data(), a);
+  return true;
+}
+
+// Whether it succeeded; otherwise an exception is set.
+inline bool read_inputs(const Entry& entry, PyObject* const* given, Inputs& inputs) {
+  const Function& function = *entry.function;
+  inputs.variant = variant_for(function, given);
+  if (!inputs.variant) return false;
+  bool has_float = false, has_double = false;
+  const char* first = nullptr;
+  for (std::size_t k = 0; k < inputs.count(); ++k) {
+    const Argument& a = function.arguments[k];
+    View& view = inputs.views.add(k);
+    if (a.is_parameters) {
+      if (PyObject_TypeCheck(given[k], parameters_type) == 0)
+        return refuse(entry, "parameters must be of the type Parameters of the module", PyExc_TypeError);
+      inputs.caches = reinterpret_cast<ParametersObject*>(given[k])->caches;
+      continue;
+    }
+    if (!given[k]) {
+      if (!set_default(entry, a, view)) return false;
+      continue;
+    }
+    if (!view.read(given[k], a, function.name)) return false;
+    (view.is_float() ? has_float : has_double) |= view.is_array();
+    if (!view.is_batch()) continue;
+    inputs.is_batch = true;
+    if (view.states() == 1) continue;
+    if (first && view.states() != inputs.states)
+      return refuse(
+          entry, std::string(first) + " has " + std::to_string(inputs.states) + " states, " + a.name + " has " +
+                     std::to_string(view.states()));
+    first = a.name;
+    inputs.states = view.states();
+  }
+  inputs.is_float = has_float && !has_double;
+  for (std::size_t k = 0; k < inputs.count(); ++k) inputs.views[k].broadcast();
+  return true;
+}
+
+}  // namespace robcogen::python
