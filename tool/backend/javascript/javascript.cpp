@@ -187,14 +187,18 @@ std::string results(const symbolic::Program& program, const Kernel& kernel) {
   return text + "  };\n";
 }
 
+std::vector<std::string> input_names(const symbolic::Program& program, const Kernel& kernel) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) names.push_back(kernel.parameters[i].name);
+  return names;
+}
+
 // A function of the module's own, without checks; returns its name.
 std::string print_private(const Function& function, std::string& text) {
   const Kernel kernel = lower(function.program, function.kernel, dialect());
-  std::vector<std::string> arguments;
-  for (std::size_t i = 0; i < function.program.inputs.size(); ++i) arguments.push_back(kernel.parameters[i].name);
   const std::string name = "$" + function.kernel;
-  text += "\n" + wrapped("function " + name + "(", arguments, ") {") + backend::body(kernel, dialect()) +
-          results(function.program, kernel) + "}\n";
+  text += "\n" + wrapped("function " + name + "(", input_names(function.program, kernel), ") {") +
+          backend::body(kernel, dialect()) + results(function.program, kernel) + "}\n";
   return name;
 }
 
@@ -202,8 +206,6 @@ std::string print_private(const Function& function, std::string& text) {
 std::string print_column_loop(const Library& library, const Callable& callable) {
   const Function& function = callable.longest();
   const Kernel kernel = without_lines(function, dialect());
-  std::vector<std::string> arguments;
-  for (std::size_t i = 0; i < function.program.inputs.size(); ++i) arguments.push_back(kernel.parameters[i].name);
   std::string text;
   const Function& stage = right_sides(library, function);
   const std::string right = print_private(stage, text);
@@ -212,8 +214,8 @@ std::string print_column_loop(const Library& library, const Callable& callable) 
           signature(callable, function.program, kernel, required_inputs(library, callable)) +
           checks(whole_name(callable), function.program, kernel.parameters) +
           wrapped(
-              "  const { " + stage.program.outputs.back().name + ": $factor, ...$results } = " + right + "(", arguments,
-              ");");
+              "  const { " + stage.program.outputs.back().name + ": $factor, ...$results } = " + right + "(",
+              input_names(function.program, kernel), ");");
   for (const symbolic::SolvedColumns::Block& block : function.solved->blocks)
     text += "  $solve($results." + function.program.outputs[at(block.output)].name + ", " +
             std::to_string(block.columns) + ", (b) => " + solution + "($factor, b));\n";
