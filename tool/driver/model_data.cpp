@@ -70,7 +70,7 @@ class Constants {
         {joint.limits.lower, joint.limits.upper, joint.limits.velocity, joint.limits.effort},
         drive_of(joint),
         value(joint.pitch),
-        tree_.coupling_of(index) == nullptr ? joint.assembled.value_or(0.0) : 0.0};
+        tree_.coupling_of(index) == nullptr ? joint.assembled_position() : 0.0};
   }
 
   std::optional<backend::DriveData> drive_of(const model::Joint& joint) const {

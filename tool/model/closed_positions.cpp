@@ -23,7 +23,7 @@ std::vector<double> closed_followers(
     double gap = 0.0;
     for (int step = 0; step <= kSteps; ++step) {
       for (const int joint : tree.coordinates()) {
-        const double from = tree.joints[at(joint)].assembled.value_or(0.0), to = q[at(elements[at(joint)])];
+        const double from = tree.joints[at(joint)].assembled_position(), to = q[at(elements[at(joint)])];
         joints[at(joint)] = step < kSteps ? from + (to - from) * step / kSteps : to;
       }
       gap = cluster.close(joints, closure.dependents);

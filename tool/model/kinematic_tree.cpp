@@ -49,6 +49,19 @@ std::string implicit_frame_name(const std::string& element) {
   return "fr_" + element;
 }
 
+std::vector<double> KinematicTree::assembled_positions(std::span<const double> parameter_values) const {
+  std::vector<double> q;
+  for (const Joint& joint : joints) q.push_back(joint.assembled_position());
+  for (const Coupling& coupling : couplings) {
+    double& position = q[at(coupling.joint)];
+    position = evaluate(coupling.offset, parameter_values);
+    if (!coupling.is_linear()) continue;
+    for (const Coupling::Term& term : coupling.terms)
+      position += evaluate(term.factor, parameter_values) * q[at(term.joint)];
+  }
+  return q;
+}
+
 std::vector<int> KinematicTree::topological() const {
   std::vector<int> order;
   order.reserve(joints.size());

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,7 @@ struct Joint {
 
   // As the document has it.
   const std::string& declared_name() const { return spherical.empty() ? name : spherical; }
+  double assembled_position() const { return assembled.value_or(0.0); }
   // False for components that only follow the first one of their joint.
   bool is_first() const { return spherical.empty() || axis == 0; }
 };
@@ -213,6 +215,9 @@ class KinematicTree {
   bool has_closures() const { return !closures.empty(); }
   // nullptr for an independent joint.
   const Coupling* coupling_of(int joint) const;
+  // By joint: where loops are assembled. Coupled joints follow by their sums; those that follow through closures are
+  // where these put them. `parameter_values` are those of `parameters`.
+  std::vector<double> assembled_positions(std::span<const double> parameter_values) const;
   // Joint indices, parents before children, depth first, children in the order of the document.
   std::vector<int> topological() const;
   // -1 for the parent of the base.

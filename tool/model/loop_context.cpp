@@ -21,20 +21,12 @@ std::string LoopContext::quoted(const std::vector<int>& joints) const {
 }
 
 std::vector<double> LoopContext::start() const {
-  std::vector<double> q;
-  for (const Joint& joint : tree.joints) q.push_back(joint.assembled.value_or(0.0));
-  for (const Coupling& coupling : tree.couplings) {
-    if (!coupling.is_linear()) continue;
-    q[at(coupling.joint)] = evaluate(coupling.offset, parameters);
-    for (const Coupling::Term& term : coupling.terms)
-      q[at(coupling.joint)] += evaluate(term.factor, parameters) * q[at(term.joint)];
-  }
-  return q;
+  return tree.assembled_positions(parameters);
 }
 
 bool LoopContext::has_start(const std::vector<int>& joints) const {
   return std::any_of(joints.begin(), joints.end(), [&](int joint) {
-    const auto gives = [&](int other) { return tree.joints[at(other)].assembled.value_or(0.0) != 0.0; };
+    const auto gives = [&](int other) { return tree.joints[at(other)].assembled_position() != 0.0; };
     const Coupling* coupling = tree.coupling_of(joint);
     if (coupling == nullptr || !coupling->is_linear()) return gives(joint);
     return std::any_of(

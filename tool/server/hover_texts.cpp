@@ -138,7 +138,7 @@ std::string RobotText::frame(const model::Frame& frame) const {
 
 std::string RobotText::in_base() const {
   const bool is_elsewhere = std::any_of(tree_.joints.begin(), tree_.joints.end(), [](const model::Joint& joint) {
-    return joint.assembled.value_or(0.0) != 0.0;
+    return joint.assembled_position() != 0.0;
   });
   return is_elsewhere ? "in the base, where loops are assembled" : "in the base at q = 0";
 }

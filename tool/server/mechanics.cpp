@@ -81,9 +81,10 @@ Pose pose_of(const model::CoordinateTransform& transform, const model::RigidMoti
 RestingRobot::RestingRobot(const model::KinematicTree& tree)
     : tree_(tree), parameters_(defaults_of(tree.parameters)), links_(tree.links.size()) {
   const std::vector<int> order = tree.topological();
+  const std::vector<double> q = tree.assembled_positions(parameters_);
   for (const int j : order) {
     const model::Joint& joint = tree.joints[index(j)];
-    links_[index(joint.child)] = moved(placed(links_[index(joint.parent)], joint.placement), j);
+    links_[index(joint.child)] = moved(placed(links_[index(joint.parent)], joint.placement), joint, q[index(j)]);
   }
   std::vector<Vector3> moments(tree.links.size(), Vector3{});  // mass times centre of mass
   carried_.resize(tree.links.size());
@@ -117,16 +118,8 @@ Pose RestingRobot::placed(const Pose& parent, const model::Placement& placement)
   return composed(parent, local);
 }
 
-Pose RestingRobot::moved(const Pose& frame, int j) const {
-  const model::Coupling* coupling = tree_.coupling_of(j);
-  double q = tree_.joints[index(j)].assembled.value_or(0.0);
-  if (coupling != nullptr) {
-    q = value(coupling->offset);
-    for (const model::Coupling::Term& term : coupling->terms)
-      if (coupling->is_linear()) q += value(term.factor) * tree_.joints[index(term.joint)].assembled.value_or(0.0);
-  }
+Pose RestingRobot::moved(const Pose& frame, const model::Joint& joint, double q) const {
   if (q == 0.0) return frame;
-  const model::Joint& joint = tree_.joints[index(j)];
   Pose motion = elementary(model::turns(joint.type), 2, q);
   motion.translation[2] = value(model::slide_of(joint)) * q;
   return composed(frame, motion);

@@ -1,5 +1,5 @@
-// Numbers of a robot at q = 0, for hover texts. Parameters have their default values; what depends on a parameter
-// without one is NaN. SI units.
+// Numbers of a robot at q = 0, or where its loops are assembled, for hover texts. Parameters have their default values;
+// what depends on a parameter without one is NaN. SI units.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ class RestingRobot {
   std::vector<Carried> carried_;
 
   Pose placed(const Pose& parent, const model::Placement& placement) const;
-  Pose moved(const Pose& frame, int joint) const;
+  Pose moved(const Pose& frame, const model::Joint& joint, double q) const;
 };
 
 }  // namespace robcogen::server

@@ -46,6 +46,21 @@ TEST(KinematicTree, OrdersJointsFromTheBase) {
   EXPECT_EQ(tree.parent_joint_of(3), -1);
 }
 
+// Joints d and c follow by a sum and through a loop.
+TEST(KinematicTree, KnowsWhereJointsAreWhenLoopsAreAssembled) {
+  KinematicTree tree = branched();
+  EXPECT_EQ(tree.assembled_positions({}), std::vector<double>(4));
+  tree.joints[2].assembled = 0.5;
+  tree.joints[3].assembled = -2.0;
+  EXPECT_EQ(tree.joints[1].assembled_position(), 0.0);
+  EXPECT_EQ(tree.joints[2].assembled_position(), 0.5);
+  tree.couplings = {
+      {0, {{2, Quantity::parameter(0)}, {3, Quantity(1.0)}}, Quantity(0.25)},
+      {1, {{2, Quantity()}}, Quantity(0.75), 0}};
+  const double factor = 4.0;
+  EXPECT_EQ(tree.assembled_positions({&factor, 1}), (std::vector<double>{0.25, 0.75, 0.5, -2.0}));
+}
+
 TEST(KinematicTree, NamesItsFrames) {
   const KinematicTree tree = branched();
   EXPECT_EQ(
