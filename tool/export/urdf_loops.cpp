@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "model/loop_ends.h"
 #include "support/index.h"
 
 namespace robcogen::exporting {
@@ -13,14 +14,6 @@ using model::Coupling;
 using model::KinematicTree;
 
 constexpr std::array kEnds = {"predecessor", "successor"};
-
-// Joints from the base to the link.
-std::vector<int> path_to(const KinematicTree& tree, int link) {
-  std::vector<int> joints;
-  for (int j = tree.links[at(link)].parent_joint; j >= 0; j = tree.parent_joint_of(j)) joints.push_back(j);
-  std::reverse(joints.begin(), joints.end());
-  return joints;
-}
 
 // How the joint follows others by this sum of positions, which is zero; nullopt where it is not part of it.
 std::optional<std::map<int, double>> solved_for(int joint, const std::map<int, double>& sum) {
@@ -45,7 +38,8 @@ bool is_same(const std::map<int, double>& terms, const Coupling& coupling) {
 std::optional<LinkCoupling> link_coupling(const KinematicTree& tree, const Coupling& coupling) {
   if (!coupling.is_linear() || coupling.terms.empty() || !coupling.offset.is_zero()) return std::nullopt;
   std::vector<std::vector<int>> paths;
-  for (std::size_t link = 0; link < tree.links.size(); ++link) paths.push_back(path_to(tree, static_cast<int>(link)));
+  for (std::size_t link = 0; link < tree.links.size(); ++link)
+    paths.push_back(model::joints_from_base(tree, static_cast<int>(link)));
   std::vector<double> ratios;
   for (const Coupling::Term& term : coupling.terms) {
     const double factor = model::evaluate(term.factor);
@@ -69,7 +63,7 @@ std::optional<LinkCoupling> link_coupling(const KinematicTree& tree, const Coupl
 bool may_be_urdf_loop(const KinematicTree& tree, const model::LoopJoint& loop) {
   const auto is_elsewhere = [&](const model::LoopEnd& end) {
     return std::any_of(end.joints.begin(), end.joints.end(), [&](int joint) {
-      return tree.joints[at(joint)].assembled.value_or(0.0) != 0.0;
+      return tree.joints[at(joint)].assembled_position() != 0.0;
     });
   };
   return loop.type == model::LoopType::hinge && !loop.takes_other_branch &&

@@ -5,7 +5,6 @@
 #include "support/index.h"
 
 namespace robcogen::model {
-namespace {
 
 std::vector<int> joints_from_base(const KinematicTree& tree, int link) {
   std::vector<int> joints;
@@ -13,8 +12,6 @@ std::vector<int> joints_from_base(const KinematicTree& tree, int link) {
   std::reverse(joints.begin(), joints.end());
   return joints;
 }
-
-}  // namespace
 
 std::array<LoopEnd, 2> ends_between(const KinematicTree& tree, const Frame& first, const Frame& second) {
   std::array<LoopEnd, 2> ends;
