@@ -43,8 +43,8 @@ install(
         cmake/RobcogenView.cmake
         cmake/RobcogenXacro.cmake
         cmake/RobcogenExpandXacro.cmake
-        tool/backend/cpp/macros.inc
-        tool/backend/cpp/globals.inc
+        tool/backend/common/macros.inc
+        tool/backend/common/globals.inc
   DESTINATION ${package_dir})
 
 # A package of a ROS 2 workspace is found by this file and this marker.

@@ -7,20 +7,6 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-TEST(Layout, LongCommentsWrapAtBlanks) {
-  const std::string text = comment(std::string(100, 'a') + " " + std::string(30, 'b'), 2);
-  EXPECT_EQ(text, "  // " + std::string(100, 'a') + "\n  // " + std::string(30, 'b') + "\n");
-}
-
-TEST(Layout, AWordLongerThanALineIsNotBroken) {
-  EXPECT_EQ(comment(std::string(200, 'a') + " b"), "// " + std::string(200, 'a') + "\n// b\n");
-}
-
-TEST(Layout, ACommentCannotSwallowTheNextLine) {
-  EXPECT_EQ(comment("ends with \\"), "// ends with /\n");
-  EXPECT_EQ(comment("two\nlines"), "// two lines\n");
-}
-
 TEST(Layout, ParametersStandOneALineWhereTheyDoNotFit) {
   EXPECT_EQ(declaration("void f", {"int a", "int b"}, " noexcept;"), "void f(int a, int b) noexcept;\n");
   const std::string a = "int " + std::string(60, 'a'), b = "int " + std::string(60, 'b');
@@ -50,10 +36,6 @@ TEST(Layout, TablesPutOneFieldALineWhenARowIsTooLong) {
       table("x", {{a, Field(Texts{"1", "2"})}, {3, Field(Texts{a, b})}}),
       "x = {\n    {\n        " + a + ",\n        {1, 2},\n    },\n    {\n        3,\n        {\n            " + a +
           ",\n            " + b + ",\n        },\n    },\n};\n");
-}
-
-TEST(Layout, StringsAreQuoted) {
-  EXPECT_EQ(quoted("a\"b\\c\n"), "\"a\\\"b\\\\c\"");
 }
 
 TEST(Layout, NamespacesAroundNothingVanish) {

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "backend/c/printers.h"
+#include "backend/common/c_names.h"
 #include "backend/common/layout.h"
-#include "backend/cpp/names.h"
 #include "support/number.h"
 
 namespace robcogen::backend::c {
@@ -10,7 +10,7 @@ namespace {
 
 // Keywords of C and C++, since headers are for both, and macros of system headers.
 bool is_reserved(const std::string& name) {
-  return name == "restrict" || cpp::is_reserved(name);
+  return name == "restrict" || c_family::is_reserved(name);
 }
 
 template <const Precision& precision>
@@ -25,7 +25,7 @@ Dialect dialect(const Precision& precision, bool reads_cache) {
   d.is_reserved = is_reserved;
   for (std::string* function : {&d.sine, &d.cosine, &d.square_root, &d.arc_tangent}) *function += precision.suffix;
   d.used_names = {d.sine, d.cosine, d.square_root, d.arc_tangent, "kept"};
-  d.line_limit = cpp::kColumns - d.indentation;
+  d.line_limit = kColumns - d.indentation;
   d.pairs_angles = false;
   d.binds_parameters = true;
   d.literal = precision.is_float ? literal<kFloat> : literal<kDouble>;
@@ -45,7 +45,7 @@ std::string number(double value, const Precision& precision) {
 }
 
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail) {
-  return backend::wrapped({.columns = cpp::kColumns, .openers = "({ ", .follows_head = false}, head, items, tail);
+  return backend::wrapped({.columns = kColumns, .openers = "({ ", .follows_head = false}, head, items, tail);
 }
 
 }  // namespace robcogen::backend::c

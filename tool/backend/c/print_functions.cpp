@@ -7,7 +7,6 @@
 #include "backend/common/layout.h"
 #include "backend/common/meaning.h"
 #include "backend/common/parts.h"
-#include "backend/cpp/printers.h"
 #include "support/index.h"
 
 namespace robcogen::backend::c {
@@ -150,7 +149,7 @@ std::string print_header(const Names& names, const std::string& group) {
 
 std::string print_functions(const Names& names, const std::string& group, const Precision& precision) {
   const std::string path = names.folder + "/" + group;
-  std::string text = cpp::banner(names.library, path + precision.file_end, group + " in " + precision.scalar) +
+  std::string text = banner(names.library, path + precision.file_end, group + " in " + precision.scalar) +
                      "#include \"" + path + ".h\"\n\n#include <math.h>\n";
   std::set<std::string> printed;
   for (const Callable& c : names.callables)

@@ -5,13 +5,10 @@
 #include "backend/common/cache.h"
 #include "backend/common/constants.h"
 #include "backend/common/layout.h"
-#include "backend/cpp/printers.h"
 #include "support/concat.h"
 
 namespace robcogen::backend::c {
 namespace {
-
-using cpp::braced;
 
 constexpr const char* kContent = "names, limits, parameters";
 
@@ -126,8 +123,8 @@ std::string caches(const Names& names) {
 std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body) {
   std::string guard = names.folder + "_" + file;
   guard.replace(guard.size() - 2, 1, "_");
-  return cpp::banner(names.library, names.folder + "/" + file, what) + "#ifndef " + guard + "\n#define " + guard +
-         "\n\n" + body + "\n#endif\n";
+  return banner(names.library, names.folder + "/" + file, what) + "#ifndef " + guard + "\n#define " + guard + "\n\n" +
+         body + "\n#endif\n";
 }
 
 std::string print_model_header(const Names& names) {
@@ -139,7 +136,7 @@ std::string print_model_header(const Names& names) {
 
 std::string print_model(const Names& names) {
   const std::string path = names.folder + "/model";
-  std::string text = cpp::banner(names.library, path + ".c", kContent);
+  std::string text = banner(names.library, path + ".c", kContent);
   text += "#include \"" + path + ".h\"\n\n#include <math.h>\n";
   for (const Constant& c : constants(names)) text += "\n" + wrapped(c.head + c.open, c.values, "};");
   return text;

@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "backend/c/c.h"
+#include "backend/common/c_text.h"
 #include "backend/common/lower.h"
-#include "backend/cpp/layout.h"
 
 namespace robcogen::backend::c {
 
-using cpp::comment;
-using cpp::quoted;
+using c_family::banner;
+using c_family::braced;
+using c_family::comment;
+using c_family::kColumns;
+using c_family::quoted;
 
 struct Precision {
   std::string scalar;    // the type

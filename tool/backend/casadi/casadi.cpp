@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "backend/c/printers.h"
-#include "backend/cpp/printers.h"
 
 namespace robcogen::backend::casadi {
 namespace {
@@ -161,7 +160,7 @@ std::string output(const std::string& prefix) {
 OutputFile print(const Library& library) {
   const Names names = c::names(library);
   const std::string given = names.prefix + "__given", take = names.prefix + "__take";
-  std::string text = cpp::banner(library, output(names.prefix), "external functions of CasADi");
+  std::string text = c_family::banner(library, output(names.prefix), "external functions of CasADi");
   text += comment(
       "In CasADi: external(\"" + names.prefix +
       "_casadi_...\", \"./lib.so\"), from a library of this file and of the functions.");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "backend/common/layout.h"
 #include "support/concat.h"
 
 namespace robcogen::backend::cpp {
@@ -43,23 +42,6 @@ std::string filled(const std::vector<std::string>& items, const std::string& end
 }
 
 }  // namespace
-
-std::string comment(const std::string& text, std::size_t indent) {
-  std::string clean = replaced(text, "??", "? ?");
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-    if (c == '\\') c = '/';  // at the end of a line it would swallow the next one
-  }
-  while (!clean.empty() && clean.back() == ' ') clean.pop_back();
-  const std::string prefix = blanks(indent) + "// ";
-  return wrapped_text(clean, kColumns, prefix, prefix);
-}
-
-std::string comment(const std::vector<std::string>& texts) {
-  std::string result;
-  for (const std::string& text : texts) result += comment(text);
-  return result;
-}
 
 std::string declaration(
     const std::string& head,
@@ -158,20 +140,6 @@ std::string table(const std::string& head, const std::vector<std::vector<Field>>
     result += "    },\n";
   }
   return result + "};\n";
-}
-
-std::string braced(const std::vector<std::string>& items) {
-  return "{" + joined(items, ", ") + "}";
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') continue;
-    if (c == '"' || c == '\\' || (c == '?' && result.back() == '?')) result += '\\';
-    result += c;
-  }
-  return result + "\"";
 }
 
 std::string paragraphs(const std::vector<std::string>& parts) {

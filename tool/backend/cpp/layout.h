@@ -6,14 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "backend/common/c_text.h"
+
 namespace robcogen::backend::cpp {
 
-inline constexpr std::size_t kColumns = 120;
-
-// Comment lines, wrapped at blanks. Characters that would end or continue a comment are replaced, and no question marks
-// follow each other: compilers warn of trigraphs.
-std::string comment(const std::string& text, std::size_t indent = 0);
-std::string comment(const std::vector<std::string>& texts);
+using c_family::banner;
+using c_family::braced;
+using c_family::comment;
+using c_family::kColumns;
+using c_family::quoted;
 
 // `head(parameters) tail`, as in `inline JointState f(const JointState& q) noexcept {`.
 std::string declaration(
@@ -61,12 +62,6 @@ struct Field {
 
 // `head = {…};` with one row of fields a line, each with its number; one field a line where rows are too long for that.
 std::string table(const std::string& head, const std::vector<std::vector<Field>>& rows);
-
-// `{0.0, 1.0}`
-std::string braced(const std::vector<std::string>& items);
-
-// A string literal, without trigraphs.
-std::string quoted(const std::string& text);
 
 // Text with blank lines between the parts; empty parts vanish.
 std::string paragraphs(const std::vector<std::string>& parts);

@@ -4,15 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "backend/common/c_names.h"
 #include "backend/common/names.h"
 
 namespace robcogen::backend::cpp {
 
-// Keywords, and macros of compilers and of standard and system headers that would eat the name (`I`, `major`, `linux`,
-// `SIZE_MAX`, …). macros.inc lists them.
-bool is_reserved(const std::string& name);
+using c_family::is_reserved;
 
-// These, and what stands beside a namespace at the outermost level: functions and structures of system headers
+// Reserved names, and what stands beside a namespace at the outermost level: functions and structures of system headers
 // (`sincos`, `index`, `stat`, …), which globals.inc lists, and namespaces that generated code names.
 bool is_reserved_namespace(const std::string& name);
 

@@ -36,9 +36,6 @@ std::string level_path(const std::string& folder, const std::string& level);
 std::string batch_path(const std::string& folder, const std::string& group);
 std::string batch_source_path(const std::string& folder, const std::string& group, const std::string& level);
 
-// First lines of every file: what it is, from which model. Without the model's hash, which stands in model.h alone: a
-// changed mass changes the files whose numbers it changes.
-std::string banner(const Library& library, const std::string& path, const std::string& what);
 // Refuses a runtime of another version.
 std::string runtime_check(const Api& api);
 // `#include` lines; names with their quotes or angle brackets.

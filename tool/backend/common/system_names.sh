@@ -5,7 +5,7 @@
 #   macros.inc   macros, and the types and variables that a local name would shadow
 #   globals.inc  functions, structures and enumerators outside of namespaces, which no namespace can be called
 #
-# The lists of the project are made by `system_names.sh tool/backend/cpp`, where g++ and clang++ are installed; names
+# The lists of the project are made by `system_names.sh tool/backend/common`, where g++ and clang++ are installed; names
 # that other versions of them have may be added. Names that begin with '_' or have "__" in them are left out: no
 # identifier of generated code does.
 set -e

@@ -1,0 +1,28 @@
+// Text that C and C++ spell alike: comments, strings, lists, and the first lines of a file. In 120 columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend/library.h"
+
+namespace robcogen::backend::c_family {
+
+inline constexpr std::size_t kColumns = 120;
+
+// Comment lines, wrapped at blanks. Characters that would end or continue a comment are replaced, and no question marks
+// follow each other: compilers warn of trigraphs.
+std::string comment(const std::string& text, std::size_t indent = 0);
+std::string comment(const std::vector<std::string>& texts);
+
+// `{0.0, 1.0}`
+std::string braced(const std::vector<std::string>& items);
+
+// A string literal, without trigraphs.
+std::string quoted(const std::string& text);
+
+// First lines of every file: what it is, from which model. Without the model's hash, which stands in model.h alone: a
+// changed mass changes the files whose numbers it changes.
+std::string banner(const Library& library, const std::string& path, const std::string& what);
+
+}  // namespace robcogen::backend::c_family
