@@ -43,6 +43,24 @@ std::vector<AxisStep> parse_steps(Cursor& cursor, const std::vector<std::string>
 // `[name]`, when it is there.
 std::optional<Name> parse_user_name(Cursor& cursor);
 
+// The statements of the body: read(cursor) at each, up to the end. After an error, continues where at(cursor) says that
+// a statement begins, or at a line whose first token may begin a faulty one.
+template <class At, class MayBegin, class Read>
+auto parse_statements(Cursor& cursor, At at, MayBegin may_begin, Read read) {
+  std::vector<decltype(read(cursor))> statements;
+  while (!cursor.at_end()) {
+    const std::size_t begin = cursor.peek().span.begin;
+    try {
+      statements.push_back(read(cursor));
+    } catch (const SyntaxError&) {
+      // The token that begins the faulty statement does not begin another one.
+      if (!cursor.at_end() && cursor.peek().span.begin == begin) cursor.take();
+      cursor.skip_until([&] { return at(cursor) || (may_begin(cursor) && cursor.begins_line()); });
+    }
+  }
+  return statements;
+}
+
 // Reports a token that continues neither the steps nor the document. `what`: `a motion`, `next`: `the next motion`.
 [[noreturn]] void unexpected_after_steps(
     Cursor& cursor,

@@ -6,104 +6,61 @@
 namespace robcogen::language::motion {
 namespace {
 
-// After an error in a motion, the parser skips to the next one.
-class Parser {
- public:
-  Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
-      : source_(std::move(source)), cursor_(tokenize_document(source_, diagnostics), keywords(), diagnostics) {
-    document_.source = source_;
+bool at_motion(const Cursor& cursor) {
+  return cursor.at_name() && cursor.at("->", 1);
+}
+
+// At a motion, the line is missing; another word may be its misspelt keyword.
+[[noreturn]] void report_missing_convention(Cursor& cursor) {
+  if (!at_motion(cursor)) cursor.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
+  cursor
+      .error(
+          "missing-convention",
+          "the line 'Convention = local' or 'Convention = fixed' is missing before the first motion")
+      .hint =
+      "local: each step is about the axes of the frame reached so far; fixed: axes stay parallel to the first frame";
+  throw SyntaxError{};
+}
+
+void read_convention(Cursor& cursor, Document& document) {
+  try {
+    cursor.begin_statement();
+    if (!cursor.at("Convention")) report_missing_convention(cursor);
+    const Token word = cursor.take();
+    document.convention_comments = cursor.comments_before(word.span.begin);
+    cursor.expect("=", "after 'Convention'");
+    if (!cursor.at_any({"local", "fixed", "currentFrame", "fixedFrame"}))
+      cursor.unexpected("'local', 'fixed', 'currentFrame' or 'fixedFrame'", "after '='");
+    const Token value = cursor.take();
+    const bool is_local = value.text == "local" || value.text == "currentFrame";
+    document.convention = is_local ? Convention::local : Convention::fixed;
+  } catch (const SyntaxError&) {
+    cursor.skip_until([&] { return at_motion(cursor); });
   }
+}
 
-  Document run() {
-    try {
-      document_.header = parse_frames_header(cursor_, {"Convention"});
-      convention();
-      motions();
-    } catch (const SyntaxError&) {
-      // reported; the file ends here
-    }
-    document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
-    return std::move(document_);
-  }
+Name read_frame(Cursor& cursor) {
+  const Token token = cursor.expect_name("the name of a frame");
+  return {std::string(token.text), token.span};
+}
 
- private:
-  std::shared_ptr<const Source> source_;
-  Cursor cursor_;
-  Document document_;
-
-  void convention() {
-    try {
-      cursor_.begin_statement();
-      if (!cursor_.at("Convention")) missing_convention();
-      const Token word = cursor_.take();
-      document_.convention_comments = cursor_.comments_before(word.span.begin);
-      cursor_.expect("=", "after 'Convention'");
-      if (!cursor_.at_any({"local", "fixed", "currentFrame", "fixedFrame"}))
-        cursor_.unexpected("'local', 'fixed', 'currentFrame' or 'fixedFrame'", "after '='");
-      const Token value = cursor_.take();
-      const bool is_local = value.text == "local" || value.text == "currentFrame";
-      document_.convention = is_local ? Convention::local : Convention::fixed;
-    } catch (const SyntaxError&) {
-      cursor_.skip_until([&] { return at_motion(); });
-    }
-  }
-
-  // At a motion, the line is missing; another word may be its misspelt keyword.
-  [[noreturn]] void missing_convention() {
-    if (!at_motion()) cursor_.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
-    cursor_
-        .error(
-            "missing-convention",
-            "the line 'Convention = local' or 'Convention = fixed' is missing before the first motion")
-        .hint =
-        "local: each step is about the axes of the frame reached so far; fixed: axes stay parallel to the first frame";
-    throw SyntaxError{};
-  }
-
-  bool at_motion() const { return cursor_.at_name() && cursor_.at("->", 1); }
-
-  // To the next motion, or to a line that may be a faulty one.
-  void skip_to_motion() {
-    cursor_.skip_until([&] { return at_motion() || (cursor_.at_name() && cursor_.begins_line()); });
-  }
-
-  void motions() {
-    while (!cursor_.at_end()) {
-      try {
-        document_.motions.push_back(motion());
-      } catch (const SyntaxError&) {
-        // The token that begins the faulty motion does not begin another one.
-        if (!cursor_.at_end() && cursor_.peek().span.begin == begin_) cursor_.take();
-        skip_to_motion();
-      }
-    }
-  }
-
-  Name frame() {
-    const Token token = cursor_.expect_name("the name of a frame");
-    return {std::string(token.text), token.span};
-  }
-
-  Motion motion() {
-    Motion motion;
-    begin_ = cursor_.peek().span.begin;
-    cursor_.begin_statement();
-    motion.comments = cursor_.comments_before(begin_);
-    motion.from = frame();
-    cursor_.expect("->", fmt::format("after '{}'", motion.from.text));
-    motion.to = frame();
-    cursor_.expect(":", fmt::format("after '{}'", motion.to.text));
-    motion.steps = parse_steps(cursor_, step_words());
-    motion.name = parse_user_name(cursor_);
-    motion.span = {begin_, cursor_.previous().span.end};
-    const bool begins_faulty_motion = cursor_.at_name() && cursor_.begins_line() && !cursor_.at("(", 1);
-    if (!cursor_.at_end() && !at_motion() && !begins_faulty_motion)
-      unexpected_after_steps(cursor_, step_words(), "a motion", "the next motion");
-    return motion;
-  }
-
-  std::size_t begin_ = 0;  // of the present motion
-};
+Motion read_motion(Cursor& cursor) {
+  Motion motion;
+  const std::size_t begin = cursor.peek().span.begin;
+  cursor.begin_statement();
+  motion.comments = cursor.comments_before(begin);
+  motion.from = read_frame(cursor);
+  cursor.expect("->", fmt::format("after '{}'", motion.from.text));
+  motion.to = read_frame(cursor);
+  cursor.expect(":", fmt::format("after '{}'", motion.to.text));
+  motion.steps = parse_steps(cursor, step_words());
+  motion.name = parse_user_name(cursor);
+  motion.span = {begin, cursor.previous().span.end};
+  const bool begins_faulty_motion = cursor.at_name() && cursor.begins_line() && !cursor.at("(", 1);
+  if (!cursor.at_end() && !at_motion(cursor) && !begins_faulty_motion)
+    unexpected_after_steps(cursor, step_words(), "a motion", "the next motion");
+  return motion;
+}
 
 }  // namespace
 
@@ -120,7 +77,19 @@ const std::vector<std::string>& keywords() {
 }
 
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics) {
-  return Parser(std::move(source), diagnostics).run();
+  Document document;
+  document.source = source;
+  Cursor cursor(tokenize_document(source, diagnostics), keywords(), diagnostics);
+  try {
+    document.header = parse_frames_header(cursor, {"Convention"});
+    read_convention(cursor, document);
+    const auto may_begin = [](const Cursor& c) { return c.at_name(); };
+    document.motions = parse_statements(cursor, at_motion, may_begin, read_motion);
+  } catch (const SyntaxError&) {
+    // reported; the file ends here
+  }
+  document.trailing_comments = cursor.comments_before(source->text().size() + 1);
+  return document;
 }
 
 }  // namespace robcogen::language::motion
