@@ -249,8 +249,7 @@ rc::Gen<kinematics::Joint> joint() {
     const auto words = kinematics::coordinate_words(joint.type);
     if (words.empty()) return joint;
     for (std::size_t k = joint.comments.size() % 2; k < words.size(); ++k)
-      joint.coordinates.push_back(
-          {{std::string(words[k]), {}}, joint.drive, joint.rotor, joint.limits, joint.assembled});
+      joint.coordinates.push_back({kinematics::DriveAndLimits(joint), {std::string(words[k]), {}}});
     joint.drive = {};
     joint.rotor.reset();
     joint.limits = {};

@@ -98,35 +98,18 @@ class DriveDescriber {
   }
 };
 
-template <class Owner>
-void describe_drive_of(
-    const Owner& owner,
+}  // namespace
+
+void describe_drive(
+    const kinematics::DriveAndLimits& given,
     QuantityReader& reader,
     Diagnostics& diagnostics,
     model::DescribedJoint& described) {
   DriveDescriber describer(reader, diagnostics, described);
-  describer.describe(owner.drive);
-  if (owner.rotor) describer.describe(*owner.rotor);
-  describer.describe(owner.limits);
-  if (owner.assembled) describer.describe_assembled(owner.assembled);
-}
-
-}  // namespace
-
-void describe_drive(
-    const kinematics::Joint& joint,
-    QuantityReader& reader,
-    Diagnostics& diagnostics,
-    model::DescribedJoint& described) {
-  describe_drive_of(joint, reader, diagnostics, described);
-}
-
-void describe_drive(
-    const kinematics::Coordinate& coordinate,
-    QuantityReader& reader,
-    Diagnostics& diagnostics,
-    model::DescribedJoint& described) {
-  describe_drive_of(coordinate, reader, diagnostics, described);
+  describer.describe(given.drive);
+  if (given.rotor) describer.describe(*given.rotor);
+  describer.describe(given.limits);
+  if (given.assembled) describer.describe_assembled(given.assembled);
 }
 
 }  // namespace robcogen::import

@@ -7,15 +7,10 @@
 
 namespace robcogen::import {
 
-// Fills in what a joint, or one of its coordinates, says of them. Values of the drive are dynamics quantities; reports
-// limits, and positions in which loops are assembled, that depend on a parameter.
+// Values of the drive are dynamics quantities; reports limits, and positions in which loops are assembled, that depend
+// on a parameter.
 void describe_drive(
-    const language::kinematics::Joint& joint,
-    QuantityReader& reader,
-    Diagnostics& diagnostics,
-    model::DescribedJoint& described);
-void describe_drive(
-    const language::kinematics::Coordinate& coordinate,
+    const language::kinematics::DriveAndLimits& given,
     QuantityReader& reader,
     Diagnostics& diagnostics,
     model::DescribedJoint& described);

@@ -114,26 +114,26 @@ struct Limits {
   ExpressionPtr effort;                                  // N m, N
 };
 
-// What a joint of several coordinates says of one of them.
-struct Coordinate {
-  Name word;  // `turn`
+// What a joint, or one of its coordinates, says of what drives and limits it.
+struct DriveAndLimits {
   Drive drive;
   std::optional<Rotor> rotor;
   Limits limits;
-  ExpressionPtr assembled = {};
+  ExpressionPtr assembled;  // its position where the loops that it is part of are assembled: rad, m
 };
 
-struct Joint {
+// What a joint of several coordinates says of one of them.
+struct Coordinate : DriveAndLimits {
+  Name word;  // `turn`
+};
+
+struct Joint : DriveAndLimits {
   enum class Type { revolute, prismatic, helical, cylindrical, universal, planar, spherical };
   Name name;
   Type type = Type::revolute;
   std::optional<int> id;
   Placement placement;
-  ExpressionPtr pitch;  // of a helical joint: m/rad
-  Drive drive;
-  std::optional<Rotor> rotor;
-  Limits limits;
-  ExpressionPtr assembled = {};         // its position where the loops that it is part of are assembled: rad, m
+  ExpressionPtr pitch;                  // of a helical joint: m/rad
   std::vector<Coordinate> coordinates;  // those of which something is said, in the order of coordinate_words
   std::vector<std::string> comments;
   Span span;

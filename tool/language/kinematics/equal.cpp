@@ -110,8 +110,7 @@ bool same(const Limits& a, const Limits& b) {
          same(a.velocity, b.velocity) && same(a.effort, b.effort);
 }
 
-template <class Owner>
-bool same_drive_and_limits(const Owner& a, const Owner& b) {
+bool same_drive_and_limits(const DriveAndLimits& a, const DriveAndLimits& b) {
   return same(a.drive, b.drive) && a.rotor.has_value() == b.rotor.has_value() &&
          (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits) && same(a.assembled, b.assembled);
 }

@@ -33,7 +33,7 @@ void visit_link(LinkType& link, Visit visit) {
   }
 }
 
-// Of a joint, or of one of its coordinates.
+// `Owner`: DriveAndLimits, constant or not.
 template <class Owner, class Visit>
 void visit_drive_and_limits(Owner& owner, Visit visit) {
   const auto visit_given = [&](auto& e) {

@@ -69,7 +69,7 @@ bool at_drive_item(const Cursor& cursor) {
   return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"});
 }
 
-bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, const DriveItems& items) {
+bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, DriveAndLimits& items) {
   Drive& drive = items.drive;
   if (word.text == "limits") return limits(parser, owner, items.limits);
   if (word.text == "rotor") return rotor(parser, owner, word, items.rotor);

@@ -79,8 +79,7 @@ class JointParser {
       } else if (is_coordinate(joint.type, key.text)) {
         sound_items = coordinate(owner, key, joint) && sound_items;
       } else {
-        sound_items =
-            drive_item(parser_, owner, key, {joint.drive, joint.rotor, joint.limits, joint.assembled}) && sound_items;
+        sound_items = drive_item(parser_, owner, key, joint) && sound_items;
       }
     });
     const WordList& needed = joint.type == Joint::Type::helical ? kHelicalNeeds : kJointNeeds;
@@ -106,9 +105,7 @@ class JointParser {
     bool sound_drive = true;
     const bool sound = parser_.block(owner, kCoordinateItems, [&] {
       if (!at_drive_item(cursor_)) parser_.unknown_item(owner, kCoordinateItems);
-      sound_drive =
-          drive_item(parser_, owner, parser_.word(found), {read.drive, read.rotor, read.limits, read.assembled}) &&
-          sound_drive;
+      sound_drive = drive_item(parser_, owner, parser_.word(found), read) && sound_drive;
     });
     const auto words = coordinate_words(joint.type);
     const auto place = [&](const Coordinate& c) { return std::find(words.begin(), words.end(), c.word.text); };

@@ -119,9 +119,7 @@ std::string limits(const Limits& l, const std::string& indent) {
   return items.empty() ? "" : indent + "limits {" + items + " }\n";
 }
 
-// Of a joint, or of one of its coordinates.
-template <class Owner>
-std::string drive_and_limits(const Owner& owner, const std::string& indent) {
+std::string drive_and_limits(const DriveAndLimits& owner, const std::string& indent) {
   const std::string assembled =
       owner.assembled ? indent + "assembled = " + language::print(*owner.assembled) + "\n" : "";
   return drive(owner.drive, indent) + rotor(owner.rotor, indent) + limits(owner.limits, indent) + assembled;
