@@ -97,5 +97,50 @@ TEST(RepresentativeLimbs, NumbersFoldLikeThemAndKeepTheirValues) {
   expect_near(run(right_like, {{"in", q}}), run(right, {{"in", q}}));
 }
 
+// Two legs, of which the right knee is turned by 90 degrees more than the left one, and by a rounding.
+KinematicTree legs_with_a_rounding() {
+  KinematicTree tree = two_legs(0.1, -0.1);
+  const auto rotation = [&](const char* joint) -> auto& {
+    return tree.joints[static_cast<std::size_t>(*tree.find_joint(joint))].placement.rotation;
+  };
+  rotation("R_knee")[0] = model::Quantity(3.14159265358);
+  rotation("R_hip")[1] = model::Quantity(-1.57079632679);
+  rotation("L_hip")[1] = model::test::pi(1, 2);
+  return tree;
+}
+
+// A plane that only one limb has stands in the others, too: it folds like that one, and turns by nothing.
+TEST(RepresentativeLimbs, APlaneOfOneLimbStandsInAll) {
+  Representatives r(legs_with_a_rounding());
+  const auto rotation = [&](const char* joint) -> const Rotation& { return r.poses[r.joint(joint)].rotation; };
+  ASSERT_LT(rotation("L_knee").planes.size(), rotation("R_knee").planes.size());
+  std::vector<Vector3> before, after;
+  const std::vector<const char*> joints = {"L_hip", "R_hip", "L_knee", "R_knee"};
+  const Vector3 v{r.q[0], r.q[1], r.q[2]};
+  for (const char* joint : joints) before.push_back(to_parent(rotation(joint), v));
+  r.fold();
+  for (const char* joint : joints) after.push_back(to_parent(rotation(joint), v));
+
+  for (const char* of : {"hip", "knee"}) {
+    const Rotation &left = rotation((std::string("L_") + of).c_str()),
+                   &right = rotation((std::string("R_") + of).c_str());
+    ASSERT_EQ(left.planes.size(), right.planes.size()) << of;
+    EXPECT_EQ(left.quarter.image, right.quarter.image) << of;
+    for (std::size_t k = 0; k < left.planes.size(); ++k) {
+      EXPECT_EQ(left.planes[k].axis, right.planes[k].axis);
+      EXPECT_EQ(left.planes[k].s.is_zero(), right.planes[k].s.is_zero());
+      EXPECT_EQ(left.planes[k].c.is_constant(), right.planes[k].c.is_constant());
+    }
+  }
+  EXPECT_EQ(rotation("L_knee").planes.front().s.number().value(), 0.0);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const auto value = [&](const Vector3& vector) {
+      std::vector<Expression> elements(vector.element.begin(), vector.element.end());
+      return run(test::program(r.trace.graph, r.tree.joints.size(), elements), {{"in", {0.3, 0.8, -0.4, 1.2}}});
+    };
+    expect_near(value(after[k]), value(before[k]));
+  }
+}
+
 }  // namespace
 }  // namespace robcogen::algorithm

@@ -89,6 +89,97 @@ std::vector<Numbers> numbers_of(
   return places;
 }
 
+// The plane rotations of corresponding joints, side by side: of each limb the index, -1 where it does not have it.
+using AlignedPlanes = std::vector<std::vector<int>>;
+
+bool are_alike(const PlaneRotation& a, const PlaneRotation& b) {
+  return a.axis == b.axis && a.c.is_constant() == b.c.is_constant();
+}
+
+bool is_constant(const PlaneRotation& plane) {
+  return !plane.matrix && plane.c.is_constant() && plane.s.is_constant();
+}
+
+// The rotation with a first plane that turns by less: by nearly a multiple of 90 degrees is by that multiple, which is
+// free, and by the rest.
+Rotation with_small_turn(const Rotation& r) {
+  constexpr double kSmall = 1e-5;  // rad
+  if (r.planes.empty() || !is_constant(r.planes.front())) return r;
+  Rotation result = r;
+  PlaneRotation& plane = result.planes.front();
+  const double c = plane.c.number().value(), s = plane.s.number().value();
+  const int turns = std::abs(s) < kSmall ? (c < 0.0 ? 2 : 0) : std::abs(c) < kSmall ? (s > 0.0 ? 1 : 3) : 0;
+  for (int k = 0; k < turns; ++k) plane = {plane.axis, plane.s, -plane.c};
+  if (turns > 0) result.quarter = result.quarter * quarter_turn(plane.axis, turns);
+  return result;
+}
+
+// Of these rotations, where all are the longest one without some of its constant planes; else empty.
+AlignedPlanes aligned(const std::vector<Rotation>& rotations) {
+  const auto longest = std::max_element(rotations.begin(), rotations.end(), [](const Rotation& a, const Rotation& b) {
+    return a.planes.size() < b.planes.size();
+  });
+  const std::vector<PlaneRotation>& all = longest->planes;
+  AlignedPlanes result(all.size());
+  for (const Rotation& rotation : rotations) {
+    const std::vector<PlaneRotation>& own = rotation.planes;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const bool is_there = next < own.size() && are_alike(own[next], all[k]);
+      if (!is_there && !is_constant(all[k])) return {};
+      result[k].push_back(is_there ? static_cast<int>(next++) : -1);
+    }
+    if (next < own.size() || rotation.quarter.image != longest->quarter.image) return {};
+  }
+  return result;
+}
+
+// Of each limb; empty where all have the same planes.
+std::vector<std::vector<RepresentativePlane>> representative_planes(const std::vector<Rotation>& rotations) {
+  const AlignedPlanes planes = aligned(rotations);
+  const auto is_missing = [](const std::vector<int>& of_limbs) {
+    return std::find(of_limbs.begin(), of_limbs.end(), -1) != of_limbs.end();
+  };
+  if (std::none_of(planes.begin(), planes.end(), is_missing)) return {};
+  std::vector<std::vector<RepresentativePlane>> result(rotations.size());
+  for (const std::vector<int>& of_limbs : planes) {
+    Numbers c, s;
+    RepresentativePlane common;
+    for (std::size_t i = 0; i < of_limbs.size(); ++i) {
+      const PlaneRotation* plane = of_limbs[i] < 0 ? nullptr : &rotations[i].planes[at(of_limbs[i])];
+      c.push_back(plane ? number_of(plane->c) : 1.0);
+      s.push_back(plane ? number_of(plane->s) : 0.0);
+      if (plane) common = {plane->axis, is_constant(*plane)};
+    }
+    const std::vector<double> typical_c = typical_numbers(c), typical_s = typical_numbers(s);
+    for (std::size_t i = 0; i < of_limbs.size(); ++i)
+      result[i].push_back({common.axis, common.is_constant, of_limbs[i] < 0, typical_c[i], typical_s[i]});
+  }
+  return result;
+}
+
+void fold_like(Trace& trace, double typical, Expression& e) {
+  if (std::isfinite(typical)) e = trace.graph.constant(e.constant().folded_as(typical));
+}
+
+// Unchanged where its planes are not those of the limb: a joint that stands at zero turns by nothing.
+void fold_like(Trace& trace, const std::vector<RepresentativePlane>& representative, Rotation& rotation) {
+  if (representative.empty()) return;
+  const Rotation own = with_small_turn(rotation);
+  std::vector<PlaneRotation> planes;
+  auto next = own.planes.begin();
+  for (const RepresentativePlane& r : representative) {
+    const bool is_there = next != own.planes.end() && next->axis == r.axis && is_constant(*next) == r.is_constant;
+    if (!r.is_missing && !is_there && r.is_constant) return;
+    if (!r.is_missing && !is_there) continue;
+    planes.push_back(r.is_missing ? PlaneRotation{r.axis, trace.graph.one(), trace.graph.constant(Number())} : *next++);
+    fold_like(trace, r.c, planes.back().c);
+    fold_like(trace, r.s, planes.back().s);
+  }
+  if (next != own.planes.end()) return;
+  rotation = {own.quarter, std::move(planes)};
+}
+
 template <std::size_t n>
 void fold_like(Trace& trace, const std::array<double, n>& typical, const std::array<Expression*, n>& elements) {
   for (std::size_t i = 0; i < n; ++i)
@@ -110,12 +201,24 @@ RepresentativeLinks representative_links(
   for (const LimbsInLanes& limbs : limbs_in_lanes(tree)) {
     std::vector<std::vector<Numbers>> links;
     for (const std::vector<int>& joints : limbs.joints) links.push_back(numbers_of(tree, joints, poses, masses));
-    const bool differ = std::any_of(links.begin(), links.end(), [](const std::vector<Numbers>& places) {
-      return std::any_of(places.begin(), places.end(), fold_differently);
-    });
+    std::vector<std::vector<std::vector<RepresentativePlane>>> planes;  // by joint, then by limb
+    for (const std::vector<int>& joints : limbs.joints) {
+      std::vector<Rotation> rotations;
+      for (const int joint : joints) rotations.push_back(with_small_turn(poses[at(joint)].rotation));
+      planes.push_back(representative_planes(rotations));
+    }
+    const bool differ =
+        std::any_of(
+            links.begin(), links.end(),
+            [](const std::vector<Numbers>& places) {
+              return std::any_of(places.begin(), places.end(), fold_differently);
+            }) ||
+        std::any_of(planes.begin(), planes.end(), [](const auto& of_limbs) { return !of_limbs.empty(); });
     if (!differ) continue;
     some_differ = true;
     for (std::size_t k = 0; k < links.size(); ++k) {
+      for (std::size_t i = 0; i < planes[k].size(); ++i)
+        result[at(limbs.joints[k][i])].planes = std::move(planes[k][i]);
       for (std::size_t place = 0; place < links[k].size(); ++place) {
         const std::vector<double> typical = typical_numbers(links[k][place]);
         for (std::size_t i = 0; i < typical.size(); ++i) {
@@ -130,6 +233,7 @@ RepresentativeLinks representative_links(
 
 void fold_like(Trace& trace, const RepresentativeLink& representative, Pose& pose) {
   fold_like(trace, representative.pose, elements_of_pose(pose));
+  fold_like(trace, representative.planes, pose.rotation);
 }
 
 void fold_like(Trace& trace, const RepresentativeLink& representative, MassProperties& mass) {

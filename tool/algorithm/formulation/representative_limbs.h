@@ -13,10 +13,20 @@
 
 namespace robcogen::algorithm {
 
+// A plane rotation that the pose of some limb has: by a constant angle, or not (then nothing is representative). In
+// limbs without it, it turns by nothing.
+struct RepresentativePlane {
+  int axis = 2;
+  bool is_constant = false;
+  bool is_missing = false;
+  double c = 1.0, s = 0.0;
+};
+
 // The representative numbers of a pose and of mass properties in the limbs of a class, with the signs of this limb.
 struct RepresentativeLink {
-  std::array<double, 4> pose;   // offset, slide
-  std::array<double, 13> mass;  // mass, first moment, pseudo-inertia
+  std::array<double, 4> pose;               // offset, slide
+  std::vector<RepresentativePlane> planes;  // of the rotation; empty: as they are
+  std::array<double, 13> mass;              // mass, first moment, pseudo-inertia
 };
 
 // By joint: of its child. Empty: no limb differs from others of its class in what folds.
