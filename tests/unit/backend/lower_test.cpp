@@ -298,5 +298,21 @@ TEST(Lower, LongNamesAreShortened) {
   EXPECT_NE(kernel.lines[1].targets[0], kernel.lines[2].targets[0]);
 }
 
+// Lanes are kept in fewer registers than there are scalars: their kernels are cut from fewer lines on.
+TEST(Lower, LongKernelsAreCutWithLanesSooner) {
+  Kernel kernel;
+  kernel.name = "leg";
+  for (int k = 0; k < 1500; ++k) {
+    if (k % 50 == 0) kernel.lines.push_back({Line::Kind::section, {}, "link " + std::to_string(k)});
+    kernel.lines.push_back({Line::Kind::definition, {"hip_" + std::to_string(k)}, "q[0]"});
+  }
+  EXPECT_FALSE(is_split(kernel));
+  kernel.widths = {2};
+  EXPECT_TRUE(is_split(kernel));
+  for (const Kernel& part : split(kernel).kernels) EXPECT_LE(part.lines.size(), 200U);
+  kernel.lines.resize(900);
+  EXPECT_FALSE(is_split(kernel));
+}
+
 }  // namespace
 }  // namespace robcogen::backend::cpp

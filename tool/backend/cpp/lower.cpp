@@ -9,8 +9,8 @@ namespace robcogen::backend::cpp {
 namespace {
 
 // Lines of kernels that may stay in the instruction cache (64 KB, 21 bytes a line on x86-64), and of the parts of
-// others.
-constexpr std::size_t kCached = 3000, kShortPart = 200;
+// others. With lanes, of which a processor keeps few in registers, short parts take less time from half of that on.
+constexpr std::size_t kCached = 3000, kShortPart = 200, kLongestInLanes = 1000;
 
 std::string element(const std::string& array, std::size_t k) {
   return array + "[" + std::to_string(k) + "]";
@@ -96,8 +96,13 @@ Kernel lower(const symbolic::Program& program, const std::string& name) {
   return backend::lower(program, name, dialect());
 }
 
+bool is_split(const Kernel& kernel) {
+  return kernel.lines.size() > (kernel.widths.empty() ? kLongest : kLongestInLanes);
+}
+
 Parts split(const Kernel& kernel) {
-  return in_parts(kernel, kernel.lines.size() > kCached ? kShortPart : kPart, dialect());
+  const bool is_short = !kernel.widths.empty() || kernel.lines.size() > kCached;
+  return in_parts(kernel, is_short ? kShortPart : kPart, dialect());
 }
 
 Kernel lower_values(const symbolic::Program& program) {

@@ -22,8 +22,11 @@ std::vector<Parameter> parameters(const symbolic::Program& program);
 
 Kernel lower(const symbolic::Program& program, const std::string& name);
 
-// In parts as long as costs no time when they run; and short ones, for the sake of registers, where the code is larger
-// than the instruction cache of any processor, so that time goes with its size.
+// Whether the kernel is cut into parts.
+bool is_split(const Kernel& kernel);
+
+// In parts as long as costs no time when they run; and short ones, for the sake of registers, where there are lanes, or
+// where the code is larger than the instruction cache of any processor, so that time goes with its size.
 Parts split(const Kernel& kernel);
 
 // The program's lines without stores: what its outputs are stands in Kernel::results.

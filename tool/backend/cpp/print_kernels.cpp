@@ -83,7 +83,7 @@ std::string definition(const Kernel& kernel, const Parts& parts) {
 
 // The kernel behind these comments, and before them its parts where it is long.
 std::string print_whole_or_parts(const std::string& comments, const Kernel& kernel) {
-  if (kernel.lines.size() <= kLongest) return comments + definition(kernel);
+  if (!is_split(kernel)) return comments + definition(kernel);
   const Parts parts = split(kernel);
   return paragraphs({print_parts(parts, kernel.name), comments + definition(kernel, parts)});
 }
@@ -271,7 +271,7 @@ std::string print_kernel(const Library& library, const Callable& callable) {
   const Kernel kernel = lower(program, callable.kernel);
   const std::string comments = comments_in_lanes(callable) + comment(counts(program));
   const std::string one_by_one = print_one_by_one(library, callable);
-  if (kernel.lines.size() <= kLongest && has_small_angles(program, kernel))
+  if (!is_split(kernel) && has_small_angles(program, kernel))
     return print_both(
         callable, comments + definition(of_small_angles(kernel), kInline), one_by_one,
         print_chooser_of_small_angles(callable));
