@@ -233,8 +233,8 @@ double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::acos(-1.0));
 }
 
-// Moves the joints that follow to where the loop closes with the other sign of the root, the shortest way from where it
-// closes now: two joints, or one, from starts all around. Returns whether there is such a posture.
+// Moves the joints that follow to where the loop closes with the other sign of the root, as near as it can be to where
+// it closes now: two joints, or one, from starts all around. Returns whether there is such a posture.
 bool assemble_other_way(LoopContext& context, Closure& closure, std::vector<double>& q) {
   const KinematicTree& tree = context.tree;
   const LoopJoint& loop = tree.loops[at(closure.loop())];
@@ -247,12 +247,12 @@ bool assemble_other_way(LoopContext& context, Closure& closure, std::vector<doub
     const double gap = model::close(tree, closure, start, context.parameters);
     const LoopPosture there = posture(tree, loop, start, context.parameters);
     if (!(gap <= kClosed * size) || branch_of(tree, closure, there) == closure.branch) return;
-    double way = 0.0;
+    double moved = 0.0;
     for (const int joint : closure.dependents) {
       if (turns_there(joint)) start[at(joint)] = wrapped(start[at(joint)]);
-      way += std::abs(start[at(joint)] - drawn[at(joint)]) / (turns_there(joint) ? 1.0 : size);
+      moved += std::abs(start[at(joint)] - drawn[at(joint)]) / (turns_there(joint) ? 1.0 : size);
     }
-    if (!best || way < least) best = start, least = way;
+    if (!best || moved < least) best = start, least = moved;
   };
   constexpr int kStarts = 12;
   const auto start_of = [&](int joint, int k) {

@@ -112,17 +112,17 @@ class IterativeSearch {
 
   // Whether loops stay closed, with this rank, where joints that lead move a little.
   bool moves(const std::vector<int>& following, int rank) {
-    constexpr int kWays = 5, kHalvings = 4;
+    constexpr int kDirections = 5, kHalvings = 4;
     std::minstd_rand engine(1);
     std::uniform_real_distribution<double> any(-0.1, 0.1);
     bool has_moved = false;
-    for (int way = 0; way < kWays; ++way) {
-      std::vector<double> by(q_.size());
+    for (int direction = 0; direction < kDirections; ++direction) {
+      std::vector<double> step(q_.size());
       for (const int joint : cluster_.joints())
-        if (std::find(following.begin(), following.end(), joint) == following.end()) by[at(joint)] = any(engine);
+        if (std::find(following.begin(), following.end(), joint) == following.end()) step[at(joint)] = any(engine);
       for (int halving = 0; halving <= kHalvings; ++halving) {
         std::vector<double> q = q_;
-        for (std::size_t j = 0; j < q.size(); ++j) q[j] += std::ldexp(by[j], -halving);
+        for (std::size_t j = 0; j < q.size(); ++j) q[j] += std::ldexp(step[j], -halving);
         if (!is_closed(cluster_.close(q, following))) continue;
         has_moved = true;
         if (const int nearby = cluster_.rank(q); nearby != rank) {

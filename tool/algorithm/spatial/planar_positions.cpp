@@ -84,7 +84,7 @@ std::array<Expression, 2> slide_and_turn(
     found = on_line(side, base, is_one_end ? -u : u, is_one_end ? -branch : branch);
     a = turn_between(side, found.point);
   }
-  return {found.way, turn.angle(turned_back(turn_before(turn, chains), a))};
+  return {found.beyond, turn.angle(turned_back(turn_before(turn, chains), a))};
 }
 
 }  // namespace

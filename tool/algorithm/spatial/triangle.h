@@ -42,7 +42,7 @@ Vector2 turn_to_distance(
 // `direction`, and how far it is beyond `through`. `branch`: whether it is ahead of the foot of the perpendicular.
 struct OnLine {
   Vector2 point;
-  symbolic::Expression way;
+  symbolic::Expression beyond;
 };
 OnLine on_line(const Vector2& a, const Vector2& through, const Vector2& direction, double branch);
 
