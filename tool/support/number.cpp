@@ -15,6 +15,14 @@ namespace {
 
 using Wide = __int128;
 
+constexpr Wide kLimit = INT64_MAX;
+
+// Of a fraction in lowest terms; nullopt when it does not fit.
+std::optional<Rational> fitted(Wide num, Wide den) {
+  if (num > kLimit || num < -kLimit || den > kLimit) return std::nullopt;
+  return Rational{static_cast<std::int64_t>(num), static_cast<std::int64_t>(den)};
+}
+
 // Reduced to lowest terms; nullopt when it does not fit.
 std::optional<Rational> reduced(Wide num, Wide den) {
   if (den == 0) return std::nullopt;
@@ -23,16 +31,28 @@ std::optional<Rational> reduced(Wide num, Wide den) {
     den = -den;
   }
   Wide a = num < 0 ? -num : num, b = den;
-  constexpr Wide limit = INT64_MAX;
-  while (b != 0 && (a > limit || b > limit)) a = std::exchange(b, a % b);
+  while (b != 0 && (a > kLimit || b > kLimit)) a = std::exchange(b, a % b);
   // Most numbers fit into words, whose division is much faster.
   if (b != 0) a = std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
   if (a > 1) {
     num /= a;
     den /= a;
   }
-  if (num > limit || num < -limit || den > limit) return std::nullopt;
-  return Rational{static_cast<std::int64_t>(num), static_cast<std::int64_t>(den)};
+  return fitted(num, den);
+}
+
+// Of fractions in lowest terms, by gcds of words alone (Knuth, The Art of Computer Programming 2, sec. 4.5.1); nullopt
+// when the result does not fit.
+std::optional<Rational> sum_of(const Rational& a, const Rational& b) {
+  const std::int64_t shared = std::gcd(a.den, b.den);
+  const Wide num = Wide(a.num) * (b.den / shared) + Wide(b.num) * (a.den / shared);
+  const std::int64_t rest = std::gcd(static_cast<std::int64_t>(num % shared), shared);
+  return fitted(num / rest, Wide(a.den / shared) * (b.den / rest));
+}
+
+std::optional<Rational> product_of(const Rational& a, const Rational& b) {
+  const std::int64_t first = std::gcd(a.num, b.den), second = std::gcd(b.num, a.den);
+  return fitted(Wide(a.num / first) * (b.num / second), Wide(a.den / second) * (b.den / first));
 }
 
 // num / den to the nearest double, ties to even: a quotient of at least 64 bits, the last of which tells whether more
@@ -60,10 +80,14 @@ double nearest_double_times_pi(const Rational& r) {
 
 // A double that is a multiple of a small power of two is exactly that fraction.
 std::optional<Rational> dyadic(double value) {
-  constexpr double kScale = 1 << 20;
+  constexpr int kBits = 20;
+  constexpr double kScale = 1 << kBits;
   const double scaled = value * kScale;
-  if (std::abs(scaled) > 9e15 || scaled != std::floor(scaled)) return std::nullopt;
-  return reduced(static_cast<std::int64_t>(scaled), static_cast<std::int64_t>(kScale));
+  if (!(std::abs(scaled) <= 9e15)) return std::nullopt;
+  const auto num = static_cast<std::int64_t>(scaled);
+  if (static_cast<double>(num) != scaled) return std::nullopt;
+  const int shared = num == 0 ? kBits : std::min(kBits, std::countr_zero(static_cast<std::uint64_t>(num)));
+  return Rational{num / (std::int64_t{1} << shared), std::int64_t{1} << (kBits - shared)};
 }
 
 // The integer that follows the 'e' of a literal, a sign before it or not; nullopt when it is too large.
@@ -138,18 +162,22 @@ Number::Number(double value) : value_(value), ratio_(dyadic(value)) {
 Number Number::rational(std::int64_t num, std::int64_t den) {
   assert(den != 0);
   const std::optional<Rational> ratio = reduced(num, den);
-  if (!ratio) return Number(static_cast<double>(num) / static_cast<double>(den));
-  Number n;
-  n.ratio_ = ratio;
-  n.value_ = nearest_double(*ratio);
-  return n;
+  return ratio ? exact(*ratio, false) : Number(static_cast<double>(num) / static_cast<double>(den));
 }
 
 Number Number::pi_multiple(std::int64_t num, std::int64_t den) {
-  Number n = rational(num, den);
-  if (n.is_zero()) return n;
-  n.times_pi_ = n.ratio_.has_value();
-  n.value_ = n.ratio_ ? nearest_double_times_pi(*n.ratio_) : n.value_ * std::numbers::pi;
+  assert(den != 0);
+  if (const std::optional<Rational> ratio = reduced(num, den)) return exact(*ratio, true);
+  Number n(static_cast<double>(num) / static_cast<double>(den));
+  n.value_ *= std::numbers::pi;
+  return n;
+}
+
+Number Number::exact(const Rational& ratio, bool times_pi) {
+  Number n;
+  n.ratio_ = ratio;
+  n.times_pi_ = times_pi && ratio.num != 0;
+  n.value_ = n.times_pi_ ? nearest_double_times_pi(ratio) : nearest_double(ratio);
   return n;
 }
 
@@ -181,9 +209,7 @@ Number operator+(const Number& a, const Number& b) {
   if (b.is_zero()) return a;
   Number n(a.value_ + b.value_);
   if (!a.ratio_ || !b.ratio_ || a.times_pi_ != b.times_pi_) return n;
-  const Wide left = Wide(a.ratio_->num) * b.ratio_->den, right = Wide(b.ratio_->num) * a.ratio_->den;
-  if (const auto sum = reduced(left + right, Wide(a.ratio_->den) * b.ratio_->den))
-    return a.times_pi_ ? Number::pi_multiple(sum->num, sum->den) : Number::rational(sum->num, sum->den);
+  if (const auto sum = sum_of(*a.ratio_, *b.ratio_)) return Number::exact(*sum, a.times_pi_);
   return n;
 }
 
@@ -195,10 +221,9 @@ Number operator*(const Number& a, const Number& b) {
   if (a.is_zero() || b.is_zero()) return Number();
   Number n(a.value_ * b.value_);
   if (!a.ratio_ || !b.ratio_ || (a.times_pi_ && b.times_pi_)) return n;
-  const auto product = reduced(Wide(a.ratio_->num) * b.ratio_->num, Wide(a.ratio_->den) * b.ratio_->den);
+  const auto product = product_of(*a.ratio_, *b.ratio_);
   if (!product) return n;
-  return a.times_pi_ || b.times_pi_ ? Number::pi_multiple(product->num, product->den)
-                                    : Number::rational(product->num, product->den);
+  return Number::exact(*product, a.times_pi_ || b.times_pi_);
 }
 
 Number operator/(const Number& a, const Number& b) {
@@ -207,8 +232,7 @@ Number operator/(const Number& a, const Number& b) {
   if (b.times_pi_ && !a.times_pi_) return n;
   const auto quotient = reduced(Wide(a.ratio_->num) * b.ratio_->den, Wide(a.ratio_->den) * b.ratio_->num);
   if (!quotient) return n;
-  return a.times_pi_ && !b.times_pi_ ? Number::pi_multiple(quotient->num, quotient->den)
-                                     : Number::rational(quotient->num, quotient->den);
+  return Number::exact(*quotient, a.times_pi_ && !b.times_pi_);
 }
 
 Number sin(const Number& a) {

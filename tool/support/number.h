@@ -50,6 +50,9 @@ class Number {
   friend bool operator==(const Number& a, const Number& b);
 
  private:
+  // `ratio` in lowest terms.
+  static Number exact(const Rational& ratio, bool times_pi);
+
   double value_ = 0.0;
   std::optional<Rational> ratio_ = Rational{0, 1};
   bool times_pi_ = false;

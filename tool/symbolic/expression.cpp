@@ -90,7 +90,7 @@ Expression atan2(const Expression& sine, const Expression& cosine) {
 
 Graph::Scaled Graph::split_factor(int node) const {
   const Node& n = nodes_[at(node)];
-  if (is_product(node)) {
+  if (is_product(n)) {
     if (is_constant(n.a)) return {n.a, n.b};
     if (is_constant(n.b)) return {n.b, n.a};
   }
@@ -102,11 +102,10 @@ Constant Graph::factor(const Expression& x, const Scaled& split) const {
   return x.negative() ? -value : value;
 }
 
-std::optional<std::array<Expression, 2>> Graph::terms(const Expression& x) {
-  if (!is_sum(x.node())) return std::nullopt;
-  const Node& n = nodes_[at(x.node())];
+std::array<Expression, 2> Graph::terms(const Expression& x) {
+  const Node& n = node_of(x);
   const Expression first(this, n.a, x.negative()), second(this, n.b, x.negative() != (n.op == Op::subtract));
-  return std::array{first, second};
+  return {first, second};
 }
 
 std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expression& angle) {
@@ -114,9 +113,8 @@ std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expressi
   if (n.kind != Node::Kind::operation) return std::nullopt;
   if (n.op == Op::arc_tangent)
     return std::array{Expression(this, n.a, angle.negative()), Expression(this, n.b, n.b_negative)};
-  const std::optional<std::array<Expression, 2>> both = terms(angle);
-  if (!both) return std::nullopt;
-  const auto& [x, y] = *both;
+  if (!is_sum(n)) return std::nullopt;
+  const auto [x, y] = terms(angle);
   if (!known_sine_cosine(x) && !known_sine_cosine(y)) return std::nullopt;
   const Expression sine_x = sin(x), cosine_x = cos(x), sine_y = sin(y), cosine_y = cos(y);
   const Expression first = sine_x * cosine_y, second = cosine_x * sine_y;
@@ -125,41 +123,49 @@ std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expressi
 }
 
 std::optional<Expression> Graph::folded_sum(const Expression& a, const Expression& b) {
-  const std::optional<std::array<Expression, 2>> terms_a = terms(a), terms_b = terms(b);
-  for (const auto& [terms, other] : {std::pair(terms_a, b), std::pair(terms_b, a)}) {
-    if (!terms) continue;
-    const auto& [first, second] = *terms;
+  const bool is_a_sum = is_sum(node_of(a)), is_b_sum = is_sum(node_of(b));
+  const auto folded = [&](const Expression& sum, const Expression& other) -> std::optional<Expression> {
+    const auto [first, second] = terms(sum);
     // (t + c1) + c2
-    if (other.is_constant() && first.is_constant()) return second + (first + other);
-    if (other.is_constant() && second.is_constant()) return first + (second + other);
+    if (is_constant(other.node())) {
+      if (is_constant(first.node())) return second + (first + other);
+      if (is_constant(second.node())) return first + (second + other);
+    }
     // (p + q) - q
     if (first.node() == other.node() && first.negative() != other.negative()) return second;
     if (second.node() == other.node() && second.negative() != other.negative()) return first;
-  }
+    return std::nullopt;
+  };
+  if (is_a_sum)
+    if (const auto result = folded(a, b)) return result;
+  if (is_b_sum)
+    if (const auto result = folded(b, a)) return result;
+  if (!is_a_sum || !is_b_sum) return std::nullopt;
   // (p + r) + (q - r)
-  if (terms_a && terms_b)
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t k = 0; k < 2; ++k)
-        if ((*terms_a)[i] == -(*terms_b)[k]) return (*terms_a)[1 - i] + (*terms_b)[1 - k];
+  const std::array<Expression, 2> terms_a = terms(a), terms_b = terms(b);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (terms_a[i].node() == terms_b[k].node() && terms_a[i].negative() != terms_b[k].negative())
+        return terms_a[1 - i] + terms_b[1 - k];
   return std::nullopt;
 }
 
 Expression Graph::add(Expression a, Expression b) {
-  if (is_constant(a.node()) && is_constant(b.node())) return constant(a.constant() + b.constant());
+  const Node x = node_of(a), y = node_of(b);
+  if (x.kind == Node::Kind::constant && y.kind == Node::Kind::constant) return constant(a.constant() + b.constant());
   if (a.node() == b.node()) {
-    if (a.negative() != b.negative()) return positive(0);
-    return constant(2.0) * a;
+    static const Constant two = Number(2.0);
+    return a.negative() == b.negative() ? constant(two) * a : positive(0);
   }
   // k1 t + k2 t
-  if (is_product(a.node()) || is_product(b.node())) {
+  if (is_product(x) || is_product(y)) {
     const Scaled split_a = split_factor(a.node()), split_b = split_factor(b.node());
     if (split_a.rest == split_b.rest) return constant(factor(a, split_a) + factor(b, split_b)) * positive(split_a.rest);
   }
-  if (is_sum(a.node()) || is_sum(b.node()))
+  if (is_sum(x) || is_sum(y))
     if (const std::optional<Expression> folded = folded_sum(a, b)) return *folded;
   // Canonical form: the operand that was made first stands first; a common sign moves outwards.
-  const bool ordered = a.node() < b.node();
-  if (!ordered) std::swap(a, b);
+  if (a.node() > b.node()) std::swap(a, b);
   const Expression sum =
       operation(a.negative() == b.negative() ? Op::add : Op::subtract, positive(a.node()), positive(b.node()));
   return a.negative() ? -sum : sum;
@@ -173,7 +179,7 @@ Expression Graph::multiply(Expression a, Expression b) {
   if (b.node() == 1) return Expression(this, a.node(), negative);
   // k1 (k2 t)
   if (is_a_constant || is_b_constant) {
-    const auto& [scale, product] = is_a_constant ? std::pair(a, b) : std::pair(b, a);
+    const Expression &scale = is_a_constant ? a : b, &product = is_a_constant ? b : a;
     const Scaled split = split_factor(product.node());
     if (split.rest != product.node()) return constant(scale.constant() * factor(product, split)) * positive(split.rest);
   }

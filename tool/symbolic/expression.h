@@ -64,13 +64,14 @@ class Expression {
 };
 
 struct Node {
-  enum class Kind { constant, input, operation };
+  enum class Kind : std::uint8_t { constant, input, operation };
   Kind kind = Kind::constant;
   Op op = Op::add;
-  int a = -1;  // constant: index into constants; input: flat element index; operation: first operand
-  int b = -1;
   bool a_negative = false;  // square roots only: everything else moves signs outwards, but for
   bool b_negative = false;  // the cosine of an arc tangent
+  int a = -1;               // constant: index into constants; input: flat element index; operation: first operand
+  int b = -1;
+  friend bool operator==(const Node&, const Node&) = default;
 };
 
 class Graph {
@@ -130,23 +131,17 @@ class Graph {
   friend Expression cos(const Expression&);
   friend Expression atan2(const Expression&, const Expression&);
 
-  struct Key {
-    std::uint64_t bits;
-    std::uint64_t kind;
-    std::uint64_t representative = 0;  // of a constant
-    friend bool operator==(const Key&, const Key&) = default;
-  };
-
   struct NodeName {
     std::string text;
     bool is_own = false;  // given by `name`
   };
 
   void set_name(const Expression& e, const std::string& name, bool is_own);
-  Key key(const Node& n) const;
-  static std::uint32_t hash(const Key& k);
-  // Where in known_ the node with this key, and the hash of it, stands, or would stand.
-  std::size_t slot(const Key& k, std::uint32_t hash) const;
+  std::uint32_t hash(const Node& n) const;
+  // The same operation, input or constant.
+  bool is_same(const Node& m, const Node& n) const;
+  // Where in known_ a node with this hash that is the same stands, or would stand.
+  std::size_t slot(const Node& n, std::uint32_t hash) const;
   void grow();
   int intern(const Node& n);
   Expression operation(Op op, const Expression& a, const Expression& b);
@@ -155,14 +150,9 @@ class Graph {
   std::optional<Expression> folded_sum(const Expression& a, const Expression& b);
   Expression multiply(Expression a, Expression b);
   bool is_constant(int node) const { return nodes_[static_cast<std::size_t>(node)].kind == Node::Kind::constant; }
-  bool is_product(int node) const {
-    const Node& n = nodes_[static_cast<std::size_t>(node)];
-    return n.kind == Node::Kind::operation && n.op == Op::multiply;
-  }
-  bool is_sum(int node) const {
-    const Node& n = nodes_[static_cast<std::size_t>(node)];
-    return n.kind == Node::Kind::operation && symbolic::is_sum(n.op);
-  }
+  static bool is_product(const Node& n) { return n.kind == Node::Kind::operation && n.op == Op::multiply; }
+  static bool is_sum(const Node& n) { return n.kind == Node::Kind::operation && symbolic::is_sum(n.op); }
+  const Node& node_of(const Expression& e) const { return nodes_[static_cast<std::size_t>(e.node())]; }
   Expression positive(int node) { return Expression(this, node, false); }
   // A node as factor * rest; factor is a constant's node, and 1's when it has none.
   struct Scaled {
@@ -174,17 +164,17 @@ class Graph {
   // The sine and the cosine of an arc tangent, or of a sum or difference with one in it.
   std::optional<std::array<Expression, 2>> known_sine_cosine(const Expression& angle);
   // The two terms of a sum or difference.
-  std::optional<std::array<Expression, 2>> terms(const Expression& x);
+  std::array<Expression, 2> terms(const Expression& x);
 
   bool names_matter_ = true;
   std::vector<Node> nodes_;
   std::vector<Constant> constants_;
-  std::vector<int> section_of_;
   std::vector<NodeName> names_;  // up to the last node that has one
   std::vector<Section> sections_;
-  // Nodes by their keys: open addressing, no more than half full, -1 where none is. The last node can be taken out by
-  // clearing its place, since none came after it. Most other nodes that a search passes have another hash: their keys
-  // need not be looked at.
+  std::vector<std::size_t> section_starts_;  // by section: its first node, or the first after it where it has none
+  // Nodes by what they are: open addressing, no more than half full, -1 where none is. The last node can be taken out
+  // by clearing its place, since none came after it. Most other nodes that a search passes have another hash, and need
+  // not be looked at.
   struct KnownNode {
     std::uint32_t hash = 0;
     int node = -1;

@@ -39,23 +39,39 @@ void name_statements(Program& p) {
 
 Graph::Graph() : known_(2 * kUsualNodes) {
   nodes_.reserve(kUsualNodes);
-  section_of_.reserve(kUsualNodes);
   sections_.push_back({"", "t"});
+  section_starts_.push_back(0);
   constant(0.0);
   constant(1.0);
 }
 
-std::uint32_t Graph::hash(const Key& k) {
-  std::uint64_t h = k.bits * 0x9e3779b97f4a7c15ULL ^ (k.kind + 0x7f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
-  h ^= h >> 29;
-  h *= 0x94d049bb133111ebULL;
-  return static_cast<std::uint32_t>(h ^ (h >> 32));
+std::uint32_t Graph::hash(const Node& n) const {
+  std::uint64_t h = 0;
+  if (n.kind == Node::Kind::constant) {
+    h = std::bit_cast<std::uint64_t>(constant_of(n).value());
+  } else {
+    const std::uint64_t a = static_cast<std::uint32_t>(n.a), b = static_cast<std::uint32_t>(n.b);
+    h = (a << 32 | b) +
+        (static_cast<std::uint64_t>(n.op) + (n.kind == Node::Kind::input ? 16 : 0)) * 0x9fb21c651e98df25ULL;
+  }
+  h *= 0x9e3779b97f4a7c15ULL;
+  h = (h ^ h >> 32) * 0x94d049bb133111ebULL;
+  return static_cast<std::uint32_t>(h >> 32);
 }
 
-std::size_t Graph::slot(const Key& k, std::uint32_t hash) const {
+bool Graph::is_same(const Node& m, const Node& n) const {
+  if (n.kind != Node::Kind::constant) return m == n;
+  if (m.kind != Node::Kind::constant) return false;
+  const Constant &a = constant_of(m), &b = constant_of(n);
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  return bits(a.value()) == bits(b.value()) && bits(a.representative()) == bits(b.representative()) &&
+         a.number().is_pi_multiple() == b.number().is_pi_multiple();
+}
+
+std::size_t Graph::slot(const Node& n, std::uint32_t hash) const {
   const std::size_t mask = known_.size() - 1;
   std::size_t place = hash & mask;
-  while (known_[place].node >= 0 && (known_[place].hash != hash || !(key(nodes_[at(known_[place].node)]) == k)))
+  while (known_[place].node >= 0 && (known_[place].hash != hash || !is_same(nodes_[at(known_[place].node)], n)))
     place = (place + 1) & mask;
   return place;
 }
@@ -73,33 +89,17 @@ void Graph::grow() {
   }
 }
 
-Graph::Key Graph::key(const Node& n) const {
-  const auto kind = static_cast<std::uint64_t>(n.kind);
-  if (n.kind == Node::Kind::constant) {
-    const Constant& value = constant_of(n);
-    return {
-        std::bit_cast<std::uint64_t>(value.value()), kind * 64 + (value.number().is_pi_multiple() ? 1 : 0),
-        std::bit_cast<std::uint64_t>(value.representative())};
-  }
-  const std::uint64_t a = static_cast<std::uint32_t>(n.a);
-  const std::uint64_t b = static_cast<std::uint32_t>(n.b);
-  return {
-      a << 32 | b, kind * 64 + static_cast<std::uint64_t>(n.op) * 2 + (n.a_negative ? 1 : 0) + (n.b_negative ? 32 : 0)};
-}
-
 int Graph::intern(const Node& n) {
-  const Key wanted = key(n);
-  const std::uint32_t own = hash(wanted);
-  std::size_t place = slot(wanted, own);
+  const std::uint32_t own = hash(n);
+  std::size_t place = slot(n, own);
   if (known_[place].node >= 0) return known_[place].node;
   const auto node = static_cast<int>(nodes_.size());
   if (2 * (nodes_.size() + 1) > known_.size()) {
     grow();
-    place = slot(wanted, own);
+    place = slot(n, own);
   }
   known_[place] = {own, node};
   nodes_.push_back(n);
-  section_of_.push_back(static_cast<int>(sections_.size()) - 1);
   return node;
 }
 
@@ -125,12 +125,12 @@ Expression Graph::input(int element) {
 
 void Graph::rollback(std::size_t mark) {
   while (nodes_.size() > mark) {
-    const Key last = key(nodes_.back());
+    const Node& last = nodes_.back();
     known_[slot(last, hash(last))] = {};
     nodes_.pop_back();
-    section_of_.pop_back();
   }
   names_.resize(std::min(names_.size(), mark));
+  for (std::size_t s = section_starts_.size(); s-- > 0 && section_starts_[s] > mark;) section_starts_[s] = mark;
 }
 
 int Graph::cost_since(std::size_t mark) const {
@@ -139,15 +139,16 @@ int Graph::cost_since(std::size_t mark) const {
   for (std::size_t i = mark; i < nodes_.size(); ++i) {
     const Node& n = nodes_[i];
     if (n.kind != Node::Kind::operation) continue;
-    const bool sum = n.op == Op::add || n.op == Op::subtract;
-    const bool swallows = sum && (is_product(n.a) || is_product(n.b));
+    const bool swallows = is_sum(n) && (is_product(nodes_[at(n.a)]) || is_product(nodes_[at(n.b)]));
     cost += n.op == Op::divide || n.op == Op::square_root ? kDivision : swallows ? 1 : is_binary(n.op) ? 2 : 0;
   }
   return cost;
 }
 
 void Graph::begin_section(std::string title, std::string prefix) {
-  if (names_matter_) sections_.push_back({std::move(title), std::move(prefix)});
+  if (!names_matter_) return;
+  sections_.push_back({std::move(title), std::move(prefix)});
+  section_starts_.push_back(nodes_.size());
 }
 
 void Graph::name(const Expression& e, const std::string& name) {
@@ -212,7 +213,9 @@ Program Graph::program(
   std::vector<int> new_section(sections_.size(), -1);
   std::vector<Operand> operand_of(nodes_.size());
   p.statements.reserve(operations);
+  std::size_t section = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    while (section + 1 < sections_.size() && section_starts_[section + 1] <= i) ++section;
     if (!reachable[i]) continue;
     const Node& n = nodes_[i];
     Operand& here = operand_of[i];
@@ -222,7 +225,6 @@ Program Graph::program(
     } else if (n.kind == Node::Kind::input) {
       here = {Operand::Kind::input, n.a, false};
     } else {
-      const auto section = at(section_of_[i]);
       if (new_section[section] < 0) {
         new_section[section] = static_cast<int>(p.sections.size());
         p.sections.push_back(sections_[section]);

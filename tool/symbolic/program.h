@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,18 @@ namespace robcogen::symbolic {
 
 // The arc tangent is that of two numbers: the angle, from -PI to PI, whose sine is the first and whose cosine is the
 // second. The last two occur in programs with lanes only: several scalars as one value, and the sum of a value's lanes.
-enum class Op { add, subtract, multiply, divide, square_root, sine, cosine, arc_tangent, gather, sum_lanes };
+enum class Op : std::uint8_t {
+  add,
+  subtract,
+  multiply,
+  divide,
+  square_root,
+  sine,
+  cosine,
+  arc_tangent,
+  gather,
+  sum_lanes
+};
 
 constexpr bool is_binary(Op op) {
   return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide || op == Op::arc_tangent;

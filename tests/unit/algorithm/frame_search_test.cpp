@@ -1,6 +1,5 @@
 // Link frames that the search finds: cheaper than those of the model, with the same results.
 #include "algorithm/search/frame_search.h"
-#include "algorithm/search/trials.h"
 
 #include <cmath>
 #include <map>
@@ -20,6 +19,8 @@ double value(const model::Quantity& q) {
 symbolic::Program inertia(const model::KinematicTree& tree, const Formulation& formulation) {
   return joint_space_inertia(tree, "H", formulation);
 }
+
+const TraceOf kInertia = trace_joint_space_inertia;
 
 // The second rod of a planar arm, given in axes that its mass is not on.
 model::KinematicTree crooked_arm() {
@@ -43,7 +44,7 @@ model::KinematicTree crooked_arm() {
 
 TEST(FrameSearch, PutsTheAxisThroughTheMass) {
   const model::KinematicTree tree = crooked_arm();
-  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inertia);
+  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, kInertia);
   ASSERT_EQ(frames.size(), 2U);
   const double turn = value(frames[1].turn);
   EXPECT_NEAR(std::remainder(turn - std::atan2(0.25, 0.5), std::numbers::pi / 2), 0.0, 1e-12) << turn;
@@ -52,23 +53,27 @@ TEST(FrameSearch, PutsTheAxisThroughTheMass) {
 
 TEST(FrameSearch, FindsTheSameAgain) {
   const model::KinematicTree tree = crooked_arm();
-  const auto text = [&] { return description(tree, cheap_frames(tree, {.effort = 1}, inertia)); };
+  const auto text = [&] { return description(tree, cheap_frames(tree, {.effort = 1}, kInertia)); };
   EXPECT_EQ(text(), text());
   EXPECT_NE(text(), "");
 }
 
 TEST(FrameSearch, LeavesFramesWithoutEffort) {
   const model::KinematicTree tree = crooked_arm();
-  EXPECT_TRUE(cheap_frames(tree, {}, inertia).empty());
-  EXPECT_TRUE(cheap_frames(tree, {.choose_frames = false, .turn_inertia = false, .effort = 1}, inertia).empty());
-  for (const LinkFrame& frame : cheap_frames(tree, {.choose_frames = false, .effort = 1}, inertia))
+  EXPECT_TRUE(cheap_frames(tree, {}, kInertia).empty());
+  EXPECT_TRUE(cheap_frames(tree, {.choose_frames = false, .turn_inertia = false, .effort = 1}, kInertia).empty());
+  for (const LinkFrame& frame : cheap_frames(tree, {.choose_frames = false, .effort = 1}, kInertia))
     EXPECT_TRUE(frame.turn.is_zero() && frame.slide.is_zero());
-  for (const LinkFrame& frame : cheap_frames(tree, {.turn_inertia = false, .effort = 1}, inertia))
+  for (const LinkFrame& frame : cheap_frames(tree, {.turn_inertia = false, .effort = 1}, kInertia))
     EXPECT_TRUE(frame.turns_with_joint);
 }
 
 symbolic::Program inverse_dynamics(const model::KinematicTree& tree, const Formulation& formulation) {
   return newton_euler(tree, "tau", Loads::standard_gravity, formulation);
+}
+
+void trace_inverse_dynamics(Trace& trace, const Formulation& formulation) {
+  trace_newton_euler(trace, Loads::standard_gravity, formulation);
 }
 
 class SearchOf : public testing::TestWithParam<int> {
@@ -86,16 +91,19 @@ class SearchOf : public testing::TestWithParam<int> {
 
 // The whole chain is what each of its joints has to do with: no step of the search raises its cost.
 TEST_P(SearchOf, FramesCostNoMoreThanTheModels) {
-  for (const TraceOf& trace : {TraceOf(inertia), TraceOf(inverse_dynamics)}) {
+  using Function = symbolic::Program (*)(const model::KinematicTree&, const Formulation&);
+  const std::vector<std::pair<TraceOf, Function>> functions = {
+      {kInertia, inertia}, {trace_inverse_dynamics, inverse_dynamics}};
+  for (const auto& [trace, function] : functions) {
     const LinkFrames frames = cheap_frames(tree, {.effort = 1}, trace);
-    const symbolic::Program found = trace(tree, {.frames = frames, .is_draft = true});
-    const symbolic::Program of_model = trace(tree, {.frames = LinkFrames(kJoints), .is_draft = true});
+    const symbolic::Program found = function(tree, {.frames = frames, .is_draft = true});
+    const symbolic::Program of_model = function(tree, {.frames = LinkFrames(kJoints), .is_draft = true});
     EXPECT_LE(symbolic::work(found), symbolic::work(of_model));
   }
 }
 
 TEST_P(SearchOf, FramesKeepTheResults) {
-  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inverse_dynamics);
+  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, trace_inverse_dynamics);
   const std::vector<double> expected = run(inverse_dynamics(tree, plain_formulation()), state);
   const std::vector<double> found = run(inverse_dynamics(tree, {.frames = frames}), state);
   double size = 0;  // of the forces: some thousand newtons where velocities are a few rad/s
@@ -108,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(, SearchOf, testing::Range(0, 8));
 // Crooked shanks whose axis through the mass is at the same angle, or at the opposite one.
 TEST(FrameSearch, LimbsOfOneShapeGetCorrespondingFrames) {
   const model::KinematicTree tree = two_legs(0.125, -0.125);
-  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, inertia);
+  const LinkFrames frames = cheap_frames(tree, {.effort = 1}, kInertia);
   const auto frame = [&](const char* joint) { return frames.at(static_cast<std::size_t>(*tree.find_joint(joint))); };
   EXPECT_NE(value(frame("L_knee").turn), 0.0);
   EXPECT_NEAR(value(frame("L_knee").turn), -value(frame("R_knee").turn), kByHand);
@@ -122,38 +130,13 @@ TEST(FrameSearch, LimbsOfOneShapeGetCorrespondingFrames) {
 TEST(FrameSearch, SearchesLimbsOfOneShapeOnce) {
   const model::KinematicTree tree = two_legs(0.125, -0.125);
   std::map<char, int> traces;  // by the first letter of the joints
-  cheap_frames(tree, {.effort = 1}, [&](const model::KinematicTree& part, const Formulation& formulation) {
-    if (part.joints.size() < tree.joints.size()) ++traces[part.joints.front().name[0]];
-    return inertia(part, formulation);
+  cheap_frames(tree, {.effort = 1}, [&](Trace& trace, const Formulation& formulation) {
+    if (trace.tree.joints.size() < tree.joints.size()) ++traces[trace.tree.joints.front().name[0]];
+    trace_joint_space_inertia(trace, formulation);
   });
   EXPECT_GE(traces['L'], 10);
   EXPECT_GE(traces['R'], 1);
   EXPECT_LE(traces['R'], 5);
-}
-
-TEST(Trials, TraceTheSameFramesOnce) {
-  const model::KinematicTree tree = crooked_arm();
-  Trials trials;
-  int traces = 0;
-  const auto work_in = [&](double turn, model::Quantity slide) {
-    const LinkFrames frames = {{}, {model::Quantity(turn), std::move(slide)}};
-    return trials
-        .in_frames(
-            frames,
-            [&] {
-              ++traces;
-              return inertia(tree, {.frames = frames, .is_draft = true});
-            })
-        .work;
-  };
-  const int first = work_in(0.5, model::Quantity(0.0));
-  EXPECT_EQ(work_in(0.5, model::Quantity(0.0)), first);
-  EXPECT_EQ(traces, 1);
-  work_in(0.25, model::Quantity(0.0));
-  work_in(0.5, model::Quantity(0.125));
-  EXPECT_EQ(traces, 3);
-  EXPECT_EQ(work_in(0.5, model::Quantity(0.0)), first);
-  EXPECT_EQ(traces, 3);
 }
 
 }  // namespace

@@ -185,11 +185,15 @@ std::vector<std::string> coordinate_names(const model::KinematicTree& tree) {
   return names_of_rows(tree, tree.coordinates());
 }
 
-Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
-  Trace trace(tree);
+void trace_joint_space_inertia(Trace& trace, const Formulation& formulation) {
   const StateInputs in(trace, {State::position});
   const SquareMatrix H = joint_space_inertia(TracedRobot(trace, in.q, formulation));
   trace.output("H", Role::inertia_matrix, H.size(), H.size(), H.columns());
+}
+
+Program joint_space_inertia(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
+  Trace trace(tree);
+  trace_joint_space_inertia(trace, formulation);
   return trace.program(name);
 }
 

@@ -3,6 +3,9 @@
 // Conventions of all of them: SI units; joint arrays in the order of the document's joints; 6D vectors angular first;
 // base twist, base acceleration (spatial, gravity not included), gravity and base wrench in base coordinates about the
 // base origin; an external wrench acts on its link, in link coordinates about the link's origin.
+//
+// Those that are compared in many formulations are traced without making their programs, too: into a new Trace, whose
+// inputs and outputs they declare.
 #pragma once
 
 #include <string>
@@ -22,6 +25,7 @@ symbolic::Program newton_euler(
     const std::string& name,
     Loads loads,
     const Formulation& formulation = {});
+void trace_newton_euler(Trace& trace, Loads loads, const Formulation& formulation);
 
 // Floating base that nothing holds (Featherstone 2008, table 9.6): q, qd, qdd, base_velocity -> tau, base_acceleration.
 symbolic::Program unactuated_base_inverse_dynamics(
@@ -29,6 +33,7 @@ symbolic::Program unactuated_base_inverse_dynamics(
     const std::string& name,
     Loads loads,
     const Formulation& formulation = {});
+void trace_unactuated_base_inverse_dynamics(Trace& trace, Loads loads, const Formulation& formulation);
 
 // Forces at zero acceleration, passive forces of drives included: q, qd [, base_velocity] -> tau [, base_wrench].
 symbolic::Program bias_forces(
@@ -77,6 +82,7 @@ symbolic::Program forward_dynamics(
     const std::string& name,
     Loads loads,
     const ForwardDynamicsChoice& choice);
+void trace_forward_dynamics(Trace& trace, Loads loads, const ForwardDynamicsChoice& choice);
 
 // Composite-rigid-body algorithm (Featherstone 2008, table 6.2): q -> H, n x n, or (6 + n) x (6 + n) base first. The
 // zeros that branches induce are literal.
@@ -84,6 +90,7 @@ symbolic::Program joint_space_inertia(
     const model::KinematicTree& tree,
     const std::string& name,
     const Formulation& formulation = {});
+void trace_joint_space_inertia(Trace& trace, const Formulation& formulation);
 
 // L of H = L^T L with the sparsity that branches induce (Featherstone 2008, sec. 6.5): q -> L, of the size of H, and
 // the reciprocals of its diagonal. L(i, j) is a literal zero unless j is i or an ancestor of i; so L is lower
@@ -125,6 +132,7 @@ symbolic::Program inverse_dynamics_derivatives(
     const std::string& name,
     Loads loads,
     const Formulation& formulation = {});
+void trace_inverse_dynamics_derivatives(Trace& trace, Loads loads, const Formulation& formulation);
 
 // The same of a base that nothing holds: q, qd, qdd, base_velocity -> tau, base_acceleration, d_q, d_qd, d_qdd,
 // d_base_rotation, d_base_velocity, rows of the base acceleration first.

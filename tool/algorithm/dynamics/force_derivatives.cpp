@@ -317,12 +317,8 @@ void fill_free_fall(Trace& trace, const Vector3& base_w, const Vector3& gravity,
   }
 }
 
-Program inverse_dynamics_derivatives(
-    const model::KinematicTree& tree,
-    const std::string& name,
-    Loads loads,
-    const Formulation& formulation) {
-  Trace trace(tree);
+void trace_inverse_dynamics_derivatives(Trace& trace, Loads loads, const Formulation& formulation) {
+  const model::KinematicTree& tree = trace.tree;
   const StateInputs in = motion_inputs(trace);
   const TracedMotion motion(trace, in, loads, formulation);
   const Forces& forces = motion.forces;
@@ -338,6 +334,15 @@ Program inverse_dynamics_derivatives(
     trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
     trace.output("d_base_acceleration", Role::matrix, rows, d.base_acceleration);
   }
+}
+
+Program inverse_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  trace_inverse_dynamics_derivatives(trace, loads, formulation);
   return trace.program(name);
 }
 

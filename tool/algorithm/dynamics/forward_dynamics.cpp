@@ -61,12 +61,8 @@ bool allows_articulated_bodies(const model::KinematicTree& tree) {
   });
 }
 
-symbolic::Program forward_dynamics(
-    const model::KinematicTree& tree,
-    const std::string& name,
-    Loads loads,
-    const ForwardDynamicsChoice& choice) {
-  Trace trace(tree);
+void trace_forward_dynamics(Trace& trace, Loads loads, const ForwardDynamicsChoice& choice) {
+  const model::KinematicTree& tree = trace.tree;
   StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, choice.formulation);
@@ -76,6 +72,15 @@ symbolic::Program forward_dynamics(
       by_matrix ? by_inertia_matrix(robot, in, load).motion : by_articulated_bodies(robot, in, load);
   trace.output("qdd", Role::joint_acceleration, motion.qdd);
   if (tree.floating_base) trace.output("base_acceleration", Role::base_acceleration, motion.base_acceleration);
+}
+
+symbolic::Program forward_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const ForwardDynamicsChoice& choice) {
+  Trace trace(tree);
+  trace_forward_dynamics(trace, loads, choice);
   return trace.program(name);
 }
 

@@ -85,9 +85,13 @@ class Recursion {
   }
 };
 
-Program write_forces(Trace& trace, const std::string& name, const Forces& forces) {
+void output(Trace& trace, const Forces& forces) {
   trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
   if (trace.tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
+}
+
+Program write_forces(Trace& trace, const std::string& name, const Forces& forces) {
+  output(trace, forces);
   return trace.program(name);
 }
 
@@ -130,14 +134,19 @@ std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expressio
   return missing;
 }
 
+void trace_newton_euler(Trace& trace, Loads loads, const Formulation& formulation) {
+  const StateInputs in = motion_inputs(trace);
+  output(trace, TracedMotion(trace, in, loads, formulation).forces);
+}
+
 Program newton_euler(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,
     const Formulation& formulation) {
   Trace trace(tree);
-  const StateInputs in = motion_inputs(trace);
-  return write_forces(trace, name, TracedMotion(trace, in, loads, formulation).forces);
+  trace_newton_euler(trace, loads, formulation);
+  return trace.program(name);
 }
 
 Program bias_forces(

@@ -37,12 +37,7 @@ FreeRobot free_robot(const TracedRobot& robot, const StateInputs& in, const Load
 
 }  // namespace
 
-symbolic::Program unactuated_base_inverse_dynamics(
-    const model::KinematicTree& tree,
-    const std::string& name,
-    Loads loads,
-    const Formulation& formulation) {
-  Trace trace(tree);
+void trace_unactuated_base_inverse_dynamics(Trace& trace, Loads loads, const Formulation& formulation) {
   const StateInputs in(trace, {State::position, State::velocity, State::acceleration, State::base_velocity});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
@@ -52,6 +47,15 @@ symbolic::Program unactuated_base_inverse_dynamics(
   add_passive_forces(trace, in, tau);
   trace.output("tau", Role::joint_force, by_coordinate(trace, tau));
   trace.output("base_acceleration", Role::base_acceleration, free.acceleration);
+}
+
+symbolic::Program unactuated_base_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  trace_unactuated_base_inverse_dynamics(trace, loads, formulation);
   return trace.program(name);
 }
 

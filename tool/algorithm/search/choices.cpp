@@ -36,17 +36,16 @@ Formulation FormulationChoices::with_representatives(Formulation formulation) co
 const Formulation& FormulationChoices::newton_euler() {
   return newton_euler_.get([&] {
     if (original_) return with_representatives(original_->newton_euler());
-    return searched(common_, [&](const KinematicTree& part, const Formulation& f) {
-      return algorithm::newton_euler(part, "inverse_dynamics", default_loads(tree()), f);
-    });
+    return searched(
+        common_, [&](Trace& trace, const Formulation& f) { trace_newton_euler(trace, default_loads(tree()), f); });
   });
 }
 
 const Formulation& FormulationChoices::unactuated_base() {
   return unactuated_base_.get([&] {
     if (original_) return with_representatives(original_->unactuated_base());
-    return searched(newton_euler(), [](const KinematicTree& part, const Formulation& f) {
-      return unactuated_base_inverse_dynamics(part, "inverse_dynamics", Loads::gravity, f);
+    return searched(newton_euler(), [](Trace& trace, const Formulation& f) {
+      trace_unactuated_base_inverse_dynamics(trace, Loads::gravity, f);
     });
   });
 }
@@ -54,17 +53,15 @@ const Formulation& FormulationChoices::unactuated_base() {
 const Formulation& FormulationChoices::inertia() {
   return inertia_.get([&] {
     if (original_) return with_representatives(original_->inertia());
-    return searched(common_, [](const KinematicTree& part, const Formulation& f) {
-      return joint_space_inertia(part, "joint_space_inertia", f);
-    });
+    return searched(common_, [](Trace& trace, const Formulation& f) { trace_joint_space_inertia(trace, f); });
   });
 }
 
 const Formulation& FormulationChoices::inverse_dynamics_derivatives() {
   return inverse_dynamics_derivatives_.get([&] {
     if (original_) return with_representatives(original_->inverse_dynamics_derivatives());
-    return searched(newton_euler(), [&](const KinematicTree& part, const Formulation& f) {
-      return algorithm::inverse_dynamics_derivatives(part, "inverse_dynamics_derivatives", default_loads(tree()), f);
+    return searched(newton_euler(), [&](Trace& trace, const Formulation& f) {
+      trace_inverse_dynamics_derivatives(trace, default_loads(tree()), f);
     });
   });
 }

@@ -29,11 +29,11 @@ bool is_elimination_cheap(const model::KinematicTree& tree) {
 ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation) {
   const Loads loads = default_loads(tree);
   const auto cheapest = [&](ForwardDynamicsMethod method) {
-    const auto trace = [&](const model::KinematicTree& part, const Formulation& tried) {
-      return forward_dynamics(part, kName, loads, {method, tried});
+    const auto trace_of = [&](Trace& trace, const Formulation& tried) {
+      trace_forward_dynamics(trace, loads, {method, tried});
     };
     ForwardDynamicsChoice choice{method, formulation};
-    choice.formulation.frames = cheap_frames(tree, formulation, trace);
+    choice.formulation.frames = cheap_frames(tree, formulation, trace_of);
     return choice;
   };
   const auto time = [&](const ForwardDynamicsChoice& choice) {

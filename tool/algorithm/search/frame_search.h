@@ -1,16 +1,9 @@
 // The search for link frames in which a program costs least.
 #pragma once
 
-#include <functional>
-#include <vector>
-
-#include "algorithm/formulation/formulation.h"
-#include "symbolic/program.h"
+#include "algorithm/search/limb_trials.h"
 
 namespace robcogen::algorithm {
-
-// Traces the program for which frames are searched, of the whole robot or of a part of it.
-using TraceOf = std::function<symbolic::Program(const model::KinematicTree&, const Formulation&)>;
 
 // Coordinate descent, link by link from the base: directions of common normals, of first moments and principal axes
 // for the turn; feet of common normals and points where products of inertia vanish for the slide; with and without the

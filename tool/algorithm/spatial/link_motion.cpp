@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace robcogen::algorithm {
 namespace {
 
-// Which expression of the moment n = axial(U S): three ways to write the same vector.
+// Which expression of the z component of the moment n = axial(U S): two ways to write the same number.
 enum class MomentForm {
-  products,   // all components from products of U and S
-  z_by_rate,  // z component as wd_z I_zz + w_x w_y (S_xx - S_yy) + …
-  euler,      // I wd + w x I w
+  products,  // of U and S
+  by_rate,   // wd_z I_zz + w_x w_y (S_xx - S_yy) + …
 };
 
 // w x momentum * rate. Of a constant momentum along three axes in multiples of its largest component: a product less.
@@ -32,15 +30,18 @@ Vector3 gyroscopic_moment(const Vector3& w, const Spin& spin) {
   return cross(rate * w, direction);
 }
 
-Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, MomentForm form) {
+// The whole vector as I wd + w x I w.
+Vector3 euler_moment(const MassProperties& m, const AngularState& state) {
+  const Matrix3 inertia = inertia_tensor(m);
+  const Vector3 euler = multiply(inertia, state.wd);
+  return euler + cross(state.w, multiply(inertia, state.w));
+}
+
+// Its x and y components from products of U and S; z is zero.
+Vector3 moment_across(const MassProperties& m, const AngularState& state) {
   const Matrix3& s = m.pseudo_inertia;
-  const Vector3 &w = state.w, &wd = state.wd;
+  const Vector3& w = state.w;
   const auto u = [&](std::size_t row, std::size_t column) { return state.u(row, column); };
-  if (form == MomentForm::euler) {
-    const Matrix3 inertia = inertia_tensor(m);
-    const Vector3 euler = multiply(inertia, wd);
-    return euler + cross(w, multiply(inertia, w));
-  }
   const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
   if (!state.link.empty()) {
     describe(xx, state.link + "_wx2");
@@ -58,6 +59,13 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
   ny += u(0, 2) * s[2][2];
   ny -= u(2, 0) * s[0][0];
   ny -= u(2, 1) * s[0][1];
+  return {nx, ny, Expression()};
+}
+
+Expression moment_about_z(const MassProperties& m, const AngularState& state, MomentForm form) {
+  const Matrix3& s = m.pseudo_inertia;
+  const Vector3 &w = state.w, &wd = state.wd;
+  const auto u = [&](std::size_t row, std::size_t column) { return state.u(row, column); };
   Expression nz;
   if (form == MomentForm::products) {
     nz = u(1, 0) * s[0][0];
@@ -67,10 +75,33 @@ Vector3 moment_about_origin(const MassProperties& m, const AngularState& state, 
     const Expression product = w[0] * w[1];
     nz += product * (s[0][0] - s[1][1]);
   }
+  const Expression xx = w[0] * w[0], yy = w[1] * w[1];
   nz += (yy - xx) * s[0][1];
   nz += u(1, 2) * s[0][2];
   nz -= u(0, 2) * s[1][2];
-  return {nx, ny, nz};
+  return nz;
+}
+
+// The form that adds fewest operations; `completed` adds what is the same in all forms.
+template <class Complete>
+Vector3 cheapest_moment(Graph& graph, const MassProperties& m, const AngularState& state, const Complete& completed) {
+  const std::size_t start = graph.mark();
+  completed(euler_moment(m, state));
+  const int of_euler = graph.cost_since(start);
+  graph.rollback(start);
+  const auto moment = [&](const Vector3& across, MomentForm form) {
+    return completed({across[0], across[1], moment_about_z(m, state, form)});
+  };
+  const Vector3 across = moment_across(m, state);
+  const std::size_t middle = graph.mark();
+  moment(across, MomentForm::products);
+  const int of_products = graph.cost_since(start);
+  graph.rollback(middle);
+  const Vector3 by_rate = moment(across, MomentForm::by_rate);
+  if (graph.cost_since(start) <= std::min(of_products, of_euler)) return by_rate;
+  graph.rollback(start);
+  if (of_euler < of_products) return completed(euler_moment(m, state));
+  return moment(moment_across(m, state), MomentForm::products);
 }
 
 }  // namespace
@@ -118,28 +149,14 @@ Force link_wrench(
     wrench.linear = multiply_u(motion.angular, m.first_moment);
     if (!m.mass.is_zero()) wrench.linear += m.mass * motion.a;
   }
-  const auto moment = [&](MomentForm form) {
-    Vector3 n = moment_about_origin(m, motion.angular, form);
+  wrench.moment = cheapest_moment(trace.graph, m, motion.angular, [&](Vector3 n) {
     n += cross(m.first_moment, motion.a);
     for (const Spin& spin : spins) {
       n += spin.acceleration * spin.momentum;
       n += gyroscopic_moment(motion.angular.w, spin);
     }
     return only_z_moment ? Vector3{Expression(), Expression(), n[2]} : n;
-  };
-  MomentForm best = MomentForm::z_by_rate;
-  int least = std::numeric_limits<int>::max();
-  for (MomentForm form : {MomentForm::z_by_rate, MomentForm::products, MomentForm::euler}) {
-    const std::size_t before = trace.graph.mark();
-    moment(form);
-    const int cost = trace.graph.cost_since(before);
-    trace.graph.rollback(before);
-    if (cost < least) {
-      least = cost;
-      best = form;
-    }
-  }
-  wrench.moment = moment(best);
+  });
   return wrench;
 }
 

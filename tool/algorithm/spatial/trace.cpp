@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "symbolic/count.h"
+
 namespace robcogen::algorithm {
 
 using model::Quantity;
@@ -337,6 +339,12 @@ Vector3 ProgramTrace::lift(const std::array<Quantity, 3>& q, const std::vector<E
 
 symbolic::Program ProgramTrace::program(const std::string& name) const {
   return graph.program(name, inputs_, shapes_, outputs_);
+}
+
+symbolic::Weight ProgramTrace::weight() const {
+  symbolic::Weight weight = symbolic::weight(graph, outputs_);
+  if (!parameters_.empty()) weight.work = symbolic::work(program(""));
+  return weight;
 }
 
 }  // namespace robcogen::algorithm

@@ -8,6 +8,7 @@
 #include "algorithm/spatial/motion_force.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
+#include "symbolic/weight.h"
 
 namespace robcogen::algorithm {
 
@@ -44,6 +45,8 @@ class ProgramTrace {
   Vector3 lift(const std::array<model::Quantity, 3>& q, const std::vector<Expression>& variables = {});
 
   symbolic::Program program(const std::string& name) const;
+  // What that program costs, without making it unless the model has parameters.
+  symbolic::Weight weight() const;
 
  protected:
   std::vector<symbolic::InputArray> inputs_;
