@@ -37,6 +37,7 @@ install(
         cmake/RobcogenProcessors.cmake
         cmake/RobcogenPython.cmake
         cmake/RobcogenTool.cmake
+        cmake/RobcogenUnity.cmake
         cmake/RobcogenComplete.cmake
         cmake/RobcogenRealTime.cmake
         cmake/RobcogenTransforms.cmake

@@ -92,18 +92,19 @@ function(_robcogen_set_levels target)
   endif()
   # clang fuses products and sums within one expression only, and not through the operators of a class. Square roots of
   # lanes are inlined when they do not report errors.
+  set(batch "(batch/[a-z_]+|united/batch_[0-9]+)")
   set(all -fno-math-errno $<$<CXX_COMPILER_ID:Clang>:-ffp-contract=fast>)
   foreach(source IN LISTS sources)
-    if(source MATCHES "/batch/[a-z_]+_baseline\\.cpp$")
+    if(source MATCHES "/${batch}_baseline\\.cpp$")
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${all})
-    elseif(source MATCHES "/(kernels|batch/[a-z_]+)_(avx2|avx512)\\.cpp$")
-      _robcogen_level_options(${CMAKE_MATCH_2} options)
+    elseif(source MATCHES "/(kernels|${batch})_(avx2|avx512)\\.cpp$")
+      _robcogen_level_options(${CMAKE_MATCH_3} options)
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${options} ${all})
     endif()
     # gcc orders the instructions of the highest level's kernels by latency, as long as registers last: 4 % faster on average.
     # Bodies over many states would take up to a half longer: there, registers do not last.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
-       AND (source MATCHES "/kernels_(avx2|avx512)\\.cpp$" OR (NOT library_levels AND NOT source MATCHES "/batch(/[a-z_0-9]+)?\\.cpp$")))
+       AND (source MATCHES "/kernels_(avx2|avx512)\\.cpp$" OR (NOT library_levels AND NOT source MATCHES "/(batch|${batch}_[a-z0-9]+)\\.cpp$")))
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fschedule-insns -fsched-pressure -fschedule-insns2)
     endif()
   endforeach()

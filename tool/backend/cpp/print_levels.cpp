@@ -75,9 +75,14 @@ std::string if_compiled(const std::string& level, const std::string& text) {
   return "#ifdef ROBCOGEN_WITH_" + upper_case(level) + "\n" + text + "#endif\n";
 }
 
-// `use_avx2`: all pointers to the kernels of a level.
-std::string setter(const std::vector<CompiledKernel>& kernels, const std::string& level) {
-  std::string text = "template <class Scalar>\nvoid use_" + level + "() noexcept {\n";
+// Of the function that sets all pointers to the kernels of a level. With the name of the group, as all that is local to a
+// unit: builds may compile several units at once.
+std::string name_of_setter(const std::string& group, const std::string& level) {
+  return "use_" + level + "_" + group;
+}
+
+std::string setter(const std::vector<CompiledKernel>& kernels, const std::string& group, const std::string& level) {
+  std::string text = "template <class Scalar>\nvoid " + name_of_setter(group, level) + "() noexcept {\n";
   for (const CompiledKernel& k : kernels) {
     const std::string name = "chosen::" + qualified(k) + "<Scalar> =",
                       value = "&" + level + "::" + qualified(k) + "<Scalar>;";
@@ -90,8 +95,9 @@ std::string setter(const std::vector<CompiledKernel>& kernels, const std::string
 // `levels::<group>`, and its call before main.
 std::string choice(const Api& api, const std::string& group) {
   std::string body = "  [[maybe_unused]] const robcogen::Level level = robcogen::available(most);\n";
-  const auto use = [](const std::string& level, const std::string& indent) {
-    return indent + "use_" + level + "<double>();\n" + indent + "use_" + level + "<float>();\n";
+  const auto use = [&](const std::string& level, const std::string& indent) {
+    const std::string name = indent + name_of_setter(group, level);
+    return name + "<double>();\n" + name + "<float>();\n";
   };
   // The highest one last: it stays.
   body += use(kLevels[0], "  ");
@@ -102,8 +108,8 @@ std::string choice(const Api& api, const std::string& group) {
       {in_namespace("levels", function),
        "namespace {\n\n// Before objects of static storage duration are constructed, whose constructors may call "
        "kernels.\n"
-       "[[gnu::constructor(101)]] void choose() noexcept {\n  __builtin_cpu_init();\n  levels::" +
-           group + "(robcogen::Level::avx512);\n}\n\n}  // namespace\n"});
+       "[[gnu::constructor(101)]] void choose_" +
+           group + "() noexcept {\n  __builtin_cpu_init();\n  levels::" + group + "(robcogen::Level::avx512);\n}\n\n}  // namespace\n"});
 }
 
 std::string baseline_of(const Api& api) {
@@ -118,10 +124,10 @@ std::string chosen_kernels(const Api& api, const std::string& group) {
     const bool fits = head.size() + value.size() + 1 <= kColumns;
     return "template <class Scalar>\n" + head + (fits ? " " : "\n    ") + value + "\n";
   });
-  std::vector<std::string> setters = {setter(kernels, kLevels[0])};
+  std::vector<std::string> setters = {setter(kernels, group, kLevels[0])};
   std::string declarations;
   for (const std::string& level : api.library->levels) {
-    setters.push_back(if_compiled(level, setter(kernels, level)));
+    setters.push_back(if_compiled(level, setter(kernels, group, level)));
     declarations += if_compiled(level, in_namespace(level, in_their_namespaces(kernels, [](const CompiledKernel& k) {
                                                       return signature("void " + k.name, k.parameters, " noexcept;");
                                                     })));
