@@ -431,6 +431,9 @@ function(_robcogen_add_selfcheck target)
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
   # A self-check compiles about as long as it runs: builds of this project use -Og.
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
+  if(TARGET robcogen_selfcheck_headers AND ROBCOGEN_TEST_OPTIONS)
+    target_precompile_headers(${target} REUSE_FROM robcogen_selfcheck_headers)
+  endif()
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 

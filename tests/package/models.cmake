@@ -13,7 +13,7 @@ set(build_dir ${WORK_DIR}/models)
 file(REMOVE_RECURSE ${build_dir})
 run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/models -B ${build_dir}
     -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
-    -DCMAKE_CXX_COMPILER_LAUNCHER=${COMPILER_LAUNCHER} -DMODELS_DIR=${MODELS_DIR})
+    -DCMAKE_CXX_COMPILER_LAUNCHER=${COMPILER_LAUNCHER} -DROBCOGEN_UNITY_ROBOTS=ON -DMODELS_DIR=${MODELS_DIR})
 run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
 run(output ${CMAKE_CTEST_COMMAND} --test-dir ${build_dir} --no-tests=error)
 # Three tests a robot.

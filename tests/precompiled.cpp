@@ -1,0 +1,1 @@
+// Of the targets that compile headers once for others: a library has a source.
