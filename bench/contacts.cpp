@@ -10,7 +10,6 @@
 
 #include <mujoco/mujoco.h>
 
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -61,8 +60,8 @@ ModelPtr model_with_feet(const std::string& urdf, const std::string& scratch) {
 
 class Comparison {
  public:
-  explicit Comparison(const std::string& urdf)
-      : model_(model_with_feet(urdf, urdf + ".mujoco.xml")), data_(mj_makeData(model_.get())) {
+  Comparison(const std::string& urdf, const Active& active)
+      : active_(active), model_(model_with_feet(urdf, urdf + ".mujoco.xml")), data_(mj_makeData(model_.get())) {
     std::vector<const char*> names;  // after the floating joint
     for (int j = 1; j < model_->njnt; ++j) names.push_back(mj_id2name(model_.get(), mjOBJ_JOINT, j));
     const auto match = match_joints(quadruped::kJointNames, names);
@@ -71,7 +70,7 @@ class Comparison {
   }
 
   // A state with the feet where they are tied, and what the constraints of MuJoCo ask for there.
-  Call call(std::mt19937_64& engine, const Active& active) {
+  Call call(std::mt19937_64& engine) {
     Call c = random_call(engine);
     set(c);
     namespace homogeneous = quadruped::transforms::homogeneous;
@@ -81,7 +80,7 @@ class Comparison {
     for (int k = 0; k < 4; ++k) {
       const Eigen::Vector4d place = c.state.pose.homogeneous() * feet[k].col(3);
       std::copy(place.data(), place.data() + 3, model_->eq_data + mjNEQDATA * k + 3);
-      model_->eq_active[k] = active[k] != 0;
+      model_->eq_active[k] = active_[k] != 0;
     }
     mj_forward(model_.get(), data_.get());
     // What velocities add: MuJoCo leaves it out, with the acceleration of the base's origin instead of the spatial one.
@@ -93,7 +92,7 @@ class Comparison {
       auto compliance = c.compliance.segment<3>(3 * k);
       wanted.setZero();
       compliance.setZero();
-      if (active[k] == 0) continue;
+      if (active_[k] == 0) continue;
       const Eigen::Map<const Eigen::Vector3d> reference(data_->efc_aref + row), R(data_->efc_R + row);
       wanted = c.state.pose.to_base_axes(reference) + bias.segment<3>(3 * k) - excess;
       compliance = R;
@@ -114,8 +113,8 @@ class Comparison {
   }
 
   // Of the accelerations, relative to the largest.
-  double difference(const Call& c, const Active& active) {
-    const auto ours = run_generated(c, active);
+  double difference(const Call& c) {
+    const auto ours = run_generated(c, active_);
     run_theirs(c);
     const auto base = classical_from_spatial(ours.base_acceleration, c.state.base_velocity);
     Eigen::Matrix<double, 6 + kDof, 1> expected = Eigen::Matrix<double, 6 + kDof, 1>::Zero();
@@ -125,51 +124,26 @@ class Comparison {
     return (theirs - expected).cwiseAbs().maxCoeff() / (1 + expected.cwiseAbs().maxCoeff());
   }
 
-  void quick() {
-    model_->opt.tolerance = 1e-8;  // MuJoCo's default
+  // With the tolerance that MuJoCo has by default.
+  void prepare_timing() {
+    model_->opt.tolerance = 1e-8;
     model_->opt.iterations = 100;
     model_->opt.disableflags &= ~mjDSBL_WARMSTART;
   }
 
  private:
+  Active active_;
   ModelPtr model_;
   DataPtr data_;
   std::optional<JointOrder<kDof>> order_;
 };
 
-int compare(const std::string& urdf) {
-  Comparison comparison(urdf);
-  std::mt19937_64 engine(3);
-  bool is_equal = true;
-  for (const Active& active : {Active(0, 0, 0, 0), Active(0, 1, 0, 0), Active(1, 0, 0, 1), Active(1, 1, 1, 1)}) {
-    std::vector<Call> calls;
-    double most = 0;
-    for (int i = 0; i < kStates; ++i) {
-      calls.push_back(comparison.call(engine, active));
-      most = std::max(most, comparison.difference(calls.back(), active));
-    }
-    is_equal = is_equal && most < kAgreement;
-    std::printf("%g feet: accelerations differ by %.1e of the largest\n", active.sum(), most);
-    if (active.sum() != 4 || !is_equal) continue;
-    comparison.quick();
-    double sum = 0;
-    const double ours = time_of(calls, [&](const Call& c) { sum += run_generated(c, active).qdd[0]; });
-    const double theirs = time_of(calls, [&](const Call& c) { comparison.run_theirs(c); });
-    std::printf("generated: %.0f ns, MuJoCo: %.0f ns a call%s\n", ours, theirs, std::isnan(sum) ? " (NaN)" : "");
-  }
-  if (!is_equal) std::fprintf(stderr, "contacts: results differ by more than %.0e\n", kAgreement);
-  return is_equal ? 0 : 1;
-}
-
 }  // namespace
 }  // namespace robcogen::bench
 
 int main(int argc, char** argv) {
-  try {
-    if (argc == 2) return robcogen::bench::compare(argv[1]);
-    std::fprintf(stderr, "usage: contacts <URDF>\n");
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "contacts: %s\n", e.what());
-  }
-  return 2;
+  using namespace robcogen::bench;
+  return compare<Comparison>(
+      "contacts", "MuJoCo", {Active(0, 0, 0, 0), Active(0, 1, 0, 0), Active(1, 0, 0, 1), Active(1, 1, 1, 1)}, argc,
+      argv);
 }

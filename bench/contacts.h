@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace robcogen::bench {
@@ -62,6 +65,47 @@ double time_of(const std::vector<Call>& calls, const Run& run) {
     least = std::min(least, time.count() / kTimes / static_cast<double>(calls.size()));
   }
   return least;
+}
+
+// On these feet: whether a peer gives the same accelerations; then, on four feet, the time of a call of either.
+template <class Comparison>
+bool compare_on(const Active& active, const std::string& urdf, const char* peer, std::mt19937_64& engine) {
+  Comparison comparison(urdf, active);
+  std::vector<Call> calls;
+  double most = 0;
+  for (int i = 0; i < kStates; ++i) {
+    calls.push_back(comparison.call(engine));
+    most = std::max(most, comparison.difference(calls.back()));
+  }
+  std::printf("%g feet: accelerations differ by %.1e of the largest\n", active.sum(), most);
+  if (!(most < kAgreement)) return false;
+  if (active.sum() != 4) return true;
+  comparison.prepare_timing();
+  double sum = 0;
+  const double ours = time_of(calls, [&](const Call& c) { sum += run_generated(c, active).qdd[0]; });
+  const double theirs = time_of(calls, [&](const Call& c) { comparison.run_theirs(c); });
+  std::printf("generated: %.0f ns, %s: %.0f ns a call%s\n", ours, peer, theirs, std::isnan(sum) ? " (NaN)" : "");
+  return true;
+}
+
+// The main function of a program that compares with a peer, on some of the feet each time. Returns its exit status.
+template <class Comparison>
+int compare(const std::string& program, const char* peer, const std::vector<Active>& feet, int argc, char** argv) {
+  const auto fail = [&](const char* message) { std::fprintf(stderr, "%s: %s\n", program.c_str(), message); };
+  try {
+    if (argc != 2) {
+      std::fprintf(stderr, "usage: %s <URDF>\n", program.c_str());
+      return 2;
+    }
+    std::mt19937_64 engine(3);
+    bool is_equal = true;
+    for (const Active& active : feet) is_equal = compare_on<Comparison>(active, argv[1], peer, engine) && is_equal;
+    if (!is_equal) fail("results differ");
+    return is_equal ? 0 : 1;
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+  return 2;
 }
 
 }  // namespace robcogen::bench

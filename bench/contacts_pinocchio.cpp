@@ -9,8 +9,6 @@
 #include <pinocchio/parsers/urdf.hpp>
 
 #include <array>
-#include <cstdio>
-#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -46,6 +44,10 @@ class Comparison {
     pinocchio::initConstraintDynamics(model_, data_, contacts_);
     q_.resize(model_.nq);
   }
+
+  Call call(std::mt19937_64& engine) const { return random_call(engine); }
+
+  void prepare_timing() {}
 
   void run_theirs(const Call& c) {
     Eigen::Matrix<double, 7 + kDof, 1> plain;
@@ -85,38 +87,11 @@ class Comparison {
   Eigen::VectorXd q_, v_ = Eigen::VectorXd::Zero(6 + kDof), tau_ = Eigen::VectorXd::Zero(6 + kDof);
 };
 
-int compare(const std::string& urdf) {
-  std::mt19937_64 engine(3);
-  bool is_equal = true;
-  for (const Active& active : {Active(0, 1, 0, 0), Active(1, 0, 0, 1), Active(1, 1, 1, 1)}) {
-    Comparison comparison(urdf, active);
-    std::vector<Call> calls;
-    double most = 0;
-    for (int i = 0; i < kStates; ++i) {
-      calls.push_back(random_call(engine));
-      most = std::max(most, comparison.difference(calls.back()));
-    }
-    is_equal = is_equal && most < kAgreement;
-    std::printf("%g feet: accelerations differ by %.1e of the largest\n", active.sum(), most);
-    if (active.sum() != 4 || !is_equal) continue;
-    double sum = 0;
-    const double ours = time_of(calls, [&](const Call& c) { sum += run_generated(c, active).qdd[0]; });
-    const double theirs = time_of(calls, [&](const Call& c) { comparison.run_theirs(c); });
-    std::printf("generated: %.0f ns, Pinocchio: %.0f ns a call%s\n", ours, theirs, std::isnan(sum) ? " (NaN)" : "");
-  }
-  if (!is_equal) std::fprintf(stderr, "contacts_pinocchio: results differ by more than %.0e\n", kAgreement);
-  return is_equal ? 0 : 1;
-}
-
 }  // namespace
 }  // namespace robcogen::bench
 
 int main(int argc, char** argv) {
-  try {
-    if (argc == 2) return robcogen::bench::compare(argv[1]);
-    std::fprintf(stderr, "usage: contacts_pinocchio <URDF>\n");
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "contacts_pinocchio: %s\n", e.what());
-  }
-  return 2;
+  using namespace robcogen::bench;
+  return compare<Comparison>(
+      "contacts_pinocchio", "Pinocchio", {Active(0, 1, 0, 0), Active(1, 0, 0, 1), Active(1, 1, 1, 1)}, argc, argv);
 }

@@ -87,10 +87,6 @@ bool commute(const model::KinematicTree& tree, int a, int b) {
   return a == b || tree.joints[at(a)].spherical.empty() || tree.joints[at(a)].spherical != tree.joints[at(b)].spherical;
 }
 
-}  // namespace
-
-namespace {
-
 // With joints that follow through loops: by the chain rule (looped_derivatives.h).
 Program looped_gravity_derivative(
     Trace& trace,
