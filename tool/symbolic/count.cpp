@@ -5,8 +5,10 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "symbolic/blocks.h"
+#include "symbolic/fused_products.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -53,33 +55,15 @@ Uses uses_of_products(const Program& p) {
   return uses;
 }
 
-// Products that disappear: every use is a sum of its own that has not absorbed another product yet. Those with fewest
-// uses first: they block fewest others.
-int fused_products(const Program& p) {
+int fused(const Program& p) {
   const Uses uses = uses_of_products(p);
   const auto adds = [&](int user) { return user >= 0 && is_sum(p.statements[static_cast<std::size_t>(user)].op); };
-  std::vector<char> taken(p.statements.size(), false);
-  int fused = 0;
-  const auto fuse = [&](std::span<const int> sums) {
-    if (std::adjacent_find(sums.begin(), sums.end()) != sums.end()) return;  // m + m
-    if (std::any_of(sums.begin(), sums.end(), [&](int u) { return taken[static_cast<std::size_t>(u)]; })) return;
-    for (const int u : sums) taken[static_cast<std::size_t>(u)] = true;
-    ++fused;
-  };
-  std::vector<std::span<const int>> with_more_uses;
+  std::vector<std::span<const int>> products;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
-    if (p.statements[i].op != Op::multiply) continue;
     const std::span<const int> users = uses.of(i);
-    if (users.empty() || !std::all_of(users.begin(), users.end(), adds)) continue;
-    if (users.size() == 1)
-      fuse(users);
-    else
-      with_more_uses.push_back(users);
+    if (!users.empty() && std::all_of(users.begin(), users.end(), adds)) products.push_back(users);
   }
-  std::stable_sort(
-      with_more_uses.begin(), with_more_uses.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  std::for_each(with_more_uses.begin(), with_more_uses.end(), fuse);
-  return fused;
+  return fused_products(std::move(products), p.statements.size());
 }
 
 int critical_path(const Program& p) {
@@ -244,7 +228,7 @@ OperationCount count(const Program& p) {
     const auto& [kind, index, lane] = angle;
     return lane < 0 || angles.count({kind, index, -1}) == 0;
   }));
-  c.instructions = c.mul + c.add - fused_products(p);
+  c.instructions = c.mul + c.add - fused(p);
   c.moves = moves(p);
   c.critical_path = critical_path(p);
   return c;
@@ -261,7 +245,7 @@ int work(const Program& program) {
   if (has_parameters(program)) return work(given_parameters(program));
   int operations = 0;
   for (const Statement& s : program.statements) operations += is_binary(s.op) ? 1 : 0;
-  return 2 * operations - fused_products(program);
+  return 2 * operations - fused(program);
 }
 
 }  // namespace robcogen::symbolic

@@ -1,9 +1,11 @@
 #include "symbolic/weight.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <span>
+#include <utility>
 
 #include "support/index.h"
+#include "symbolic/fused_products.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -24,14 +26,13 @@ class NeededNodes {
 
   Weight weight() const {
     Weight result = found_;
-    result.work -= fused_products();
+    result.work -= fused();
     return result;
   }
 
  private:
   struct Uses {
     int sums = 0;
-    int last_sum = -1;
     bool is_elsewhere = false;  // by what is not a sum
   };
 
@@ -57,51 +58,33 @@ class NeededNodes {
       if (operand < 0) continue;
       needed_[at(operand)] = true;
       Uses& uses = uses_[at(operand)];
-      if (adds) {
+      if (adds)
         ++uses.sums;
-        uses.last_sum = static_cast<int>(i);
-      } else {
+      else
         uses.is_elsewhere = true;
-      }
     }
   }
 
-  // As count.cpp fuses them: those with one use, then those with more, fewest first.
-  int fused_products() const {
-    std::vector<char> taken(nodes_.size(), false);
-    std::vector<int> with_more_uses, place(nodes_.size(), -1);
-    int fused = 0;
+  int fused() const {
+    std::vector<int> next(nodes_.size(), -1);  // of a product: where its next sum is noted
+    int length = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const Uses& uses = uses_[i];
       if (uses.sums == 0 || uses.is_elsewhere || !is_product(i)) continue;
-      if (uses.sums > 1) {
-        with_more_uses.push_back(static_cast<int>(i));
-      } else if (!taken[at(uses.last_sum)]) {
-        taken[at(uses.last_sum)] = true;
-        ++fused;
-      }
+      next[i] = length;
+      length += uses.sums;
     }
-    std::vector<int> sums;
-    for (const int product : with_more_uses) {
-      place[at(product)] = static_cast<int>(sums.size());
-      sums.resize(sums.size() + at(uses_[at(product)].sums));
-    }
-    std::vector<int> next = place;
+    std::vector<int> sums(at(length));
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!needed_[i] || nodes_[i].kind != Node::Kind::operation || !is_sum(nodes_[i].op)) continue;
       for (const int operand : {nodes_[i].a, nodes_[i].b})
         if (next[at(operand)] >= 0) sums[at(next[at(operand)]++)] = static_cast<int>(i);
     }
-    std::stable_sort(with_more_uses.begin(), with_more_uses.end(), [&](int a, int b) {
-      return uses_[at(a)].sums < uses_[at(b)].sums;
-    });
-    for (const int product : with_more_uses) {
-      const auto first = sums.begin() + place[at(product)], last = first + uses_[at(product)].sums;
-      if (std::any_of(first, last, [&](int sum) { return taken[at(sum)]; })) continue;
-      for (auto sum = first; sum != last; ++sum) taken[at(*sum)] = true;
-      ++fused;
-    }
-    return fused;
+    std::vector<std::span<const int>> products;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (next[i] >= 0)
+        products.push_back(std::span<const int>(sums).subspan(at(next[i] - uses_[i].sums), at(uses_[i].sums)));
+    return fused_products(std::move(products), nodes_.size());
   }
 };
 

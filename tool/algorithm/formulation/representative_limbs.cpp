@@ -182,8 +182,7 @@ void fold_like(Trace& trace, const std::vector<RepresentativePlane>& representat
 
 template <std::size_t n>
 void fold_like(Trace& trace, const std::array<double, n>& typical, const std::array<Expression*, n>& elements) {
-  for (std::size_t i = 0; i < n; ++i)
-    if (std::isfinite(typical[i])) *elements[i] = trace.graph.constant(elements[i]->constant().folded_as(typical[i]));
+  for (std::size_t i = 0; i < n; ++i) fold_like(trace, typical[i], *elements[i]);
 }
 
 }  // namespace

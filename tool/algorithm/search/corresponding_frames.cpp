@@ -28,13 +28,11 @@ std::optional<Quantity> counterpart(
   const auto chosen =
       std::find_if(of_leader.begin(), of_leader.end(), [&](const Candidate& c) { return are_near(c.value, value); });
   if (chosen == of_leader.end()) return std::nullopt;
-  auto found =
-      std::find_if(of_follower.begin(), of_follower.end(), [&](const Candidate& c) { return c.rule == chosen->rule; });
-  if (found == of_follower.end())
-    found = std::find_if(of_follower.begin(), of_follower.end(), [&](const Candidate& c) {
-      return are_near(c.value, value) || are_near(c.value, -value);
-    });
-  return found == of_follower.end() ? std::nullopt : std::optional(found->value);
+  if (const Candidate* same_rule = find_rule(of_follower, chosen->rule)) return same_rule->value;
+  const auto same_size = std::find_if(of_follower.begin(), of_follower.end(), [&](const Candidate& c) {
+    return are_near(c.value, value) || are_near(c.value, -value);
+  });
+  return same_size == of_follower.end() ? std::nullopt : std::optional(same_size->value);
 }
 
 // The frame that the follower takes from the leader. `frames`: those of their parents are final.

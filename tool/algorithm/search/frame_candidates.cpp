@@ -72,6 +72,12 @@ std::optional<MassNumbers> numbers_of(const MassProperties& m) {
 
 }  // namespace
 
+const Candidate* find_rule(const std::vector<Candidate>& candidates, int rule) {
+  const auto found =
+      std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.rule == rule; });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
 FrameCandidates::Axis FrameCandidates::axis_of(const model::Joint& joint) {
   Axis axis;
   for (const Quantity& q : joint.placement.rotation)

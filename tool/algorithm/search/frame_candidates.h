@@ -19,6 +19,9 @@ struct Candidate {
   model::Quantity value;
 };
 
+// nullptr: none has the rule.
+const Candidate* find_rule(const std::vector<Candidate>& candidates, int rule);
+
 class FrameCandidates {
  public:
   FrameCandidates(const model::KinematicTree& tree, const Formulation& formulation);

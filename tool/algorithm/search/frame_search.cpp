@@ -28,11 +28,6 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-const Candidate* find(const std::vector<Candidate>& list, int rule) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.rule == rule; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 // One joint's frames with this one, and its parent's as the step says.
 LinkFrames changed(const KinematicTree& tree, LinkFrames frames, int joint, const LinkFrame& frame, const Step& step) {
   frames[at(joint)] = frame;
@@ -52,10 +47,10 @@ std::optional<LinkFrames> followed(
     if (own == counterpart.end()) return std::nullopt;
     const int joint = own->second;
     const std::vector<Candidate> turns = candidates.turns(joint, frames);
-    const Candidate* turn = find(turns, step.turn_rule);
+    const Candidate* turn = find_rule(turns, step.turn_rule);
     if (!turn) return std::nullopt;
     const std::vector<Candidate> slides = candidates.slides(joint, turn->value, frames);
-    const Candidate* slide = find(slides, step.slide_rule);
+    const Candidate* slide = find_rule(slides, step.slide_rule);
     if (!slide) return std::nullopt;
     frames = changed(tree, std::move(frames), joint, {turn->value, slide->value, step.turns}, step);
   }
@@ -109,7 +104,8 @@ class Descent {
     history_.push_back(frames_);
   }
 
-  // All limbs that hang on a link; one that is like an earlier one follows it, which is no step of its own.
+  // Visits all limbs that hang on a link. A limb of the same shape as an earlier one follows that one, and adds no
+  // steps.
   Steps visit(int link) {
     struct Done {
       int joint;

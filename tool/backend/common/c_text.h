@@ -1,4 +1,4 @@
-// Text that C and C++ spell alike: comments, strings, lists, and the first lines of a file. In 120 columns.
+// Text with the same syntax in C and C++: comments, strings, lists, and the first lines of a file. In 120 columns.
 #pragma once
 
 #include <string>

@@ -75,8 +75,8 @@ std::string if_compiled(const std::string& level, const std::string& text) {
   return "#ifdef ROBCOGEN_WITH_" + upper_case(level) + "\n" + text + "#endif\n";
 }
 
-// Of the function that sets all pointers to the kernels of a level. With the name of the group, as all that is local to a
-// unit: builds may compile several units at once.
+// Of the function that sets all pointers to the kernels of a level. With the name of the group, as all that is local to
+// a unit: builds may compile several units at once.
 std::string name_of_setter(const std::string& group, const std::string& level) {
   return "use_" + level + "_" + group;
 }
@@ -109,7 +109,8 @@ std::string choice(const Api& api, const std::string& group) {
        "namespace {\n\n// Before objects of static storage duration are constructed, whose constructors may call "
        "kernels.\n"
        "[[gnu::constructor(101)]] void choose_" +
-           group + "() noexcept {\n  __builtin_cpu_init();\n  levels::" + group + "(robcogen::Level::avx512);\n}\n\n}  // namespace\n"});
+           group + "() noexcept {\n  __builtin_cpu_init();\n  levels::" + group +
+           "(robcogen::Level::avx512);\n}\n\n}  // namespace\n"});
 }
 
 std::string baseline_of(const Api& api) {

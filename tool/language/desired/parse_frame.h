@@ -11,7 +11,7 @@ namespace robcogen::language::desired {
 
 inline const std::initializer_list<std::string_view> kSections = {"Frames", "Transforms", "Jacobians", "Contacts"};
 
-// 'Contacts' is no reserved word: a frame may have this name.
+// 'Contacts' is not a reserved word: a frame may have this name.
 bool at_section_word(const Cursor& cursor);
 bool at_section(const Cursor& cursor);
 // At the name of an instance, and its point.
