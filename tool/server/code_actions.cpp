@@ -1,4 +1,6 @@
 // Quick fixes of the diagnostics in a range.
+#include <algorithm>
+
 #include "server/features.h"
 #include "server/quick_fixes.h"
 

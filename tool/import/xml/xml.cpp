@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <tinyxml.h>
 
+#include <algorithm>
+
 namespace robcogen::import::xml {
 
 namespace {
