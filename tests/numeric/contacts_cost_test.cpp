@@ -1,7 +1,12 @@
 // What functions of contacts cost, as the generator makes them: they must stay sparse.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "driver/driver.h"
 #include "symbolic/count.h"
@@ -12,7 +17,7 @@ namespace {
 // Multiplications and additions by function.
 std::map<std::string, int> costs(const std::string& robot, const std::vector<std::string>& contacts) {
   Diagnostics diagnostics;
-  const std::string file = std::string(ROBCOGEN_ROBOTS_DIR) + "/" + robot + "/" + robot + ".kindsl";
+  const std::filesystem::path file = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / robot / (robot + ".kindsl");
   driver::LoadOptions options;
   options.contacts = contacts;
   const std::optional<driver::Model> model = driver::load(file, options, diagnostics);
