@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <system_error>
 
 #include "backend/c/c.h"
 #include "backend/casadi/casadi.h"

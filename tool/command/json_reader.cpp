@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "driver/failure.h"

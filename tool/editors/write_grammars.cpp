@@ -6,10 +6,12 @@
 // The test editor.Grammars.* compares the files of this folder with them; the target update_grammars writes them anew.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/vocabulary.h"

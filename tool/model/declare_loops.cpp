@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "model/loop_ends.h"
 #include "model/named_frame.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "model/declare_loops.h"
 #include "model/formula_closures.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "model/loop_geometry.h"
 #include "model/loop_plane.h"

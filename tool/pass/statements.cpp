@@ -1,6 +1,7 @@
 #include "pass/statements.h"
 
 #include <numeric>
+#include <utility>
 
 namespace robcogen::pass {
 

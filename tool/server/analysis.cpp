@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
 #include "driver/failure.h"
 #include "import/frames.h"
 #include "import/kinematics.h"

@@ -1,6 +1,7 @@
 #include "server/collect_names.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "language/kinematics/expressions.h"
 

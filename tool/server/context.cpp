@@ -1,6 +1,7 @@
 #include "server/context.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace robcogen::server {

@@ -1,5 +1,7 @@
 #include "server/lookup.h"
 
+#include <system_error>
+
 #include "server/features.h"
 
 namespace robcogen::server {

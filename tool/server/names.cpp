@@ -1,6 +1,7 @@
 #include "server/names.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/collect_names.h"
 

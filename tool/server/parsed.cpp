@@ -1,6 +1,7 @@
 #include "server/parsed.h"
 
 #include <system_error>
+#include <utility>
 
 #include "language/common/content.h"
 #include "support/files.h"

@@ -1,6 +1,8 @@
 #include "server/positions.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace robcogen::server {
 namespace {

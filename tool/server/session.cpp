@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+#include <system_error>
+
 #include "driver/library.h"
 #include "server/answers.h"
 #include "server/uri.h"

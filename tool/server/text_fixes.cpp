@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "import/parameters.h"
 #include "language/common/lexer.h"

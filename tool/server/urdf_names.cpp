@@ -1,6 +1,7 @@
 #include "server/urdf_names.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace robcogen::server {
 namespace {

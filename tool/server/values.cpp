@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "import/parameters.h"
 #include "language/kinematics/expressions.h"

@@ -1,6 +1,7 @@
 #include "support/source.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace robcogen {

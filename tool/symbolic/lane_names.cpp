@@ -1,6 +1,7 @@
 #include "symbolic/lane_names.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 
 namespace robcogen::symbolic {

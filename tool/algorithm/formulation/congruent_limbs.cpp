@@ -1,6 +1,7 @@
 #include "algorithm/formulation/congruent_limbs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace robcogen::algorithm {
 namespace {

@@ -1,6 +1,7 @@
 #include "algorithm/kinematics/merged_primitives.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace robcogen::algorithm {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "import/mjcf/check.h"
 #include "import/mjcf/describe.h"
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include "import/mjcf.h"
 #include "import/parts.h"

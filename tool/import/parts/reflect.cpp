@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "import/parts/assembly.h"
 #include "import/parts/placements.h"

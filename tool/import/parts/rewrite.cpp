@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "import/parts/assembly.h"
 #include "import/parts/terms.h"
 #include "language/kinematics/expressions.h"

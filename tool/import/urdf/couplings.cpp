@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "import/urdf/linear_relations.h"
 #include "import/urdf/link_pair.h"

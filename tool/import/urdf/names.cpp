@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "import/identifier.h"
 
 namespace robcogen::import::from_urdf {

@@ -1,4 +1,6 @@
 // Replaces the other sources of this folder in a build without urdfdom.
+#include <utility>
+
 #include "import/urdf.h"
 
 namespace robcogen::import {

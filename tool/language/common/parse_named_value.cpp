@@ -1,5 +1,7 @@
 #include "language/common/parse_named_value.h"
 
+#include <utility>
+
 namespace robcogen::language {
 namespace {
 

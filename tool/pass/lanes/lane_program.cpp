@@ -1,6 +1,7 @@
 #include "pass/lanes/lane_program.h"
 
 #include <map>
+#include <utility>
 
 #include "pass/lanes/lane_builder.h"
 #include "pass/pair_sums.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "pass/lanes/lane_program.h"
 #include "pass/lanes/plan_signs.h"
