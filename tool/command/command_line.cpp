@@ -255,7 +255,7 @@ Action declare_ops(CLI::App& application) {
   declare_model(*subcommand, options->model);
   declare_groups(*subcommand, options->groups, "What to count; default all");
   subcommand->add_flag(
-      "--lanes", options->model.lanes, "With congruent limbs in the lanes of vectors, where that is faster");
+      "--lanes", options->has_lanes, "With congruent limbs in the lanes of vectors, where that is faster");
   subcommand->add_flag("--json", options->json, "Machine-readable");
   return [options] { return ops(*options); };
 }

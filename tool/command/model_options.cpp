@@ -91,11 +91,12 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   return model;
 }
 
-std::optional<Programs> ModelOptions::load_programs(const std::vector<std::string>& groups, bool cached) const {
+std::optional<Programs> ModelOptions::load_programs(
+    const std::vector<std::string>& groups,
+    const backend::Features& features) const {
   if (!driver::is_robot(driver::language_of(file))) require_groups_of_transforms(groups);
   const std::optional<driver::Model> model = load(groups);
   if (!model) return std::nullopt;
-  const backend::Features features = {.caches_parameters = cached, .has_lanes = cached && lanes};
   driver::Functions functions = driver::programs(*model, ordered_groups(groups), steps, features);
   Programs programs = {model->robot() ? "robot" : "model", model->name(), about(*model), {}};
   for (driver::Function& f : functions.list)

@@ -41,16 +41,17 @@ struct ModelOptions {
   std::vector<std::string> derivatives;  // `function:input,…`
   bool quiet = false;                    // no warnings and notes
   bool lists_parameters = false;         // a note with the model's parameters; no option
-  bool lanes = false;                    // programs where congruent limbs share lanes, if that is faster
 
   // Loads the model and reports diagnostics; nullopt when there was an error, such as that a robot cannot have one of
   // these groups.
   std::optional<driver::Model> load(const std::vector<std::string>& groups = {}) const;
   // The same; `diagnostics` has what was reported.
   std::optional<driver::Model> load(const std::vector<std::string>& groups, Diagnostics& diagnostics) const;
-  // Loads the model, and traces these groups of a robot; empty: all. With `cached`, functions of a robot with
-  // parameters read what follows from these alone from a cache, and the updates that compute it come last.
-  std::optional<Programs> load_programs(const std::vector<std::string>& groups = {}, bool cached = false) const;
+  // Loads the model, and makes the programs of these groups of a robot, empty: all, for a language with these features:
+  // with lanes, those in lanes where there are any; updates of cached parameters come last.
+  std::optional<Programs> load_programs(
+      const std::vector<std::string>& groups = {},
+      const backend::Features& features = {}) const;
 };
 
 // `--algorithms all`: every group that the robot and the language allow.

@@ -67,7 +67,8 @@ void print_json(const Programs& programs, const std::vector<Row>& table) {
 }  // namespace
 
 Status ops(const OpsOptions& options) {
-  const std::optional<Programs> programs = options.model.load_programs(options.groups, true);
+  const std::optional<Programs> programs =
+      options.model.load_programs(options.groups, {.caches_parameters = true, .has_lanes = options.has_lanes});
   if (!programs) return wrong_input;
   const std::vector<Row> table = rows(*programs);
   options.json ? print_json(*programs, table) : print_table(*programs, table);

@@ -45,6 +45,7 @@ Status print(const PrintOptions& options);
 struct OpsOptions {
   ModelOptions model;
   std::vector<std::string> groups;
+  bool has_lanes = false;  // programs where congruent limbs share lanes, if that is faster
   bool json = false;
 };
 Status ops(const OpsOptions& options);

@@ -12,7 +12,8 @@ Functions programs(
     const Steps& steps,
     const backend::Features& features) {
   // The formulation is chosen on the way: it depends on the robot and the algorithm.
-  Functions functions = trace(model, groups, steps, features.has_lanes && steps.has_lanes());
+  const bool in_lanes = features.has_lanes && steps.has_lanes();
+  Functions functions = in_lanes ? trace_for_lanes(model, groups, steps) : trace(model, groups, steps);
   return optimise(model, std::move(functions), steps, features);
 }
 

@@ -22,34 +22,49 @@ std::optional<symbolic::Program> congruent_program(RobotFunction&& f) {
   return std::move(f.program);
 }
 
-Functions trace_robot(
+// The functions of each group, and as another group the derivatives that the model asks for.
+using OfGroups = std::vector<std::vector<Function>>;
+
+Functions in_one_list(OfGroups&& of_groups) {
+  Functions result;
+  for (std::vector<Function>& functions : of_groups)
+    std::move(functions.begin(), functions.end(), std::back_inserter(result.list));
+  return result;
+}
+
+OfGroups trace_robot(
     const Robot& robot,
     const std::filesystem::path& file,
     const std::vector<std::string>& groups,
-    const algorithm::Formulation& formulation,
-    bool for_lanes) {
-  algorithm::FormulationChoices choices(robot.tree, formulation);
-  std::vector<std::vector<Function>> of_groups(groups.size());
+    algorithm::FormulationChoices& choices) {
+  OfGroups of_groups(groups.size());
   for_each_index(groups.size(), [&](std::size_t g) {
     for (RobotFunction& f : algorithm::functions(robot.tree, robot.desired, groups[g], choices))
       of_groups[g].push_back({std::move(f)});
   });
   std::vector<Function>& derivatives = of_groups.emplace_back();
   for (RobotFunction& f : derivative_functions(robot, file, choices)) derivatives.push_back({std::move(f)});
-  if (for_lanes && robot.tree.parameters.empty() && !algorithm::limbs_in_lanes(robot.tree).empty()) {
-    auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
-    for_each_index(groups.size(), [&](std::size_t g) {
-      auto programs = algorithm::congruent_programs(robot.tree, robot.desired, groups[g], for_congruent_limbs);
-      for (std::size_t i = 0; i < programs.size(); ++i) of_groups[g][i].congruent = std::move(programs[i]);
-    });
-    std::vector<RobotFunction> programs = derivative_functions(robot, file, for_congruent_limbs);
-    for (std::size_t i = 0; i < programs.size(); ++i)
-      derivatives[i].congruent = congruent_program(std::move(programs[i]));
-  }
-  Functions result;
-  for (std::vector<Function>& functions : of_groups)
-    std::move(functions.begin(), functions.end(), std::back_inserter(result.list));
-  return result;
+  return of_groups;
+}
+
+void add_congruent_programs(
+    const Robot& robot,
+    const std::filesystem::path& file,
+    const std::vector<std::string>& groups,
+    algorithm::FormulationChoices& for_congruent_limbs,
+    OfGroups& of_groups) {
+  for_each_index(groups.size(), [&](std::size_t g) {
+    auto programs = algorithm::congruent_programs(robot.tree, robot.desired, groups[g], for_congruent_limbs);
+    for (std::size_t i = 0; i < programs.size(); ++i) of_groups[g][i].congruent = std::move(programs[i]);
+  });
+  std::vector<Function>& derivatives = of_groups.back();
+  std::vector<RobotFunction> programs = derivative_functions(robot, file, for_congruent_limbs);
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    derivatives[i].congruent = congruent_program(std::move(programs[i]));
+}
+
+bool is_worth_lanes(const model::KinematicTree& tree) {
+  return tree.parameters.empty() && !algorithm::limbs_in_lanes(tree).empty();
 }
 
 Functions trace_transforms(const Transforms& transforms, const std::filesystem::path& file) {
@@ -81,10 +96,21 @@ void require_traceable(const Model& model) {
                        model.file.string(), tree.name, joints, kMaxJoints)};
 }
 
-Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes) {
+Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps) {
   if (!model.robot()) return trace_transforms(*model.transforms(), model.file);
   require_traceable(model);
-  return trace_robot(*model.robot(), model.file, groups, steps.formulation(), for_lanes);
+  algorithm::FormulationChoices choices(model.robot()->tree, steps.formulation());
+  return in_one_list(trace_robot(*model.robot(), model.file, groups, choices));
+}
+
+Functions trace_for_lanes(const Model& model, const std::vector<std::string>& groups, const Steps& steps) {
+  if (model.robot()) require_traceable(model);
+  if (!model.robot() || !is_worth_lanes(model.robot()->tree)) return trace(model, groups, steps);
+  algorithm::FormulationChoices choices(model.robot()->tree, steps.formulation());
+  OfGroups of_groups = trace_robot(*model.robot(), model.file, groups, choices);
+  auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
+  add_congruent_programs(*model.robot(), model.file, groups, for_congruent_limbs, of_groups);
+  return in_one_list(std::move(of_groups));
 }
 
 }  // namespace robcogen::driver

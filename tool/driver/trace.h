@@ -21,7 +21,9 @@ inline constexpr int kMaxJoints = 1000;
 void require_traceable(const Model& model);
 
 // All functions of these groups, then the derivatives that the model asks for, in the formulation of the steps, before
-// any pass. `for_lanes`: with programs for congruent limbs.
-Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps, bool for_lanes);
+// any pass.
+Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps);
+// The same, of a robot with congruent limbs that are worth lanes also Function::congruent.
+Functions trace_for_lanes(const Model& model, const std::vector<std::string>& groups, const Steps& steps);
 
 }  // namespace robcogen::driver
