@@ -30,6 +30,7 @@
 #       [PROCESSORS level…]         # what the functions of one state are compiled for, from baseline, avx2 and avx512; a
 #                                   # program chooses when it starts. The baseline is always included. Without PROCESSORS
 #                                   # or where options of the build choose a processor (-march=…, -mavx2, …): the README
+#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile. Not with PYTHON
 #       [LANGUAGES cpp c matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. That in C is the
 #                                   # library <TARGET>_c (RobcogenC.cmake); nothing compiles the rest
@@ -87,7 +88,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -315,6 +316,9 @@ function(_robcogen_generate_arguments result)
   if(library_BATCH)
     list(APPEND arguments --batch)
   endif()
+  if(library_DOUBLE_ONLY)
+    list(APPEND arguments --double-only)
+  endif()
   if(library_levels)
     list(APPEND arguments --processors ${library_levels})
   endif()
@@ -528,6 +532,9 @@ function(_robcogen_link_harness target harness)
                       ROBCOGEN_ROBOT_NAMESPACE=${qualified})
   if(library_levels)
     target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_HAS_LEVELS)
+  endif()
+  if(library_DOUBLE_ONLY)
+    target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_IS_DOUBLE_ONLY)
   endif()
   if(library_BATCH)
     _robcogen_header(${folder} batch batch_header)

@@ -166,11 +166,13 @@ Checks selfcheck(const Robot& robot, std::uint64_t seed, int samples) {
       before = values;
     }
   } else {
-    // Depends on R: nothing is made of it where the robot has parameters.
-    using Single = std::conditional_t<kIsParametric<R>, void, ROBCOGEN_ROBOT_NAMESPACE::f32::Robot>;
     check<R>(robot, CompiledRobot<R>(robot), engine, samples, checks);
     check_derivatives<R>(robot, {}, {}, engine, samples, checks);
+#ifndef ROBCOGEN_ROBOT_IS_DOUBLE_ONLY
+    // Depends on R: nothing is made of it where the robot has parameters.
+    using Single = std::conditional_t<kIsParametric<R>, void, ROBCOGEN_ROBOT_NAMESPACE::f32::Robot>;
     check_single<Single>(robot, CompiledRobot<Single>(robot), engine, samples, checks);
+#endif
   }
   return checks;
 }

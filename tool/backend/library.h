@@ -247,6 +247,7 @@ struct Library {
   PrimitiveConvention primitives = PrimitiveConvention::none;
   bool has_batches = false;              // each function also over many states at once: C++, robots
   std::vector<std::string> levels = {};  // processors that kernels are compiled for besides the baseline: C++, robots
+  bool has_single_precision = true;      // all of it in float, too: C++
 
   // Whether the elements of q are others than those of qd.
   bool has_own_positions() const { return !positions.empty(); }

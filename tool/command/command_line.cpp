@@ -210,6 +210,9 @@ Action declare_generate(CLI::App& application) {
           "cpp: processors that functions are compiled for, of which a program chooses when it starts; default "
           "baseline; robots only")
       ->check(one_of({"baseline", "avx2", "avx512"}));
+  subcommand->add_flag(
+      "--double-only", options->is_double_only,
+      "cpp: nothing in single precision: no namespace f32; half as much to compile");
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(one_of(language_names()));
   subcommand

@@ -144,7 +144,7 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
     const backend::Library library = driver::library(
         model,
         {options.names, groups_of(*language, asked_groups(options)), options.model.steps, primitives_of(options),
-         options.has_batches, levels_of(options)},
+         options.has_batches, levels_of(options), !options.is_double_only},
         language->features);
     hash = library.model_hash;
     std::vector<OutputFile> printed = language->print(library);
@@ -222,6 +222,9 @@ Status generate(GenerateOptions options) {
     options.names.name = name_after(file);
   }
   check_names(options.names);
+  if (options.is_double_only && contains(options.languages, "python"))
+    throw Failure{
+        wrong_usage, "robcogen: error: --double-only excludes --language python: modules take both precisions"};
   if (options.list_outputs) return list_outputs(options);
   if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};

@@ -20,6 +20,7 @@ struct GenerateOptions {
   std::string depfile, depfile_target, stamp;
   bool has_batches = false;
   std::vector<std::string> processors;  // levels that kernels of one state are compiled for
+  bool is_double_only = false;
   bool list_outputs = false;
 };
 // Without a name, the code is called after the file of the model.

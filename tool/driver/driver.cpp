@@ -23,6 +23,7 @@ backend::Library library(const Model& model, const LibraryOptions& options, cons
   backend::Library result = assemble(model, options.names, groups, std::move(functions), options.primitives);
   result.has_batches = options.has_batches;
   result.levels = options.levels;
+  result.has_single_precision = options.has_single_precision;
   return result;
 }
 

@@ -31,6 +31,7 @@ struct LibraryOptions {
   Primitives primitives = std::nullopt;
   bool has_batches = false;
   std::vector<std::string> levels = {};  // processors besides the baseline
+  bool has_single_precision = true;
 };
 
 backend::Library library(const Model& model, const LibraryOptions& options, const backend::Features& features = {});

@@ -124,6 +124,7 @@ TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
       "--namespace=a::b",
       "--namespace=::",
       "--batch",
+      "--double-only",
       "--language=matlab",
       "--language=maxima",
       "--language=cpp",

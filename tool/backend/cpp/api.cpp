@@ -202,6 +202,15 @@ void name_parameters(const Library& library, Api& api) {
 
 }  // namespace
 
+std::vector<std::string> Api::scalars() const {
+  if (library->has_single_precision) return {"double", "float"};
+  return {"double"};
+}
+
+std::string Api::scalars_in_words() const {
+  return library->has_single_precision ? "double and float" : "double";
+}
+
 Api api(const Library& library) {
   Api result;
   result.library = &library;

@@ -47,6 +47,10 @@ struct Api {
 
   bool is_parametric() const { return !updates.empty(); }
   bool takes_sines() const { return !trigonometry.empty(); }
+  // What kernels are compiled for.
+  std::vector<std::string> scalars() const;
+  // `double and float`.
+  std::string scalars_in_words() const;
 };
 
 // Refers to the library, which must outlive it.

@@ -85,11 +85,12 @@ std::vector<std::string> batch_parameters(const BatchKernel& kernel, const std::
 }
 
 std::string batch_instantiations(
+    const Api& api,
     const BatchKernel& kernel,
     const std::string& arguments,
     const std::vector<std::string>& extra) {
   std::string text;
-  for (const std::string scalar : {"double", "float"}) {
+  for (const std::string& scalar : api.scalars()) {
     std::vector<std::string> list = batch_parameters(kernel, scalar, false);
     list.insert(list.end(), extra.begin(), extra.end());
     text += declaration("template void " + kernel.name() + "<" + arguments + scalar + ">", list, " noexcept;");

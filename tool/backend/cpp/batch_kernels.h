@@ -42,8 +42,9 @@ std::vector<BatchKernel> batch_kernels(const Api& api);
 // Parameters, the number of states, then the others; `with_names` or types alone.
 std::vector<std::string> batch_parameters(const BatchKernel& kernel, const std::string& scalar, bool with_names);
 
-// Explicit instantiations for both precisions; `extra` ends the list of types.
+// Explicit instantiations for all scalars; `extra` ends the list of types.
 std::string batch_instantiations(
+    const Api& api,
     const BatchKernel& kernel,
     const std::string& arguments,
     const std::vector<std::string>& extra = {});

@@ -188,10 +188,14 @@ std::string batch_kernel_declarations(const Api& api) {
 
 std::string print_batch(const Api& api, const std::string& path) {
   const Library& library = *api.library;
+  const bool single = library.has_single_precision;
   std::vector<std::string> headers = {"\"robcogen/batch.h\"", "\"" + header_path(folder(library), "types") + "\""};
   if (api.is_parametric()) headers.push_back("\"" + header_path(folder(library), kParameters) + "\"");
   return paragraphs(
-      {banner(library, path, "functions over n states at once, in double and (namespace f32) single precision") +
+      {banner(
+           library, path,
+           "functions over n states at once, in double" + std::string(single ? " and (namespace f32) single" : "") +
+               " precision") +
            "//\n"
            "// The arguments say how the states are stored: robcogen::batch::by_element(data, stride), by_state(data), "
            "or one\n"
@@ -206,7 +210,9 @@ std::string print_batch(const Api& api, const std::string& path) {
            "// `most` is the highest processor level to use; a level that the machine lacks is never used.\n",
        "#pragma once\n", includes({"<cstddef>"}), includes(headers),
        in_namespace(
-           api.space, paragraphs({batch_kernel_declarations(api), interface(api, false), interface(api, true)}))});
+           api.space, paragraphs(
+                          {batch_kernel_declarations(api), interface(api, false),
+                           single ? interface(api, true) : std::string()}))});
 }
 
 std::string print_batch_choice(const Api& api, const std::string& path) {
@@ -217,7 +223,7 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
     if (!is_in_blocks) own = {"\"" + kernels_path(folder(*api.library)) + "\""};
     choosers.push_back(
         (is_in_blocks ? chooser(k) : over_single_states(api, k)) + "\n" +
-        batch_instantiations(k, "", {"robcogen::batch::Level"}));
+        batch_instantiations(api, k, "", {"robcogen::batch::Level"}));
   }
   if (!own.empty()) headers.insert(headers.begin() + 1, "\"robcogen/batch_states.h\"");
   headers.insert(headers.begin(), own.begin(), own.end());

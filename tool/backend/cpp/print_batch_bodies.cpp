@@ -97,7 +97,7 @@ std::string print_batch_level(
     const std::string& path) {
   std::vector<std::string> kernels;
   for (const BatchKernel& k : in_blocks(api, group))
-    kernels.push_back(batch_instantiations(k, "robcogen::batch::Level::" + level + ", "));
+    kernels.push_back(batch_instantiations(api, k, "robcogen::batch::Level::" + level + ", "));
   const std::string text = paragraphs(
       {includes({"\"" + batch_path(folder(*api.library), group) + "\""}),
        in_namespace(api.space + "::batch::body", paragraphs(kernels))});

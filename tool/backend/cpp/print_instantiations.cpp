@@ -1,14 +1,13 @@
-// <name>/detail/kernels.h, the declarations of all kernels, and <name>/<group>.cpp, that compiles them for double and
-// float.
+// <name>/detail/kernels.h, the declarations of all kernels, and <name>/<group>.cpp, that compiles them.
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 
 namespace robcogen::backend::cpp {
 
-std::string explicit_instantiations(const std::string& kernel) {
+std::string explicit_instantiations(const Api& api, const std::string& kernel) {
   std::string result;
-  for (const std::string scalar : {"double", "float"}) {
+  for (const std::string& scalar : api.scalars()) {
     const std::string name = kernel + "<" + scalar + ">";
     const std::string type = "template decltype(" + name + ")";
     const bool fits = type.size() + name.size() + 2 <= kColumns;
@@ -20,7 +19,7 @@ std::string explicit_instantiations(const std::string& kernel) {
 std::string instantiations(const Api& api, const std::string& group) {
   std::string kernels;
   for (const CompiledKernel& kernel : compiled_kernels(api, group))
-    kernels += explicit_instantiations(qualified(kernel));
+    kernels += explicit_instantiations(api, qualified(kernel));
   return in_namespace(api.space + "::kernel", kernels);
 }
 
@@ -36,7 +35,8 @@ std::string print_kernel_declarations(const Api& api, const std::string& path) {
   if (api.takes_sines())
     kernels += signature("void joint_trigonometry", trigonometry_parameters(*api.library), " noexcept;");
   return paragraphs(
-      {banner(*api.library, path, "declarations of its kernels, which the library compiles for double and float"),
+      {banner(
+           *api.library, path, "declarations of its kernels, which the library compiles for " + api.scalars_in_words()),
        "#pragma once\n", in_namespace(api.space + "::kernel", kernels),
        in_namespace(api.space + "::kernel::core", cores)});
 }
@@ -44,7 +44,7 @@ std::string print_kernel_declarations(const Api& api, const std::string& path) {
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
   if (chooses_level(api, group)) return print_choice(api, group, path);
   return paragraphs(
-      {banner(*api.library, path, "kernels compiled for double and float"),
+      {banner(*api.library, path, "kernels compiled for " + api.scalars_in_words()),
        includes({"\"" + kernel_path(folder(*api.library), group) + "\""}), instantiations(api, group)});
 }
 

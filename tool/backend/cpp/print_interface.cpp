@@ -273,11 +273,11 @@ std::string conventions(const Api& api) {
   if (library.has_spherical_joints()) text += "; their quaternions must be of unit length (robcogen/positions.h)";
   if (!library.followers.empty()) text += "; close_loops finds the last ones";
   if (library.has_own_positions()) text += ".";
-  text += " " + api.space + "::f32 has the same types and functions in single precision.";
+  const bool single = library.has_single_precision;
+  if (single) text += " " + api.space + "::f32 has the same types and functions in single precision.";
   if (!library.has_robot()) return comment(text);
-  text += " " + api.space +
-          "::Robot, and f32::Robot, have all functions but transforms and Jacobians as members, for " +
-          "code that is generic over robots.";
+  text += " " + api.space + (single ? "::Robot, and f32::Robot, have" : "::Robot has") +
+          " all functions but transforms and Jacobians as members, for code that is generic over robots.";
   if (api.takes_sines())
     text += std::string(" Where sines and cosines of the joints are known, a ") + kTrigonometryType +
             " takes the place of positions.";
@@ -316,6 +316,7 @@ std::string factor_type(const Api& api) {
 
 std::string print_umbrella(const Api& api, const std::string& path) {
   const Library& library = *api.library;
+  const bool single = library.has_single_precision;
   std::vector<std::string> groups;
   bool tables = false;
   for (const Callable& c : api.callables) tables = tables || !c.columns.empty();
@@ -329,9 +330,10 @@ std::string print_umbrella(const Api& api, const std::string& path) {
            conventions(api),
        "#pragma once\n", tables ? includes({"<array>"}) : "", includes(headers),
        in_namespace(api.space, paragraphs(groups)),
-       comment("The definitions, in each precision.") + includes({cpp::quoted(kernels_path(folder(library)))}),
+       comment(single ? "The definitions, in each precision." : "The definitions.") +
+           includes({cpp::quoted(kernels_path(folder(library)))}),
        std::string("#define ") + kIncluded + "\n" + definitions_in(api, api.space),
-       definitions_in(api, api.space + "::f32") + "#undef " + kIncluded + "\n"});
+       (single ? definitions_in(api, api.space + "::f32") : std::string()) + "#undef " + kIncluded + "\n"});
 }
 
 std::string print_definitions(const Api& api, const std::string& path) {
@@ -339,8 +341,8 @@ std::string print_definitions(const Api& api, const std::string& path) {
   std::vector<std::string> parts = {
       banner(library, path, "definitions of its functions") +
       comment(
-          umbrella_path(folder(library)) +
-          " includes this file in the namespaces of both precisions; alone it is empty.") +
+          umbrella_path(folder(library)) + " includes this file in the namespace" +
+          (library.has_single_precision ? "s of both precisions" : "") + "; alone it is empty.") +
       "#ifdef " + kIncluded + "\n"};
   for (const std::string& group : library.groups) parts.push_back(definitions(api, group));
   if (library.has_robot()) parts.push_back(robot_type(api));

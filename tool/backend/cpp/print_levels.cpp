@@ -97,7 +97,9 @@ std::string choice(const Api& api, const std::string& group) {
   std::string body = "  [[maybe_unused]] const robcogen::Level level = robcogen::available(most);\n";
   const auto use = [&](const std::string& level, const std::string& indent) {
     const std::string name = indent + name_of_setter(group, level);
-    return name + "<double>();\n" + name + "<float>();\n";
+    std::string uses;
+    for (const std::string& scalar : api.scalars()) uses += name + "<" + scalar + ">();\n";
+    return uses;
   };
   // The highest one last: it stays.
   body += use(kLevels[0], "  ");
@@ -162,7 +164,8 @@ std::string print_choice(const Api& api, const std::string& group, const std::st
   const std::string nothing_to_choose =
       in_namespace(api.space + "::kernel::levels", "void " + group + "(robcogen::Level) noexcept {}\n");
   return paragraphs(
-      {banner(*api.library, path, "kernels compiled for double and float, and the choice of a processor's"),
+      {banner(
+           *api.library, path, "kernels compiled for " + api.scalars_in_words() + ", and the choice of a processor's"),
        includes_of_kernels(api, {"\"" + kernels_path(name) + "\""}), "#if ROBCOGEN_CHOOSES_LEVEL\n",
        own_kernels(api, {group}), chosen_kernels(api, group), "#else  // ROBCOGEN_CHOOSES_LEVEL\n",
        includes({"\"" + kernel_path(name, group) + "\""}), nothing_to_choose, "#endif  // ROBCOGEN_CHOOSES_LEVEL\n",
@@ -177,7 +180,7 @@ std::string print_level(const Api& api, const std::string& level, const std::str
   for (const std::string& group : groups)
     for (const CompiledKernel& k : chosen(api, group)) {
       kernels.push_back(k);
-      instantiated += explicit_instantiations(qualified(k));
+      instantiated += explicit_instantiations(api, qualified(k));
     }
   const std::string forwarders =
       in_their_namespaces(kernels, [&](const CompiledKernel& k) { return forwarder(k, baseline_of(api)); });

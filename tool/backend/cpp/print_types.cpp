@@ -107,14 +107,19 @@ std::string structures(const Api& api) {
   return paragraphs(texts);
 }
 
+// The same types there; empty without it.
+std::string in_single_precision(const Library& library, const std::string& types) {
+  if (!library.has_single_precision) return "";
+  return "// The same in single precision.\n" + in_namespace("f32", types);
+}
+
 }  // namespace
 
 std::string print_types(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   if (!library.has_robot()) {
     const std::string types = paragraphs(
-        {structures(api), transform_types(api, "double"),
-         "// The same in single precision.\n" + in_namespace("f32", transform_types(api, "float"))});
+        {structures(api), transform_types(api, "double"), in_single_precision(library, transform_types(api, "float"))});
     return paragraphs(
         {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
          library.parameters.empty() ? "" : includes({"<limits>"}),
@@ -146,8 +151,7 @@ std::string print_types(const Api& api, const std::string& path) {
                  (library.followers.empty() ? "" : " The last ones follow through loops: close_loops finds them.")) +
                  "template <class Scalar>\nusing PositionVector = Eigen::Matrix<Scalar, kPositions, 1>;\n"
            : "",
-       trigonometry, factor, structures(api), both("double"),
-       "// The same in single precision.\n" + in_namespace("f32", both("float"))});
+       trigonometry, factor, structures(api), both("double"), in_single_precision(library, both("float"))});
   return paragraphs(
       {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
        trigonometry.empty() ? "" : includes({"<array>"}), includes(runtime), includes(headers),

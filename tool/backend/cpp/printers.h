@@ -52,7 +52,7 @@ std::string print_kernel_declarations(const Api& api, const std::string& path);
 // Of a group; or `parameters`: the updates of a robot that has some; or `trigonometry`.
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path);
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path);
-std::string explicit_instantiations(const std::string& kernel);
+std::string explicit_instantiations(const Api& api, const std::string& kernel);
 std::string instantiations(const Api& api, const std::string& group);
 // Whether a group has kernels that are compiled for several processors; print_instantiations then prints the choice.
 bool chooses_level(const Api& api, const std::string& group);

@@ -1,0 +1,77 @@
+// --double-only: libraries without single precision.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "run_tool.h"
+
+namespace robcogen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Lines = std::map<std::string, std::string>;
+
+// The first line about single precision in each file that has one, comments apart.
+Lines single_precision(const fs::path& folder) {
+  static const std::regex single(R"(\b(float|f32)\b)");
+  Lines result;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::istringstream lines(read_text(entry.path()));
+    for (std::string line; std::getline(lines, line);)
+      if (std::regex_search(line.substr(0, line.find("//")), single))
+        result.emplace(entry.path().lexically_relative(folder).string(), line);
+  }
+  return result;
+}
+
+std::string generate(const std::string& model, const fs::path& folder, const std::string& options) {
+  const Outcome run = run_tool("generate " + model + " -o " + quoted(folder) + " --effort 0 --name it" + options);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  return run_tool("generate --list-outputs --name it" + options, "").output;
+}
+
+TEST(DoubleOnly, RobotsHaveNothingInSinglePrecision) {
+  const std::string options = " --batch --processors baseline avx2 avx512 --algorithms all";
+  for (const std::string name : {"hyl", "hyl_parametric", "quadruped"}) {
+    const Scratch scratch("double-only-" + name);
+    const std::string files = generate(quoted(robot(name)), scratch.path / "double", options + " --double-only");
+    EXPECT_EQ(single_precision(scratch.path / "double"), Lines()) << name;
+    EXPECT_EQ(generate(quoted(robot(name)), scratch.path / "both", options), files);
+    EXPECT_GT(single_precision(scratch.path / "both").size(), 40u) << name;
+  }
+}
+
+TEST(DoubleOnly, TransformsHaveNothingInSinglePrecision) {
+  const Scratch scratch("double-only-transforms");
+  const std::string model = quoted(fs::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl");
+  generate(model, scratch.path / "double", " --double-only");
+  EXPECT_EQ(single_precision(scratch.path / "double"), Lines());
+  generate(model, scratch.path / "both", "");
+  EXPECT_FALSE(single_precision(scratch.path / "both").empty());
+}
+
+TEST(DoubleOnly, KernelsAreTheSame) {
+  const Scratch scratch("double-only-kernels");
+  generate(quoted(robot("hyl")), scratch.path / "double", " --double-only");
+  generate(quoted(robot("hyl")), scratch.path / "both", "");
+  for (const char* group : {"inverse_dynamics", "forward_dynamics", "transforms"}) {
+    const fs::path path = fs::path("it") / "kernel" / (std::string(group) + ".h");
+    EXPECT_EQ(read_text(scratch.path / "double" / path), read_text(scratch.path / "both" / path));
+    EXPECT_FALSE(read_text(scratch.path / "both" / path).empty());
+  }
+}
+
+TEST(DoubleOnly, ModulesOfPythonTakeBothPrecisions) {
+  const Scratch scratch("double-only-python");
+  const Outcome run = run_tool(
+      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --language cpp python --double-only");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.errors, "robcogen: error: --double-only excludes --language python: modules take both precisions\n");
+}
+
+}  // namespace
+}  // namespace robcogen::test
