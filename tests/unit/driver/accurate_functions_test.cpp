@@ -15,7 +15,7 @@ using namespace test;
 using symbolic::Program;
 
 Functions traced(const Model& model) {
-  return trace(model, {"inverse_dynamics"}, {}, false);
+  return trace(model, {"inverse_dynamics"}, {});
 }
 
 TEST(AccurateFunctions, AreThoseThatThePassesMake) {

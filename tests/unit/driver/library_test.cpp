@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 
 backend::Library assembled(const Model& model, const std::vector<std::string>& groups, Primitives primitives = {}) {
-  return assemble(model, {"arm", "a::b"}, groups, trace(model, groups, {}, false), primitives);
+  return assemble(model, {"arm", "a::b"}, groups, trace(model, groups, {}), primitives);
 }
 
 const backend::Function& function(const backend::Library& library, const std::string& scope, const std::string& name) {

@@ -2,6 +2,7 @@
 #include "driver/optimise.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "documents.h"
 #include "driver/trace.h"
@@ -19,7 +20,9 @@ using symbolic::Role;
 const symbolic::Arrays<double> kState = {{"q", {0.4, -1.1}}, {"qd", {1.5, 0.25}}, {"qdd", {-2.0, 3.0}}};
 
 Functions optimised(const Model& model, const Steps& steps, const backend::Features& features = {}) {
-  return optimise(model, trace(model, {"inverse_dynamics"}, steps, features.has_lanes), steps, features);
+  const std::vector<std::string> groups = {"inverse_dynamics"};
+  Functions functions = features.has_lanes ? trace_for_lanes(model, groups, steps) : trace(model, groups, steps);
+  return optimise(model, std::move(functions), steps, features);
 }
 
 std::vector<double> tau_of(const Program& program, symbolic::Arrays<double> inputs = kState) {
@@ -100,9 +103,7 @@ TEST(Optimise, CongruentLimbsShareLanes) {
   const Model model = loaded(fs::path(ROBCOGEN_ROBOTS_DIR) / "quadruped_fixed" / "quadruped_fixed.kindsl");
   const Steps fast{all_steps(), 0}, no_lanes{pass::names(), 0};
   const auto first = [&](const Steps& steps, bool has_lanes) {
-    const Functions functions =
-        optimise(model, trace(model, {"inverse_dynamics"}, steps, has_lanes), steps, {.has_lanes = has_lanes});
-    return functions.list.at(0);
+    return optimised(model, steps, {.has_lanes = has_lanes}).list.at(0);
   };
   EXPECT_FALSE(first(fast, false).in_lanes);
   EXPECT_FALSE(first(no_lanes, true).in_lanes);
@@ -120,7 +121,7 @@ TEST(Optimise, CongruentLimbsShareLanes) {
 TEST(Optimise, TransformsAreOptimisedToo) {
   const Folder folder;
   const Model model = loaded(folder.file("arm.ctdsl", kTransforms));
-  const Functions functions = optimise(model, trace(model, {kTransformsGroup}, {}, false), {}, {.takes_sines = true});
+  const Functions functions = optimise(model, trace(model, {kTransformsGroup}, {}), {}, {.takes_sines = true});
   ASSERT_EQ(functions.list.size(), 6U);
   EXPECT_FALSE(functions.trigonometry);
   for (const Function& f : functions.list) {

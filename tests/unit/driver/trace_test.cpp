@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 
 TEST(Trace, MakesTheFunctionsOfEachGroupInTurn) {
-  const Functions functions = trace(rods(), {"joint_space_inertia", "inverse_dynamics"}, {}, false);
+  const Functions functions = trace(rods(), {"joint_space_inertia", "inverse_dynamics"}, {});
   ASSERT_GE(functions.list.size(), 3U);  // an inertia matrix, and inverse dynamics with several loads
   EXPECT_EQ(functions.list.front().traced.group, "joint_space_inertia");
   for (std::size_t i = 1; i < functions.list.size(); ++i) {
@@ -27,7 +27,7 @@ TEST(Trace, MakesTheFunctionsOfEachGroupInTurn) {
 TEST(Trace, ComputesWhatTheRobotDoes) {
   const double q1 = 0.4, q2 = -1.1;
   for (const std::vector<std::string>& steps : {std::vector<std::string>(), all_steps()}) {
-    const Functions functions = trace(rods(), {"inverse_dynamics"}, {steps}, false);
+    const Functions functions = trace(rods(), {"inverse_dynamics"}, {steps});
     const auto tau = symbolic::interpret<double>(functions.list.at(0).traced.program, {{"q", {q1, q2}}}).at("tau");
     const double second = kGravity * kM2 * kL2 * std::cos(q1 + q2);
     EXPECT_NEAR(tau[0], kGravity * (kM1 + kM2) * kL1 * std::cos(q1) + second, 1e-13);
@@ -38,7 +38,7 @@ TEST(Trace, ComputesWhatTheRobotDoes) {
 TEST(Trace, OfTransformsKnowsWhichOneEachFunctionIs) {
   const Folder folder;
   const Model model = loaded(folder.file("arm.motdsl", kMotions));
-  const Functions functions = trace(model, {kTransformsGroup}, {}, true);
+  const Functions functions = trace_for_lanes(model, {kTransformsGroup}, {});
   const auto& transforms = model.transforms()->document.transforms;
   EXPECT_EQ(functions.list.size(), 3 * transforms.size());  // homogeneous, motion, force
   for (const Function& f : functions.list) {
@@ -66,16 +66,17 @@ Model two_arms(const std::string& second_com) {
 
 TEST(Trace, ForLanesLimbsFoldInTheSameWay) {
   const Steps plain_steps{{}, 0};  // in the frames of the document
-  const auto congruent = [&](const Model& model, bool for_lanes) {
-    return trace(model, {"inverse_dynamics"}, plain_steps, for_lanes).list.at(0).congruent;
+  const std::vector<std::string> groups = {"inverse_dynamics"};
+  const auto congruent = [&](const Model& model) {
+    return trace_for_lanes(model, groups, plain_steps).list.at(0).congruent;
   };
   const Model different = two_arms("(0.5, 0.01, 0.0)");
-  EXPECT_FALSE(congruent(different, false));
-  EXPECT_FALSE(congruent(two_arms("(0.5, 0.0, 0.0)"), true));
-  const auto program = congruent(different, true);
+  EXPECT_FALSE(trace(different, groups, plain_steps).list.at(0).congruent);
+  EXPECT_FALSE(congruent(two_arms("(0.5, 0.0, 0.0)")));
+  const auto program = congruent(different);
   ASSERT_TRUE(program);
   // The same forces by a program that folds less.
-  const symbolic::Program plain = trace(different, {"inverse_dynamics"}, plain_steps, false).list.at(0).traced.program;
+  const symbolic::Program plain = trace(different, groups, plain_steps).list.at(0).traced.program;
   EXPECT_GT(symbolic::work(*program), symbolic::work(plain));
   const symbolic::Arrays<double> state = {{"q", {0.3, -0.8}}, {"qd", {1.0, 2.0}}, {"qdd", {-3.0, 0.5}}};
   const auto expected = symbolic::interpret<double>(plain, state).at("tau");
