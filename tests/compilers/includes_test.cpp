@@ -163,8 +163,7 @@ void add_packaged(
 // The names in the file whose headers are not included, and those that are not in the table, in alphabetical order.
 std::set<std::string> missing(const std::string& text, const std::set<std::string>& included) {
   static const auto table = declarations();
-  static const std::regex used(
-      R"((^|[^:\w])((std|fmt|nlohmann)::\w+|assert|errno|EOF|stdin|stdout|stderr)\b(?!::v\d))");
+  static const std::regex used(R"((^|[^:\w])((std|fmt|nlohmann)::\w+|assert|errno|EOF|stdin|stdout|stderr)\b)");
   std::set<std::string> result;
   for (std::sregex_iterator use(text.begin(), text.end(), used), end; use != end; ++use) {
     const std::string name = (*use)[2];

@@ -104,12 +104,14 @@ Functions trace(const Model& model, const std::vector<std::string>& groups, cons
 }
 
 Functions trace_for_lanes(const Model& model, const std::vector<std::string>& groups, const Steps& steps) {
-  if (model.robot()) require_traceable(model);
-  if (!model.robot() || !is_worth_lanes(model.robot()->tree)) return trace(model, groups, steps);
+  if (!model.robot()) return trace(model, groups, steps);
+  require_traceable(model);
   algorithm::FormulationChoices choices(model.robot()->tree, steps.formulation());
   OfGroups of_groups = trace_robot(*model.robot(), model.file, groups, choices);
-  auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
-  add_congruent_programs(*model.robot(), model.file, groups, for_congruent_limbs, of_groups);
+  if (is_worth_lanes(model.robot()->tree)) {
+    auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
+    add_congruent_programs(*model.robot(), model.file, groups, for_congruent_limbs, of_groups);
+  }
   return in_one_list(std::move(of_groups));
 }
 

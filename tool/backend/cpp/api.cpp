@@ -6,6 +6,7 @@
 #include <set>
 
 #include "backend/cpp/names.h"
+#include "support/concat.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -208,7 +209,7 @@ std::vector<std::string> Api::scalars() const {
 }
 
 std::string Api::scalars_in_words() const {
-  return library->has_single_precision ? "double and float" : "double";
+  return joined(scalars(), " and ");
 }
 
 Api api(const Library& library) {
