@@ -1,4 +1,5 @@
-// With a floating base gravity says how the base is oriented: no function does without it, in any form of its arguments.
+// With a floating base gravity says how the base is oriented: no function does without it, in any form of its
+// arguments.
 #include "robots.h"
 
 #if __has_include(<quadruped/batch.h>)
@@ -54,13 +55,7 @@ constexpr int callable() {
 
 template <class R>
 class Gravities : public ::testing::Test {};
-using Robots = ::testing::Types<
-    hyl::Robot,
-    hyl::f32::Robot,
-    quadruped::Robot,
-    quadruped::f32::Robot,
-    centaur::Robot,
-    centaur::f32::Robot>;
+using Robots = ::testing::Types<hyl::Robot, hyl::f32::Robot, quadruped::Robot, quadruped::f32::Robot, centaur::Robot>;
 TYPED_TEST_SUITE(Gravities, Robots);
 
 TYPED_TEST(Gravities, AreAskedForWhereTheBaseFloats) {

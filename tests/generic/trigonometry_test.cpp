@@ -31,8 +31,7 @@ using Robots = ::testing::Types<
     centaur::Robot,
     hyl::f32::Robot,
     puma560::f32::Robot,
-    quadruped::f32::Robot,
-    centaur::f32::Robot>;
+    quadruped::f32::Robot>;
 TYPED_TEST_SUITE(Trigonometry, Robots);
 
 template <class R>
