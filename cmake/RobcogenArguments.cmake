@@ -114,6 +114,18 @@ function(_robcogen_check_names)
   set_property(GLOBAL PROPERTY ROBCOGEN_OWNER_OF_${qualified} ${library_TARGET})
 endfunction()
 
+# Keywords about C++ alone would otherwise be ignored.
+function(_robcogen_check_cpp)
+  if("cpp" IN_LIST library_LANGUAGES)
+    return()
+  endif()
+  foreach(keyword BATCH DOUBLE_ONLY PROCESSORS)
+    if(library_${keyword})
+      _robcogen_refuse("${keyword} is for C++: LANGUAGES must have cpp")
+    endif()
+  endforeach()
+endfunction()
+
 # Sets the defaults of omitted keywords, and makes paths absolute.
 function(_robcogen_complete_arguments)
   if(NOT library_NAME)

@@ -188,6 +188,28 @@ void require_options_of_transforms(const GenerateOptions& options) {
               "robcogen: error: --language {} applies to robots only, not to motions and transforms", language->name)};
 }
 
+// An option that none of the languages heeds would be ignored.
+void require_languages(const GenerateOptions& options) {
+  struct Heeded {
+    bool is_given;
+    const char* option;
+    std::vector<std::string> languages;
+  };
+  const Heeded heeded[] = {
+      {options.has_batches, "--batch", {"cpp"}},
+      {!options.processors.empty(), "--processors", {"cpp"}},
+      {options.is_double_only, "--double-only", {"cpp"}},
+      {!options.primitives.empty(), "--primitives", {"matlab", "maxima", "javascript"}}};
+  for (const Heeded& h : heeded) {
+    const auto is_asked = [&](const std::string& language) { return contains(options.languages, language); };
+    if (h.is_given && std::none_of(h.languages.begin(), h.languages.end(), is_asked))
+      throw Failure{
+          wrong_usage, fmt::format(
+                           "robcogen: error: {} is for --language {}, not for {}", h.option,
+                           fmt::join(h.languages, " or "), fmt::join(options.languages, ", "))};
+  }
+}
+
 // The files whose names follow from the options only: those of C++, C and Python.
 Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
@@ -225,6 +247,7 @@ Status generate(GenerateOptions options) {
   if (options.is_double_only && contains(options.languages, "python"))
     throw Failure{
         wrong_usage, "robcogen: error: --double-only excludes --language python: modules take both precisions"};
+  require_languages(options);
   if (options.list_outputs) return list_outputs(options);
   if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};

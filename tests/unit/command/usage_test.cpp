@@ -37,6 +37,27 @@ TEST(Usage, NoOptionIsAcceptedAndIgnored) {
   EXPECT_NE(run.errors.find("'-J' is not an option of robcogen generate"), std::string::npos) << run.errors;
 }
 
+// What an option asks for can be in none of the languages.
+TEST(Usage, OptionsOfOtherLanguagesAreRefused) {
+  const Scratch scratch("other-languages");
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"--batch --language matlab", "--batch is for --language cpp, not for matlab"},
+      {"--double-only --language c maxima", "--double-only is for --language cpp, not for c, maxima"},
+      {"--processors baseline avx2 --language c", "--processors is for --language cpp, not for c"},
+      {"--primitives left", "--primitives is for --language matlab or maxima or javascript, not for cpp"}};
+  for (const auto& [options, message] : cases) {
+    const Outcome run =
+        run_tool("generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "out") + " " + options);
+    EXPECT_EQ(run.status, 2) << options;
+    EXPECT_EQ(run.errors, "robcogen: error: " + message + "\n");
+    EXPECT_FALSE(std::filesystem::exists(scratch.path / "out"));
+  }
+  const Outcome both = run_tool(
+      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "out") +
+      " --effort 0 --algorithms energy --batch --processors baseline --primitives left --language cpp matlab");
+  EXPECT_EQ(both.status, 0) << both.errors;
+}
+
 TEST(Usage, EverySingleStepAndNone) {
   for (const char* steps :
        {"none", "regroup", "choose-fd", "frames", "turn-inertia", "reverse-mode", "canonical", "reassociate", "sink",
