@@ -4,10 +4,10 @@
 #     VALUES    the program that writes the values of MODEL with DESIRED (or none), with products of PRIMITIVES (right, left or none)
 #     FOLDER    for the values
 #     DERIVATIVES   that the package was generated with
-#     STATES    number of states, 100 unless given
+#     STATES    number of states, 20 unless given
 #     MUTATE    a file of the package, whose first sum becomes a difference: the comparison must fail
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
-set(states 100)
+set(states 20)
 if(STATES)
   set(states ${STATES})
 endif()
