@@ -24,7 +24,7 @@ endfunction()
 
 # Sets library_levels to the levels that kernels of one state are compiled for: those of PROCESSORS; without it, avx2.
 # AVX-512 gains little for one state. None where options of the library or of the build choose a processor, or refuse
-# optimisation.
+# optimisation, or nothing is generated in C++.
 function(_robcogen_choose_levels)
   set(library_levels "" PARENT_SCOPE)
   set(levels avx2)
@@ -45,7 +45,7 @@ function(_robcogen_choose_levels)
     string(APPEND options ";${CMAKE_CXX_FLAGS_${upper}}")
   endforeach()
   _robcogen_has_levels(has_levels)
-  if(has_levels AND NOT "${options}" MATCHES "${chosen}")
+  if("cpp" IN_LIST library_LANGUAGES AND has_levels AND NOT "${options}" MATCHES "${chosen}")
     set(library_levels ${levels} PARENT_SCOPE)
   endif()
 endfunction()

@@ -200,14 +200,13 @@ void require_languages(const GenerateOptions& options) {
       {!options.processors.empty(), "--processors", {"cpp"}},
       {options.is_double_only, "--double-only", {"cpp"}},
       {!options.primitives.empty(), "--primitives", {"matlab", "maxima", "javascript"}}};
-  for (const Heeded& h : heeded) {
-    const auto is_asked = [&](const std::string& language) { return contains(options.languages, language); };
+  const auto is_asked = [&](const std::string& language) { return contains(options.languages, language); };
+  for (const Heeded& h : heeded)
     if (h.is_given && std::none_of(h.languages.begin(), h.languages.end(), is_asked))
       throw Failure{
           wrong_usage, fmt::format(
                            "robcogen: error: {} is for --language {}, not for {}", h.option,
                            fmt::join(h.languages, " or "), fmt::join(options.languages, ", "))};
-  }
 }
 
 // The files whose names follow from the options only: those of C++, C and Python.
