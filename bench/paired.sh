@@ -6,16 +6,17 @@
 #
 # For each function and variant: cycles of a call and how much of those of the first variant that is, for calls in a row
 # and for calls of which each waits for the result of the one before; medians over 5 processes, whose code stands at
-# other addresses, of medians over 21 interleaved rounds of 256 states. MODEL: a robot without parameters; of a .urdf,
-# angles are snapped. Inverse dynamics of a floating base: its acceleration is given. Environment: CXX (g++), OPTIONS
-# (further ones of the generators, such as --floating-base).
+# other addresses, of medians over 21 interleaved rounds of 256 states. Each process loads copies of the libraries: the
+# pages of one file may lie so that a large kernel takes three times as long, in every process. MODEL: a robot without
+# parameters; of a .urdf, angles are snapped. Inverse dynamics of a floating base: its acceleration is given.
+# Environment: CXX (g++), OPTIONS (further ones of the generators, such as --floating-base).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=flags.sh
 source "$here/flags.sh"
 
 if (($# < 2)); then
-  sed -n '2,12s/^# \{0,1\}//p' "$0"
+  sed -n '2,13s/^# \{0,1\}//p' "$0"
   exit 2
 fi
 model=$1
@@ -72,8 +73,13 @@ middle() { # column, of the lines of one variant
 printf '%-20s %-8s %10s %6s %12s %6s\n' function variant "in a row" ratio "one by one" ratio
 for function in inverse_dynamics forward_dynamics joint_space_inertia; do
   : >"$scratch/times"
-  for _ in 1 2 3 4 5; do
-    "$scratch/paired" "$size" "$function" "${libraries[@]}" >>"$scratch/times"
+  for process in 1 2 3 4 5; do
+    copies=()
+    for library in "${libraries[@]}"; do
+      copies+=("${library%.so}_$function$process.so")
+      cp "$library" "${copies[-1]}"
+    done
+    "$scratch/paired" "$size" "$function" "${copies[@]}" >>"$scratch/times"
   done
   for i in $(seq ${#libraries[@]}); do
     grep "^$i " "$scratch/times" >"$scratch/lines"

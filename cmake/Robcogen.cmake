@@ -409,12 +409,12 @@ function(_robcogen_add_library target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the
   # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other passes
-  # that are off take a sixth of gcc's time without effect: dead stores do not occur, and processors reorder
-  # instructions themselves; where ordering pays, RobcogenProcessors.cmake has it. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers to the
-  # handlers, as clang does with assertions.
-  # Of kernels with thousands of values, gcc's search for registers takes half of the time when it looks at 500 values at
-  # once; with 100 the code is as fast.
-  set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-exceptions --param=lra-max-considered-reload-pseudos=100)
+  # that are off take a quarter of gcc's time without effect: straight-line code has no jumps, no values that depend on
+  # them and no dead stores, and processors reorder instructions themselves; where ordering pays,
+  # RobcogenProcessors.cmake has it. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers to
+  # the handlers, as clang does with assertions. Of kernels with thousands of values, gcc's search for registers takes
+  # half of the time when it looks at 500 values at once; with 100 the code is as fast. (One line: other files read it.)
+  set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-tree-pta -fno-tree-pre -fno-code-hoisting -fno-tree-dominator-opts -fno-thread-jumps -fno-tree-vrp -fno-exceptions --param=lra-max-considered-reload-pseudos=100)
   _robcogen_optimisation(optimisation)
   target_compile_options(
     ${target} PRIVATE ${optimisation} "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>"

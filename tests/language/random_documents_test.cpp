@@ -163,14 +163,10 @@ rc::Gen<std::vector<std::string>> comments() {
   return rc::gen::resize(4, rc::gen::container<std::vector<std::string>>(comment));
 }
 
-rc::Gen<kinematics::Vector> vector() {
-  return rc::gen::container<kinematics::Vector>(expression(3));
-}
-
-rc::Gen<kinematics::Placement> placement() {
-  using kinematics::Placement;
-  return rc::gen::build<Placement>(
-      rc::gen::set(&Placement::translation, vector()), rc::gen::set(&Placement::rotation, vector()));
+// Up to about that many.
+template <class T>
+rc::Gen<std::vector<T>> up_to(int count, const rc::Gen<T>& what) {
+  return rc::gen::resize(count, rc::gen::container<std::vector<T>>(what));
 }
 
 template <class T>
@@ -179,171 +175,220 @@ rc::Gen<std::optional<T>> maybe(const rc::Gen<T>& what) {
       rc::gen::maybe(what), [](const rc::Maybe<T>& m) { return m ? std::optional<T>(*m) : std::nullopt; });
 }
 
+// A value that may be left out.
+rc::Gen<ExpressionPtr> maybe_expression() {
+  return rc::gen::oneOf(rc::gen::just(ExpressionPtr()), expression(2));
+}
+
+rc::Gen<kinematics::Vector> vector() {
+  return rc::gen::container<kinematics::Vector>(expression(3));
+}
+
+rc::Gen<kinematics::Placement> placement() {
+  return rc::gen::exec([] {
+    kinematics::Placement placement;
+    placement.translation = *vector();
+    placement.rotation = *vector();
+    return placement;
+  });
+}
+
 rc::Gen<kinematics::Inertia> inertia() {
-  using kinematics::Inertia;
-  return rc::gen::build<Inertia>(
-      rc::gen::set(&Inertia::mass, expression(3)), rc::gen::set(&Inertia::com, vector()),
-      rc::gen::set(&Inertia::ix, expression(2)), rc::gen::set(&Inertia::iy, expression(2)),
-      rc::gen::set(&Inertia::iz, expression(2)), rc::gen::set(&Inertia::ixy, expression(1)),
-      rc::gen::set(&Inertia::ixz, expression(1)), rc::gen::set(&Inertia::iyz, expression(1)),
-      rc::gen::set(&Inertia::reference, maybe(robot_name())));
+  return rc::gen::exec([] {
+    kinematics::Inertia inertia;
+    inertia.mass = *expression(3);
+    inertia.com = *vector();
+    for (ExpressionPtr* moment : {&inertia.ix, &inertia.iy, &inertia.iz}) *moment = *expression(2);
+    for (ExpressionPtr* product : {&inertia.ixy, &inertia.ixz, &inertia.iyz}) *product = *expression(1);
+    inertia.reference = *maybe(robot_name());
+    return inertia;
+  });
 }
 
 rc::Gen<std::optional<int>> id() {
   return rc::gen::map(rc::gen::inRange(0, 1000), [](int i) { return std::optional(i == 999 ? INT_MAX : i); });
 }
 
-rc::Gen<kinematics::Link> link(bool is_base) {
-  using kinematics::Child, kinematics::Frame, kinematics::Inertia, kinematics::Link;
-  const auto children = rc::gen::container<std::vector<Child>>(
-      rc::gen::build<Child>(rc::gen::set(&Child::link, robot_name()), rc::gen::set(&Child::joint, robot_name())));
-  const auto frames = rc::gen::container<std::vector<Frame>>(
-      rc::gen::build<Frame>(rc::gen::set(&Frame::name, robot_name()), rc::gen::set(&Frame::placement, placement())));
-  return rc::gen::build<Link>(
-      rc::gen::set(&Link::name, robot_name()), rc::gen::set(&Link::is_base, rc::gen::just(is_base)),
-      rc::gen::set(&Link::floating, is_base ? rc::gen::arbitrary<bool>() : rc::gen::just(false)),
-      rc::gen::set(&Link::id, is_base ? rc::gen::just(std::optional<int>()) : id()),
-      rc::gen::set(&Link::inertia, maybe(inertia())), rc::gen::set(&Link::children, rc::gen::resize(4, children)),
-      rc::gen::set(&Link::frames, rc::gen::resize(3, frames)), rc::gen::set(&Link::comments, comments()));
+rc::Gen<kinematics::Child> child() {
+  return rc::gen::exec([] {
+    kinematics::Child child;
+    child.link = *robot_name();
+    child.joint = *robot_name();
+    return child;
+  });
 }
 
-// A value that may be left out.
-rc::Gen<ExpressionPtr> maybe_expression() {
-  return rc::gen::oneOf(rc::gen::just(ExpressionPtr()), expression(2));
+rc::Gen<kinematics::Frame> frame() {
+  return rc::gen::exec([] {
+    kinematics::Frame frame;
+    frame.name = *robot_name();
+    frame.placement = *placement();
+    return frame;
+  });
+}
+
+rc::Gen<kinematics::Link> link(bool is_base) {
+  return rc::gen::exec([is_base] {
+    kinematics::Link link;
+    link.name = *robot_name();
+    link.is_base = is_base;
+    if (is_base)
+      link.floating = *rc::gen::arbitrary<bool>();
+    else
+      link.id = *id();
+    link.inertia = *maybe(inertia());
+    link.children = *up_to(4, child());
+    link.frames = *up_to(3, frame());
+    link.comments = *comments();
+    return link;
+  });
 }
 
 rc::Gen<kinematics::Drive> drive() {
-  using kinematics::Drive;
-  const auto any = rc::gen::build<Drive>(
-      rc::gen::set(&Drive::damping, maybe_expression()), rc::gen::set(&Drive::friction, maybe_expression()),
-      rc::gen::set(&Drive::friction_velocity, maybe_expression()), rc::gen::set(&Drive::armature, maybe_expression()),
-      rc::gen::set(&Drive::stiffness, maybe_expression()), rc::gen::set(&Drive::rest, maybe_expression()));
-  return rc::gen::map(any, [](Drive d) {
-    if (!d.friction) d.friction_velocity = nullptr;
-    if (!d.stiffness) d.rest = nullptr;
-    return d;
+  return rc::gen::exec([] {
+    kinematics::Drive drive;
+    drive.damping = *maybe_expression();
+    drive.friction = *maybe_expression();
+    if (drive.friction) drive.friction_velocity = *maybe_expression();
+    drive.armature = *maybe_expression();
+    drive.stiffness = *maybe_expression();
+    if (drive.stiffness) drive.rest = *maybe_expression();
+    return drive;
   });
 }
 
 rc::Gen<kinematics::Rotor> rotor() {
-  using kinematics::Rotor;
-  return rc::gen::build<Rotor>(
-      rc::gen::set(&Rotor::inertia, expression(1)), rc::gen::set(&Rotor::ratio, expression(1)),
-      rc::gen::set(&Rotor::axis, maybe(vector())), rc::gen::set(&Rotor::carrier, maybe(robot_name())));
+  return rc::gen::exec([] {
+    kinematics::Rotor rotor;
+    rotor.inertia = *expression(1);
+    rotor.ratio = *expression(1);
+    rotor.axis = *maybe(vector());
+    rotor.carrier = *maybe(robot_name());
+    return rotor;
+  });
 }
 
 rc::Gen<kinematics::Limits> limits() {
-  using kinematics::Limits;
-  using Bounds = std::array<ExpressionPtr, 2>;
-  const auto bounds = maybe(rc::gen::container<Bounds>(expression(2)));
-  return rc::gen::build<Limits>(
-      rc::gen::set(&Limits::position, bounds), rc::gen::set(&Limits::velocity, maybe_expression()),
-      rc::gen::set(&Limits::effort, maybe_expression()));
+  return rc::gen::exec([] {
+    kinematics::Limits limits;
+    limits.position = *maybe(rc::gen::container<std::array<ExpressionPtr, 2>>(expression(2)));
+    limits.velocity = *maybe_expression();
+    limits.effort = *maybe_expression();
+    return limits;
+  });
 }
 
 rc::Gen<kinematics::Joint> joint() {
   using kinematics::Joint;
-  const auto of_its_type = [](std::pair<Joint, ExpressionPtr> made) {
-    Joint& joint = made.first;
-    if (joint.type == Joint::Type::helical) joint.pitch = made.second;
+  return rc::gen::exec([] {
+    Joint joint;
+    joint.name = *robot_name();
+    joint.type = *rc::gen::element(
+        Joint::Type::revolute, Joint::Type::prismatic, Joint::Type::helical, Joint::Type::cylindrical,
+        Joint::Type::universal, Joint::Type::planar);
+    joint.id = *rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()));
+    joint.placement = *placement();
+    joint.comments = *comments();
+    if (joint.type == Joint::Type::helical) joint.pitch = *expression(1);
+    kinematics::DriveAndLimits one;
+    one.drive = *drive();
+    one.rotor = *maybe(rotor());
+    one.limits = *limits();
+    one.assembled = *maybe_expression();
     const auto words = kinematics::coordinate_words(joint.type);
-    if (words.empty()) return joint;
-    for (std::size_t k = joint.comments.size() % 2; k < words.size(); ++k)
-      joint.coordinates.push_back({kinematics::DriveAndLimits(joint), {std::string(words[k]), {}}});
-    joint.drive = {};
-    joint.rotor.reset();
-    joint.limits = {};
-    joint.assembled = nullptr;
+    if (words.empty()) static_cast<kinematics::DriveAndLimits&>(joint) = one;
+    // Of all coordinates, or of all but the first.
+    for (std::size_t k = *rc::gen::inRange(0, 2); k < words.size(); ++k)
+      joint.coordinates.push_back({one, {std::string(words[k]), {}}});
     return joint;
-  };
-  const auto any = rc::gen::build<Joint>(
-      rc::gen::set(&Joint::name, robot_name()),
-      rc::gen::set(
-          &Joint::type, rc::gen::element(
-                            Joint::Type::revolute, Joint::Type::prismatic, Joint::Type::helical,
-                            Joint::Type::cylindrical, Joint::Type::universal, Joint::Type::planar)),
-      rc::gen::set(&Joint::id, rc::gen::oneOf(id(), rc::gen::just(std::optional<int>()))),
-      rc::gen::set(&Joint::placement, placement()), rc::gen::set(&Joint::drive, drive()),
-      rc::gen::set(&Joint::rotor, maybe(rotor())), rc::gen::set(&Joint::limits, limits()),
-      rc::gen::set(&Joint::assembled, maybe_expression()), rc::gen::set(&Joint::comments, comments()));
-  return rc::gen::map(rc::gen::pair(any, expression(1)), of_its_type);
+  });
 }
 
 rc::Gen<kinematics::Coupling> coupling() {
-  using kinematics::Coupling;
-  return rc::gen::build<Coupling>(
-      rc::gen::set(&Coupling::joint, robot_name()), rc::gen::set(&Coupling::value, expression(3)));
+  return rc::gen::exec([] {
+    kinematics::Coupling coupling;
+    coupling.joint = *robot_name();
+    coupling.value = *expression(3);
+    return coupling;
+  });
 }
 
+// With a type, or a distance; of either branch, or without a word.
 rc::Gen<kinematics::LoopJoint> loop_joint() {
-  using kinematics::LoopJoint;
-  const auto any = rc::gen::build<LoopJoint>(
-      rc::gen::set(&LoopJoint::name, robot_name()),
-      rc::gen::set(
-          &LoopJoint::frames, rc::gen::map(
-                                  rc::gen::pair(robot_name(), robot_name()),
-                                  [](const auto& both) {
-                                    return std::array{both.first, both.second};
-                                  })),
-      rc::gen::set(&LoopJoint::distance, expression(3)));
-  // With a type, or a distance; of either branch, or without a word.
-  return rc::gen::map(rc::gen::pair(any, rc::gen::inRange<std::size_t>(0, 15)), [](auto made) {
-    auto [loop, choice] = made;
-    const std::size_t type = choice % 5, branch = choice / 5;
-    if (branch > 0) loop.branch.text = kinematics::kLoopBranches.begin()[branch - 1];
-    if (type == kinematics::kLoopTypes.size()) return loop;
-    loop.distance = nullptr;
-    loop.type.text = kinematics::kLoopTypes.begin()[type];
+  return rc::gen::exec([] {
+    kinematics::LoopJoint loop;
+    loop.name = *robot_name();
+    loop.frames = {*robot_name(), *robot_name()};
+    const std::size_t type = *rc::gen::inRange<std::size_t>(0, kinematics::kLoopTypes.size() + 1);
+    if (type < kinematics::kLoopTypes.size())
+      loop.type.text = kinematics::kLoopTypes.begin()[type];
+    else
+      loop.distance = *expression(3);
+    const std::size_t branch = *rc::gen::inRange<std::size_t>(0, kinematics::kLoopBranches.size() + 1);
+    if (branch < kinematics::kLoopBranches.size()) loop.branch.text = kinematics::kLoopBranches.begin()[branch];
     return loop;
   });
 }
 
 rc::Gen<kinematics::Actuator> actuator() {
-  using kinematics::Actuator;
-  return rc::gen::map(rc::gen::tuple(robot_name(), robot_name(), robot_name()), [](const auto& names) {
-    const auto& [name, from, to] = names;
-    return Actuator{name, {from, to}};
+  return rc::gen::exec([] {
+    kinematics::Actuator actuator;
+    actuator.name = *robot_name();
+    actuator.frames = {*robot_name(), *robot_name()};
+    return actuator;
   });
 }
 
 rc::Gen<kinematics::Document> robot() {
-  using kinematics::Document, kinematics::Joint, kinematics::Link;
-  const auto links = rc::gen::map(
-      rc::gen::pair(link(true), rc::gen::resize(5, rc::gen::container<std::vector<Link>>(link(false)))),
-      [](std::pair<Link, std::vector<Link>> parts) {
-        parts.second.insert(parts.second.begin(), parts.first);
-        return parts.second;
-      });
-  return rc::gen::build<Document>(
-      rc::gen::set(&Document::robot, robot_name()), rc::gen::set(&Document::comments, comments()),
-      rc::gen::set(&Document::trailing_comments, comments()), rc::gen::set(&Document::links, links),
-      rc::gen::set(&Document::joints, rc::gen::resize(5, rc::gen::container<std::vector<Joint>>(joint()))),
-      rc::gen::set(
-          &Document::couplings, rc::gen::resize(4, rc::gen::container<std::vector<kinematics::Coupling>>(coupling()))),
-      rc::gen::set(
-          &Document::loop_joints,
-          rc::gen::resize(3, rc::gen::container<std::vector<kinematics::LoopJoint>>(loop_joint()))),
-      rc::gen::set(
-          &Document::actuators, rc::gen::resize(3, rc::gen::container<std::vector<kinematics::Actuator>>(actuator()))),
-      rc::gen::set(
-          &Document::independents,
-          rc::gen::resize(3, rc::gen::container<std::vector<kinematics::Name>>(robot_name()))));
+  return rc::gen::exec([] {
+    kinematics::Document document;
+    document.robot = *robot_name();
+    document.comments = *comments();
+    document.trailing_comments = *comments();
+    document.links = *up_to(5, link(false));
+    document.links.insert(document.links.begin(), *link(true));
+    document.joints = *up_to(5, joint());
+    document.couplings = *up_to(4, coupling());
+    document.loop_joints = *up_to(3, loop_joint());
+    document.actuators = *up_to(3, actuator());
+    document.independents = *up_to(3, robot_name());
+    return document;
+  });
+}
+
+rc::Gen<desired::Name> frame_name() {
+  return name<desired::Name>(desired::keywords());
+}
+
+rc::Gen<desired::Pair> pair() {
+  return rc::gen::exec([] {
+    desired::Pair pair;
+    pair.left = *frame_name();
+    pair.right = *frame_name();
+    return pair;
+  });
+}
+
+rc::Gen<desired::Contact> contact() {
+  return rc::gen::exec([] {
+    desired::Contact contact;
+    contact.frame = *frame_name();
+    contact.is_surface = *rc::gen::arbitrary<bool>();
+    return contact;
+  });
 }
 
 rc::Gen<desired::Document> list() {
-  using desired::Contact, desired::Document, desired::Pair;
-  const auto frame = name<desired::Name>(desired::keywords());
-  const auto pairs = rc::gen::resize(
-      10, rc::gen::container<std::vector<Pair>>(
-              rc::gen::build<Pair>(rc::gen::set(&Pair::left, frame), rc::gen::set(&Pair::right, frame))));
-  const auto contacts = rc::gen::resize(
-      5, rc::gen::container<std::vector<Contact>>(rc::gen::build<Contact>(
-             rc::gen::set(&Contact::frame, frame), rc::gen::set(&Contact::is_surface, rc::gen::arbitrary<bool>()))));
-  return rc::gen::build<Document>(
-      rc::gen::set(&Document::robot, frame), rc::gen::set(&Document::comments, comments()),
-      rc::gen::set(&Document::contacts, contacts),
-      rc::gen::set(&Document::frames, rc::gen::resize(10, rc::gen::container<std::vector<desired::Name>>(frame))),
-      rc::gen::set(&Document::transforms, pairs), rc::gen::set(&Document::jacobians, pairs));
+  return rc::gen::exec([] {
+    desired::Document document;
+    document.robot = *frame_name();
+    document.comments = *comments();
+    document.contacts = *up_to(5, contact());
+    document.frames = *up_to(10, frame_name());
+    document.transforms = *up_to(10, pair());
+    document.jacobians = *up_to(10, pair());
+    return document;
+  });
 }
 
 // Constructs of documents about frames only: parameters by group, and those that their use declares.
@@ -364,57 +409,88 @@ ExpressionPtr qualified(const ExpressionPtr& from, const std::vector<std::string
 }
 
 rc::Gen<std::vector<AxisStep>> steps(const std::vector<std::string>& keywords) {
-  const auto amount = rc::gen::map(
-      rc::gen::pair(expression(2), rc::gen::inRange(0, 3)), [keywords](const std::pair<ExpressionPtr, int>& parts) {
-        return qualified(parts.first, keywords, parts.second);
-      });
-  return rc::gen::resize(
-      6, rc::gen::container<std::vector<AxisStep>>(rc::gen::build<AxisStep>(
-             rc::gen::set(&AxisStep::rotation), rc::gen::set(&AxisStep::axis, rc::gen::inRange(0, 3)),
-             rc::gen::set(&AxisStep::amount, amount))));
+  return up_to<AxisStep>(6, rc::gen::exec([keywords] {
+                           AxisStep step;
+                           step.rotation = *rc::gen::arbitrary<bool>();
+                           step.axis = *rc::gen::inRange(0, 3);
+                           step.amount = qualified(*expression(2), keywords, *rc::gen::inRange(0, 3));
+                           return step;
+                         }));
+}
+
+rc::Gen<ParameterGroup> group(const std::vector<std::string>& keywords) {
+  return rc::gen::exec([keywords] {
+    ParameterGroup group;
+    group.name = *name<Name>(keywords);
+    group.parameters = *up_to(6, name<Name>(keywords));
+    group.comments = *comments();
+    return group;
+  });
 }
 
 rc::Gen<FramesHeader> header(const std::vector<std::string>& keywords) {
-  const auto names = rc::gen::resize(6, rc::gen::container<std::vector<Name>>(name<Name>(keywords)));
-  const auto some_names =
-      rc::gen::resize(6, rc::gen::nonEmpty(rc::gen::container<std::vector<Name>>(name<Name>(keywords))));
-  const auto group = rc::gen::build<ParameterGroup>(
-      rc::gen::set(&ParameterGroup::name, name<Name>(keywords)), rc::gen::set(&ParameterGroup::parameters, names),
-      rc::gen::set(&ParameterGroup::comments, comments()));
-  return rc::gen::build<FramesHeader>(
-      rc::gen::set(&FramesHeader::model, name<Name>(keywords)), rc::gen::set(&FramesHeader::frames, maybe(some_names)),
-      rc::gen::set(&FramesHeader::groups, rc::gen::resize(3, rc::gen::container<std::vector<ParameterGroup>>(group))),
-      rc::gen::set(&FramesHeader::comments, comments()));
+  return rc::gen::exec([keywords] {
+    FramesHeader header;
+    header.model = *name<Name>(keywords);
+    header.frames = *maybe(rc::gen::nonEmpty(up_to(6, name<Name>(keywords))));
+    header.groups = *up_to(3, group(keywords));
+    header.comments = *comments();
+    return header;
+  });
+}
+
+// Of a motion or a transform, all but what its frames are called.
+template <class Entry>
+Entry entry(std::vector<AxisStep> Entry::*its_steps, const std::vector<std::string>& keywords) {
+  Entry entry;
+  entry.*its_steps = *steps(keywords);
+  entry.name = *maybe(name<Name>(keywords));
+  entry.comments = *comments();
+  return entry;
+}
+
+rc::Gen<motion::Motion> one_motion() {
+  return rc::gen::exec([] {
+    auto motion = entry(&motion::Motion::steps, motion::keywords());
+    motion.from = *name<Name>(motion::keywords());
+    motion.to = *name<Name>(motion::keywords());
+    return motion;
+  });
 }
 
 rc::Gen<motion::Document> motions() {
-  using motion::Convention, motion::Document, motion::Motion;
-  const auto frame = name<Name>(motion::keywords());
-  const auto one = rc::gen::build<Motion>(
-      rc::gen::set(&Motion::from, frame), rc::gen::set(&Motion::to, frame),
-      rc::gen::set(&Motion::steps, steps(motion::keywords())), rc::gen::set(&Motion::name, maybe(frame)),
-      rc::gen::set(&Motion::comments, comments()));
-  return rc::gen::build<Document>(
-      rc::gen::set(&Document::header, header(motion::keywords())),
-      rc::gen::set(&Document::convention, rc::gen::element(Convention::local, Convention::fixed)),
-      rc::gen::set(&Document::convention_comments, comments()),
-      rc::gen::set(&Document::motions, rc::gen::resize(5, rc::gen::container<std::vector<Motion>>(one))),
-      rc::gen::set(&Document::trailing_comments, comments()));
+  using motion::Convention;
+  return rc::gen::exec([] {
+    motion::Document document;
+    document.header = *header(motion::keywords());
+    document.convention = *rc::gen::element(Convention::local, Convention::fixed);
+    document.convention_comments = *comments();
+    document.motions = *up_to(5, one_motion());
+    document.trailing_comments = *comments();
+    return document;
+  });
+}
+
+rc::Gen<transforms::Transform> one_transform() {
+  return rc::gen::exec([] {
+    auto transform = entry(&transforms::Transform::primitives, transforms::keywords());
+    transform.left = *name<Name>(transforms::keywords());
+    transform.right = *name<Name>(transforms::keywords());
+    return transform;
+  });
 }
 
 rc::Gen<transforms::Document> transforms_document() {
-  using transforms::Document, transforms::MovedFramePosition, transforms::Transform;
-  const auto frame = name<Name>(transforms::keywords());
-  const auto one = rc::gen::build<Transform>(
-      rc::gen::set(&Transform::left, frame), rc::gen::set(&Transform::right, frame),
-      rc::gen::set(&Transform::primitives, steps(transforms::keywords())), rc::gen::set(&Transform::name, maybe(frame)),
-      rc::gen::set(&Transform::comments, comments()));
-  return rc::gen::build<Document>(
-      rc::gen::set(&Document::header, header(transforms::keywords())),
-      rc::gen::set(&Document::position, rc::gen::element(MovedFramePosition::left, MovedFramePosition::right)),
-      rc::gen::set(&Document::position_comments, comments()),
-      rc::gen::set(&Document::transforms, rc::gen::resize(5, rc::gen::container<std::vector<Transform>>(one))),
-      rc::gen::set(&Document::trailing_comments, comments()));
+  using transforms::MovedFramePosition;
+  return rc::gen::exec([] {
+    transforms::Document document;
+    document.header = *header(transforms::keywords());
+    document.position = *rc::gen::element(MovedFramePosition::left, MovedFramePosition::right);
+    document.position_comments = *comments();
+    document.transforms = *up_to(5, one_transform());
+    document.trailing_comments = *comments();
+    return document;
+  });
 }
 
 template <class Document>

@@ -49,7 +49,7 @@ endif()
 
 # Flags of generated sources, those of the function and of COMPILE_OPTIONS, apply to these only.
 file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\":")
-set(flags "-fno-tree-slp-vectorize|-fno-(tree-)?dse|-fno-schedule-insns2|-fno-exceptions|-fstack-usage|-DNDEBUG|-mavx")
+set(flags "-fno-tree-slp-vectorize|-fno-(tree-)?dse|-fno-tree-(pta|pre|vrp)|-fno-schedule-insns2|-fno-exceptions|-fstack-usage|-DNDEBUG|-mavx")
 foreach(source "left_leg/transforms.cpp" "user/main.cpp")
   set(command "${commands}")
   list(FILTER command INCLUDE REGEX "${source}\"")

@@ -57,6 +57,13 @@ class Package(unittest.TestCase):
         self.assertEqual(self.build(), first)
         self.assertEqual(first.stat().st_mtime_ns, made)
 
+    def test_flags_are_those_of_the_cmake_functions(self):
+        def flags(file, expression):
+            return re.search(expression, (SOURCES / "cmake" / file).read_text(), re.MULTILINE)[1].split()
+
+        self.assertEqual(robcogen._OF_GCC, flags("Robcogen.cmake", r"^ *set\(of_gcc (.*)\)$"))
+        self.assertEqual(robcogen._ORDER_OF_GCC, flags("RobcogenProcessors.cmake", r" COMPILE_OPTIONS (-fschedule-insns .*)\)$"))
+
     def test_errors(self):
         wrong = self.folder / "wrong.kindsl"
         wrong.write_text("Robot wrong {\n  RobotBase base { children { a via } }\n}\n")

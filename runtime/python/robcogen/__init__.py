@@ -21,9 +21,14 @@ from pathlib import Path
 
 __all__ = ["Error", "build", "load"]
 
-# As in the CMake functions: gcc's packing of neighbouring scalars loses more in shuffles than it gains.
-_MODULE_FLAGS = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden"]
-_FLAGS = _MODULE_FLAGS + ["-fno-exceptions", "-fno-tree-slp-vectorize"]
+_FLAGS = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden"]
+# Those of gcc for generated code, and for the kernels of the best processor, as the CMake functions have them; a test
+# compares them.
+_OF_GCC = (
+    "-fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-tree-pta -fno-tree-pre "
+    "-fno-code-hoisting -fno-tree-dominator-opts -fno-thread-jumps -fno-tree-vrp -fno-exceptions "
+    "--param=lra-max-considered-reload-pseudos=100").split()
+_ORDER_OF_GCC = ["-fschedule-insns", "-fsched-pressure", "-fschedule-insns2"]
 
 
 class Error(Exception):
@@ -111,13 +116,20 @@ def _compile(folder, name):
     if not (headers / "Python.h").is_file():
         raise Error(f"{headers} has no Python.h: install the headers of this Python (Debian: python3-dev)")
     includes = ["-I", str(folder), "-I", str(_runtime()), "-I", str(headers)]
-    levels = ["-DROBCOGEN_WITH_AVX2"] if list(folder.glob(f"{name}/kernels_avx2.cpp")) else []
+    has_levels = bool(list(folder.glob(f"{name}/kernels_avx2.cpp")))
+    levels = ["-DROBCOGEN_WITH_AVX2"] if has_levels else []
+    is_gcc = "Free Software Foundation" in _run([compiler, "--version"])
     source = folder / "python" / f"{name}.cpp"
     commands, objects = [], []
     for file in [source, *sorted((folder / name).glob("*.cpp"))]:
-        flags = _MODULE_FLAGS if file == source else _FLAGS
-        if file.name == "kernels_avx2.cpp":
-            flags = flags + ["-mavx2", "-mfma"]
+        flags = list(_FLAGS)
+        if file != source:
+            flags += _OF_GCC if is_gcc else ["-fno-exceptions"]
+        is_best = file.name == "kernels_avx2.cpp"
+        if is_best:
+            flags += ["-mavx2", "-mfma", "-fno-math-errno"] + ([] if is_gcc else ["-ffp-contract=fast"])
+        if is_gcc and file != source and is_best == has_levels:
+            flags += _ORDER_OF_GCC
         objects.append(str(folder / f"{len(objects)}.o"))
         commands.append([compiler, *flags, *levels, *includes, "-c", str(file), "-o", objects[-1]])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
